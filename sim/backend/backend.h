@@ -1,0 +1,41 @@
+/* The one interface between whoever has fragments and whatever computes their highlights.
+ *
+ * A caller (rasterizer, `glint eval`, bench) does not know which circuit is behind it. One backend
+ * serves one thread at a time; several may live at once, each with a circuit of its own. */
+#ifndef GLINT_SIM_BACKEND_H
+#define GLINT_SIM_BACKEND_H
+
+#include "glint_specular.h"
+
+typedef enum glint_backend_kind {
+    GLINT_BACKEND_C,    /* glint_specular_batch() */
+    GLINT_BACKEND_RTL,  /* the Verilog under Verilator */
+    GLINT_BACKEND_REAL, /* formula (2.15) in floating point on the quantised cosine */
+    GLINT_BACKEND_COUNT
+} glint_backend_kind;
+
+typedef struct glint_backend_config {
+    glint_backend_kind kind;
+    glint_gate gate;
+    glint_pipeline pipeline;
+    int lanes; /* kind rtl: 1, 2, 4, 8 or 16; 0: the fastest lane count built for gate and pipeline */
+} glint_backend_config;
+
+typedef struct glint_backend glint_backend;
+
+/* Creates a backend in reset state. GLINT_BAD_ARGUMENT for a setting that was not built. */
+glint_status glint_backend_create(const glint_backend_config *config, glint_backend **backend,
+                                  glint_error *err);
+void glint_backend_destroy(glint_backend *backend); /* NULL is allowed */
+
+/* Shades a run of count fragments with one material. cos_code: U1.18, 0…GLINT_COS_CODE_MAX.
+ * w_code (may be NULL): W, U1.18. r, g, b: the highlight's colour, 8 bits. Backend real rounds
+ * W and each colour half up. Runs of any length are right; long ones are fast. */
+glint_status glint_backend_shade(glint_backend *backend, const glint_material *material,
+                                 const uint32_t *cos_code, size_t count, uint32_t *w_code,
+                                 uint8_t *r, uint8_t *g, uint8_t *b, glint_error *err);
+
+/* Clocks that the circuit behind this backend has run so far; 0 for kinds without a clock. */
+uint64_t glint_backend_clocks(const glint_backend *backend);
+
+#endif

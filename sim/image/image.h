@@ -1,0 +1,48 @@
+/* An 8-bit RGB picture with a mask of the pixels that belong to the object, PNG in and out, and
+ * the comparison of two pictures. */
+#ifndef GLINT_SIM_IMAGE_H
+#define GLINT_SIM_IMAGE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "glint_status.h"
+
+#define GLINT_IMAGE_SIDE_MAX 16384
+
+typedef struct glint_image {
+    int width, height; /* 1…GLINT_IMAGE_SIDE_MAX */
+    uint8_t *rgb;      /* width·height·3, rows top to bottom, R G B R G B … */
+    uint8_t *object;   /* width·height, 1 where the object covers the pixel, else 0 */
+} glint_image;
+
+/* All pixels 0, object mask 0. */
+glint_status glint_image_create(int width, int height, glint_image **image, glint_error *err);
+void glint_image_destroy(glint_image *image); /* NULL is allowed */
+
+/* Writes RGBA (alpha 255 on the object, and 255 on the background too; the mask itself travels as
+ * a tEXt-free convention: see image.c) beside the target, then renames: no half-written file. */
+glint_status glint_image_write_png(const glint_image *image, const char *path, glint_error *err);
+
+/* Reads any PNG that libpng reads, as 8-bit RGB. */
+glint_status glint_image_read_png(const char *path, glint_image **image, glint_error *err);
+
+/* How two pictures of one size differ, from the reference a to b. */
+typedef struct glint_image_difference {
+    uint64_t pixels;           /* compared: all of the frame */
+    uint64_t object_pixels;    /* of these, the object's: what nmse and psnr are taken over */
+    uint64_t differing_pixels; /* with any component unequal, over the frame */
+    int largest;               /* largest difference of one component, 0…255 */
+    double nmse;               /* thesis (3.1); 0 when equal; INFINITY if the reference is black */
+    double psnr;               /* dB, peak 255; INFINITY when equal */
+} glint_image_difference;
+
+/* GLINT_BAD_INPUT when the sizes differ. */
+glint_status glint_image_compare(const glint_image *a, const glint_image *b,
+                                 glint_image_difference *difference, glint_error *err);
+
+/* A picture of where and how much they differ; legend in docs/frames.md. */
+glint_status glint_image_difference_picture(const glint_image *a, const glint_image *b,
+                                            glint_image **picture, glint_error *err);
+
+#endif

@@ -1,0 +1,33 @@
+/* Triangle meshes: the built-in teapot and sphere, and files through assimp. */
+#ifndef GLINT_SIM_MESH_H
+#define GLINT_SIM_MESH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "glint_status.h"
+
+typedef struct glint_mesh {
+    size_t vertex_count;
+    float *position; /* vertex_count × 3, finite */
+    float *normal;   /* vertex_count × 3, unit length */
+    size_t triangle_count;
+    uint32_t *index; /* triangle_count × 3, each < vertex_count, counter-clockwise from outside */
+} glint_mesh;
+
+void glint_mesh_destroy(glint_mesh *mesh); /* NULL is allowed */
+
+/* The Newell teapot from its 32 bicubic patches (306 control points), each patch divided into
+ * density × density quads (1…256), exact normals, also at the degenerate points of lid and bottom;
+ * triangles of zero area at those points are left out. */
+glint_status glint_mesh_teapot(int density, glint_mesh **mesh, glint_error *err);
+
+/* Unit sphere of density meridian quads by density/2 parallels (density 4…4096, even). */
+glint_status glint_mesh_sphere(int density, glint_mesh **mesh, glint_error *err);
+
+/* Reads a mesh file through assimp (.3ds .obj .ply .stl …): all meshes under their node
+ * transforms, triangulated, smooth normals made where the file has none. Refuses with
+ * GLINT_BAD_INPUT a file without triangles, with a non-finite coordinate, or a bad index. */
+glint_status glint_mesh_load(const char *path, glint_mesh **mesh, glint_error *err);
+
+#endif

@@ -1,0 +1,60 @@
+/* The software rasterizer: a mesh, a camera and a light become fragments; a backend gives each its
+ * highlight; a picture comes out. Bit-equal whatever the number of threads (docs/frames.md). */
+#ifndef GLINT_SIM_RENDER_H
+#define GLINT_SIM_RENDER_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "backend/backend.h"
+#include "image/image.h"
+#include "render/mesh.h"
+
+/* I = C·(Ka·Ia + Kd·Ie·(N·L)) + Ie·Ks·W(N·H)·S : ambient, Lambert (1.2) and the device's highlight. */
+typedef struct glint_scene {
+    const glint_mesh *mesh;
+    float light[3];       /* direction from the object to the light (at infinity), any length > 0,
+                             in camera axes: x right, y up, z towards the viewer */
+    uint8_t color[3];     /* C, the object's colour */
+    uint8_t highlight[3]; /* S, the highlight's colour */
+    float ia, ie;         /* intensity of ambient and of the light source, 0…1 */
+    float ka, kd, ks;     /* 0…1 */
+    uint16_t n;           /* exponent, 0…1023 */
+    float yaw, pitch;     /* the camera's place around the object, degrees */
+    float fov;            /* vertical field of view, degrees, 1…170 */
+    float distance;       /* of the camera from the object's centre in multiples of the radius of its
+                             bounding sphere; 0: the object fills the frame */
+    uint8_t background[3];
+} glint_scene;
+
+/* Everything but the mesh set to the documented defaults. */
+void glint_scene_defaults(glint_scene *scene);
+
+typedef struct glint_render_stats {
+    uint64_t triangles; /* of the mesh */
+    uint64_t drawn;     /* triangles left after culling and clipping */
+    uint64_t fragments; /* visible pixels of the object: each went through the backend */
+    double seconds;
+} glint_render_stats;
+
+typedef struct glint_renderer glint_renderer;
+
+/* A renderer of width × height frames on `threads` threads (1…64), each with a backend of its own
+ * made from config. */
+glint_status glint_renderer_create(int width, int height, int threads,
+                                   const glint_backend_config *config, glint_renderer **renderer,
+                                   glint_error *err);
+void glint_renderer_destroy(glint_renderer *renderer); /* NULL is allowed */
+
+/* Renders one frame into image (of the renderer's size; every pixel is written, the object mask
+ * too). stop (may be NULL): when it becomes true the frame is given up with GLINT_INTERRUPTED.
+ * GLINT_BAD_ARGUMENT for a scene value out of range, naming it. */
+glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, glint_image *image,
+                          const volatile bool *stop, glint_render_stats *stats, glint_error *err);
+
+/* The run of cosine codes and the material of the last frame, for inspection: the fragment of pixel
+ * (x, y). Returns false when no object covers that pixel. */
+bool glint_renderer_fragment(const glint_renderer *renderer, int x, int y, uint32_t *cos_code,
+                             glint_material *material);
+
+#endif
