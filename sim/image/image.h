@@ -20,17 +20,18 @@ typedef struct glint_image {
 glint_status glint_image_create(int width, int height, glint_image **image, glint_error *err);
 void glint_image_destroy(glint_image *image); /* NULL is allowed */
 
-/* Writes RGBA (alpha 255 on the object, and 255 on the background too; the mask itself travels as
- * a tEXt-free convention: see image.c) beside the target, then renames: no half-written file. */
+/* Writes an RGBA PNG: alpha 255 where the object is, 0 on the background, so that the mask travels
+ * with the picture. Written beside the target, then renamed: never a half-written file. */
 glint_status glint_image_write_png(const glint_image *image, const char *path, glint_error *err);
 
-/* Reads any PNG that libpng reads, as 8-bit RGB. */
+/* Reads any PNG that libpng reads. The object is where alpha is above 0; a picture without alpha is
+ * all object. */
 glint_status glint_image_read_png(const char *path, glint_image **image, glint_error *err);
 
 /* How two pictures of one size differ, from the reference a to b. */
 typedef struct glint_image_difference {
     uint64_t pixels;           /* compared: all of the frame */
-    uint64_t object_pixels;    /* of these, the object's: what nmse and psnr are taken over */
+    uint64_t object_pixels;    /* of these, the object's in either: nmse and psnr are over these */
     uint64_t differing_pixels; /* with any component unequal, over the frame */
     int largest;               /* largest difference of one component, 0…255 */
     double nmse;               /* thesis (3.1); 0 when equal; INFINITY if the reference is black */

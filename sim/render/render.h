@@ -24,7 +24,6 @@ typedef struct glint_scene {
     float fov;            /* vertical field of view, degrees, 1…170 */
     float distance;       /* of the camera from the object's centre in multiples of the radius of its
                              bounding sphere; 0: the object fills the frame */
-    uint8_t background[3];
 } glint_scene;
 
 /* Everything but the mesh set to the documented defaults. */
@@ -47,7 +46,7 @@ glint_status glint_renderer_create(int width, int height, int threads,
 void glint_renderer_destroy(glint_renderer *renderer); /* NULL is allowed */
 
 /* Renders one frame into image (of the renderer's size; every pixel is written, the object mask
- * too). stop (may be NULL): when it becomes true the frame is given up with GLINT_INTERRUPTED.
+ * too; the background is 0). stop (may be NULL): when it becomes true the frame is given up with GLINT_INTERRUPTED.
  * GLINT_BAD_ARGUMENT for a scene value out of range, naming it. */
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, glint_image *image,
                           const volatile bool *stop, glint_render_stats *stats, glint_error *err);
