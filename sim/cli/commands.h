@@ -1,0 +1,14 @@
+/* The subcommands of `glint`, one file each: cmd_<name>.c. argv[0] is the subcommand's name, what
+ * follows are its arguments; each returns an exit status (output.h). */
+#ifndef GLINT_SIM_CLI_COMMANDS_H
+#define GLINT_SIM_CLI_COMMANDS_H
+
+int glint_cmd_info(int argc, char **argv);
+int glint_cmd_eval(int argc, char **argv);
+int glint_cmd_render(int argc, char **argv);
+int glint_cmd_compare(int argc, char **argv);
+int glint_cmd_verify(int argc, char **argv);
+int glint_cmd_wave(int argc, char **argv);
+int glint_cmd_bench(int argc, char **argv);
+
+#endif

@@ -1,0 +1,109 @@
+/* The command line of a subcommand, declared as a table and read strictly.
+ *
+ *     int64_t n = 100;
+ *     const char *out = NULL;
+ *     const glint_option options[] = {
+ *         {.name = "n", .help = "exponent", .kind = GLINT_OPTION_INTEGER,
+ *          .integer = {&n, 0, 1023}},
+ *         {.name = "out", .placeholder = "FILE", .help = "the picture", .required = true,
+ *          .kind = GLINT_OPTION_STRING, .string = &out},
+ *     };
+ *     const glint_command_line line = {.command = "render", .summary = "Renders a frame.",
+ *                                      .options = options, .option_count = 2};
+ *     const int status = glint_options_parse(&line, argc, argv);
+ *     if (status != GLINT_OPTIONS_RUN) {
+ *         return status;
+ *     }
+ *
+ * What the variables hold beforehand is the default, and --help shows it: there is no second copy
+ * of it. --help (or -h) is made from the table, and goes to standard output.
+ *
+ * Refused, each with one line on standard error and exit status 2: an unknown option (names may not
+ * be abbreviated), an option given twice, a missing or a superfluous value, a value that is not of
+ * the stated kind and range as a whole, a positional argument too many or too few, a required
+ * option left out. Values follow as --n 50 or --n=50; "--" ends the options. */
+#ifndef GLINT_SIM_CLI_OPTIONS_H
+#define GLINT_SIM_CLI_OPTIONS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef enum glint_option_kind {
+    GLINT_OPTION_FLAG,
+    GLINT_OPTION_INTEGER,
+    GLINT_OPTION_REAL,
+    GLINT_OPTION_CHOICE,
+    GLINT_OPTION_STRING,
+    GLINT_OPTION_SIZE,     /* WxH */
+    GLINT_OPTION_REALS,    /* three numbers, X,Y,Z */
+    GLINT_OPTION_INTEGERS, /* three integers, R,G,B */
+} glint_option_kind;
+
+typedef struct glint_option {
+    const char *name;        /* without the dashes */
+    const char *placeholder; /* of the value in --help; NULL: the kind's own (N, X, a|b|c, WxH …) */
+    const char *help;        /* one sentence; the default is added to it */
+    glint_option_kind kind;
+    bool required;
+    union {
+        bool *flag; /* set to true */
+        struct {
+            int64_t *value;
+            int64_t min, max;
+        } integer;
+        struct {
+            double *value;
+            double min, max; /* both finite */
+        } real;
+        struct {
+            int *value;               /* index into names */
+            const char *const *names; /* ends with NULL */
+        } choice;
+        const char **string; /* never empty; points into argv */
+        struct {
+            int *width, *height;
+            int max; /* each side is 1…max */
+        } size;
+        struct {
+            double *value; /* three */
+            double min, max;
+        } reals;
+        struct {
+            int *value; /* three */
+            int min, max;
+        } integers;
+    };
+} glint_option;
+
+typedef struct glint_positional {
+    const char *name;   /* FILE.png, for --help and messages */
+    const char **value; /* points into argv */
+} glint_positional;
+
+typedef struct glint_command_line {
+    const char *command; /* the subcommand's name */
+    const char *summary; /* what it does, a sentence or a few */
+    const char *details; /* more text below the options, already broken into lines; may be NULL */
+    const glint_option *options;
+    size_t option_count;                 /* at most GLINT_OPTIONS_MAX */
+    const glint_positional *positionals; /* all of them are required */
+    size_t positional_count;
+} glint_command_line;
+
+#define GLINT_OPTIONS_MAX 64
+
+/* glint_options_parse() returns this when the subcommand is to do its work, else the exit status
+ * to leave with: 0 after --help, 2 after a refusal, 1 when --help could not be written. */
+#define GLINT_OPTIONS_RUN (-1)
+
+/* argv[0] is the subcommand's name, as main() passes it. */
+int glint_options_parse(const glint_command_line *line, int argc, char **argv);
+
+/* The names of the settings, in the order of their enums, for GLINT_OPTION_CHOICE and for what is
+ * printed: glint_gate_names[GLINT_GATE_SIGN] is "sign". Each list ends with NULL. */
+extern const char *const glint_gate_names[];
+extern const char *const glint_pipeline_names[];
+extern const char *const glint_backend_names[];
+
+#endif

@@ -1,0 +1,175 @@
+/* The words that an option table says of itself; see options_help.h. */
+#include "cli/options_help.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#define PAGE_WIDTH  80
+#define HELP_COLUMN 28
+
+/* "c|rtl|real" or "c, rtl, real". */
+static void join_names(const char *const *names, const char *separator, char *text, size_t size)
+{
+    size_t length = 0;
+    text[0] = '\0';
+    for (int i = 0; names[i] != NULL && length < size; i++) {
+        const int added =
+            snprintf(text + length, size - length, "%s%s", i > 0 ? separator : "", names[i]);
+        length += (size_t)added;
+    }
+}
+
+void glint_option_expectation(const glint_option *option, char *text, size_t size)
+{
+    char names[128];
+    switch (option->kind) {
+    case GLINT_OPTION_FLAG:
+        snprintf(text, size, "a flag");
+        break;
+    case GLINT_OPTION_INTEGER:
+        snprintf(text, size, "an integer from %" PRId64 " to %" PRId64, option->integer.min,
+                 option->integer.max);
+        break;
+    case GLINT_OPTION_REAL:
+        snprintf(text, size, "a number from %g to %g", option->real.min, option->real.max);
+        break;
+    case GLINT_OPTION_CHOICE:
+        join_names(option->choice.names, ", ", names, sizeof names);
+        snprintf(text, size, "one of %s", names);
+        break;
+    case GLINT_OPTION_STRING:
+        snprintf(text, size, "a non-empty %s",
+                 option->placeholder != NULL ? option->placeholder : "text");
+        break;
+    case GLINT_OPTION_SIZE:
+        snprintf(text, size, "WIDTHxHEIGHT, each from 1 to %d", option->size.max);
+        break;
+    case GLINT_OPTION_REALS:
+        snprintf(text, size, "three numbers from %g to %g with commas between", option->reals.min,
+                 option->reals.max);
+        break;
+    case GLINT_OPTION_INTEGERS:
+        snprintf(text, size, "three integers from %d to %d with commas between",
+                 option->integers.min, option->integers.max);
+        break;
+    }
+}
+
+static void placeholder(const glint_option *option, char *text, size_t size)
+{
+    static const char *const usual[] = {
+        [GLINT_OPTION_FLAG] = "",       [GLINT_OPTION_INTEGER] = "N",
+        [GLINT_OPTION_REAL] = "X",      [GLINT_OPTION_CHOICE] = "",
+        [GLINT_OPTION_STRING] = "TEXT", [GLINT_OPTION_SIZE] = "WxH",
+        [GLINT_OPTION_REALS] = "X,Y,Z", [GLINT_OPTION_INTEGERS] = "R,G,B",
+    };
+    if (option->placeholder != NULL) {
+        snprintf(text, size, "%s", option->placeholder);
+    } else if (option->kind == GLINT_OPTION_CHOICE) {
+        join_names(option->choice.names, "|", text, size);
+    } else {
+        snprintf(text, size, "%s", usual[option->kind]);
+    }
+}
+
+/* The value that the option's variable holds now, or an empty text when there is none. */
+static void current_value(const glint_option *option, char *text, size_t size)
+{
+    text[0] = '\0';
+    switch (option->kind) {
+    case GLINT_OPTION_FLAG:
+        break;
+    case GLINT_OPTION_INTEGER:
+        snprintf(text, size, "%" PRId64, *option->integer.value);
+        break;
+    case GLINT_OPTION_REAL:
+        snprintf(text, size, "%g", *option->real.value);
+        break;
+    case GLINT_OPTION_CHOICE:
+        snprintf(text, size, "%s", option->choice.names[*option->choice.value]);
+        break;
+    case GLINT_OPTION_STRING:
+        snprintf(text, size, "%s", *option->string != NULL ? *option->string : "");
+        break;
+    case GLINT_OPTION_SIZE:
+        snprintf(text, size, "%dx%d", *option->size.width, *option->size.height);
+        break;
+    case GLINT_OPTION_REALS:
+        snprintf(text, size, "%g,%g,%g", option->reals.value[0], option->reals.value[1],
+                 option->reals.value[2]);
+        break;
+    case GLINT_OPTION_INTEGERS:
+        snprintf(text, size, "%d,%d,%d", option->integers.value[0], option->integers.value[1],
+                 option->integers.value[2]);
+        break;
+    }
+}
+
+/* Prints text from column on, broken at spaces so that it stays within the page, each further line
+ * indented by indent. */
+static void print_wrapped(const char *text, int column, int indent)
+{
+    const char *gap = "";
+    while (*text != '\0') {
+        const int length = (int)strcspn(text, " ");
+        if (*gap != '\0' && column + 1 + length > PAGE_WIDTH) {
+            printf("\n%*s", indent, "");
+            column = indent;
+            gap = "";
+        }
+        column += printf("%s%.*s", gap, length, text);
+        gap = " ";
+        text += length + (text[length] == ' ');
+    }
+    putchar('\n');
+}
+
+static void print_option(const glint_option *option)
+{
+    char name[128];
+    char value[128];
+    char help[512];
+    placeholder(option, value, sizeof value);
+    const int length =
+        snprintf(name, sizeof name, "  --%s%s%s", option->name, *value != '\0' ? " " : "", value);
+    current_value(option, value, sizeof value);
+    snprintf(help, sizeof help, *value != '\0' ? "%s (default %s)" : "%s", option->help, value);
+    if (length + 2 > HELP_COLUMN) {
+        printf("%s\n%*s", name, HELP_COLUMN, "");
+    } else {
+        printf("%-*s", HELP_COLUMN, name);
+    }
+    print_wrapped(help, HELP_COLUMN, HELP_COLUMN);
+}
+
+static void print_usage(const glint_command_line *line)
+{
+    char value[128];
+    printf("Usage: glint %s", line->command);
+    for (size_t i = 0; i < line->option_count; i++) {
+        if (line->options[i].required) {
+            placeholder(&line->options[i], value, sizeof value);
+            printf(" --%s %s", line->options[i].name, value);
+        }
+    }
+    printf(" [OPTION]...");
+    for (size_t i = 0; i < line->positional_count; i++) {
+        printf(" %s", line->positionals[i].name);
+    }
+    putchar('\n');
+}
+
+void glint_options_print_help(const glint_command_line *line)
+{
+    print_usage(line);
+    print_wrapped(line->summary, 0, 0);
+    printf("\nOptions:\n");
+    for (size_t i = 0; i < line->option_count; i++) {
+        print_option(&line->options[i]);
+    }
+    printf("%-*s%s\n", HELP_COLUMN, "  --help", "show this and leave");
+    if (line->details != NULL) {
+        printf("\n%s\n", line->details);
+    }
+}

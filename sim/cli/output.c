@@ -1,0 +1,141 @@
+/* What the command says and how it ends; see output.h. */
+#define _POSIX_C_SOURCE 200809L
+
+#include "cli/output.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <inttypes.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+/* The one variable of the process: a signal handler can reach nothing else. One byte, written only
+ * with true, so that a reader in any thread sees the old value or the new one. */
+static volatile bool stop_requested;
+
+static void request_stop(int signal_number)
+{
+    (void)signal_number;
+    stop_requested = true;
+}
+
+/* Keeps a closed descriptor's number taken. open() returns the lowest free number, which is fd, as
+ * all below it are open by now. */
+static void hold_descriptor(int fd, int flags)
+{
+    if (fcntl(fd, F_GETFD) == -1 && errno == EBADF && open("/dev/null", flags) != fd) {
+        _Exit(GLINT_EXIT_FAILURE);
+    }
+}
+
+void glint_output_init(void)
+{
+    hold_descriptor(STDIN_FILENO, O_WRONLY);
+    hold_descriptor(STDOUT_FILENO, O_RDONLY);
+    hold_descriptor(STDERR_FILENO, O_RDONLY);
+
+    struct sigaction action;
+    memset(&action, 0, sizeof action);
+    sigemptyset(&action.sa_mask);
+    action.sa_handler = SIG_IGN;
+    sigaction(SIGPIPE, &action, NULL);
+    /* No SA_RESTART: a subcommand waiting for input must wake up. */
+    action.sa_handler = request_stop;
+    action.sa_flags = (int)SA_RESETHAND;
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+}
+
+int glint_output_finish(const char *command, int status)
+{
+    errno = 0;
+    const bool flushed = fflush(stdout) == 0;
+    if (flushed && !ferror(stdout)) {
+        return status;
+    }
+    return glint_complain(command, GLINT_EXIT_FAILURE, "cannot write to standard output: %s",
+                          errno != 0 ? strerror(errno) : "an earlier write failed");
+}
+
+int glint_complain(const char *command, int exit_status, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    char message[1024];
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    /* A file name may hold a newline; the message stays one line. */
+    for (char *c = message; *c != '\0'; c++) {
+        if ((unsigned char)*c < 0x20 || *c == 0x7f) {
+            *c = '?';
+        }
+    }
+    fprintf(stderr, "glint%s%s: %s\n", command != NULL ? " " : "", command != NULL ? command : "",
+            message);
+    return exit_status;
+}
+
+int glint_complain_error(const char *command, const glint_error *err)
+{
+    return glint_complain(command, GLINT_EXIT_FAILURE, "%s", err->text);
+}
+
+bool glint_output_json(cJSON *json)
+{
+    char *text = json != NULL ? cJSON_Print(json) : NULL;
+    cJSON_Delete(json);
+    if (text == NULL) {
+        return false;
+    }
+    puts(text);
+    cJSON_free(text);
+    return true;
+}
+
+bool glint_stop_requested(void)
+{
+    return stop_requested;
+}
+
+const volatile bool *glint_stop_flag(void)
+{
+    return &stop_requested;
+}
+
+double glint_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+void glint_progress_begin(glint_progress *progress, const char *command, const char *unit)
+{
+    progress->command = command;
+    progress->unit = unit;
+    progress->shown = isatty(STDERR_FILENO) == 1;
+    progress->next = 0.0;
+}
+
+void glint_progress_update(glint_progress *progress, uint64_t done, uint64_t total)
+{
+    if (!progress->shown || glint_seconds() < progress->next) {
+        return;
+    }
+    progress->next = glint_seconds() + 0.1;
+    const double percent = total > 0 ? 100.0 * (double)done / (double)total : 100.0;
+    fprintf(stderr, "\rglint %s: %" PRIu64 " of %" PRIu64 " %s, %.0f %%\033[K", progress->command,
+            done, total, progress->unit, percent);
+    fflush(stderr);
+}
+
+void glint_progress_end(glint_progress *progress)
+{
+    if (progress->shown && progress->next > 0.0) {
+        fputs("\r\033[K", stderr);
+    }
+}

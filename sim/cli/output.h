@@ -1,0 +1,65 @@
+/* What the command says and how it ends: exit statuses, the one-line messages, a standard output
+ * that is checked, progress on a terminal, and Ctrl-C. */
+#ifndef GLINT_SIM_CLI_OUTPUT_H
+#define GLINT_SIM_CLI_OUTPUT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cjson/cJSON.h>
+
+#include "glint_status.h"
+
+/* What every subcommand returns. */
+enum {
+    GLINT_EXIT_OK = 0,
+    GLINT_EXIT_FAILURE = 1, /* the work was done and failed, or could not be done */
+    GLINT_EXIT_USAGE = 2,   /* the command line or a line of input is malformed */
+};
+
+/* Called once, first thing in main(): a closed standard stream is held by /dev/null, opened so
+ * that using it still fails (else the next file opened would take its number and receive its
+ * text); a broken pipe becomes a write error; SIGINT and SIGTERM raise the stop flag, a second one
+ * of them kills. */
+void glint_output_init(void);
+
+/* Flushes and checks standard output: the last thing a subcommand does. Returns status, or
+ * GLINT_EXIT_FAILURE after saying so when anything that was printed did not arrive. */
+int glint_output_finish(const char *command, int status);
+
+/* Prints "glint COMMAND: message" as one line on standard error ("glint: message" when command is
+ * NULL) and returns the exit status given: `return glint_complain("eval", GLINT_EXIT_USAGE, …);` */
+int glint_complain(const char *command, int exit_status, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Says why a library call failed and returns the exit status for it: 1. */
+int glint_complain_error(const char *command, const glint_error *err);
+
+/* Prints a JSON object on standard output, a newline after it, and deletes it. json may be NULL
+ * (out of memory while it was built). Returns false when memory ran out. */
+bool glint_output_json(cJSON *json);
+
+/* True once SIGINT or SIGTERM has arrived. */
+bool glint_stop_requested(void);
+
+/* The same flag for library calls that poll it while they work, such as glint_render(). */
+const volatile bool *glint_stop_flag(void);
+
+/* A line of progress on standard error, at most ten times a second, only when that is a terminal.
+ */
+typedef struct glint_progress {
+    const char *command;
+    const char *unit; /* "clocks" */
+    bool shown;       /* standard error is a terminal */
+    double next;      /* when to print again, seconds */
+} glint_progress;
+
+void glint_progress_begin(glint_progress *progress, const char *command, const char *unit);
+void glint_progress_update(glint_progress *progress, uint64_t done, uint64_t total);
+void glint_progress_end(glint_progress *progress); /* wipes the line */
+
+/* Seconds of a clock that never goes back. */
+double glint_seconds(void);
+
+#endif

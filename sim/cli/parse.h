@@ -1,0 +1,29 @@
+/* Strict readers of one token: the whole token is the value, or it is refused.
+ *
+ * Nothing here is skipped or guessed: no white space, no trailing characters, no hexadecimal
+ * floating point, no "nan" or "inf". Every function returns false and leaves *value alone when
+ * the token is not such a value or lies outside min…max. */
+#ifndef GLINT_SIM_CLI_PARSE_H
+#define GLINT_SIM_CLI_PARSE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* Decimal digits, with or without a sign. */
+bool glint_parse_integer(const char *token, int64_t min, int64_t max, int64_t *value);
+
+/* 0x or 0X and at least one hexadecimal digit. */
+bool glint_parse_hex(const char *token, uint64_t max, uint64_t *value);
+
+/* A decimal number such as 1, -0.5, .5, 2e-3. */
+bool glint_parse_real(const char *token, double min, double max, double *value);
+
+/* A token for a message: in double quotes, control characters written \xNN, cut with "..." when
+ * long. Returns quoted->text. */
+typedef struct glint_quoted {
+    char text[80];
+} glint_quoted;
+
+const char *glint_quote(const char *token, glint_quoted *quoted);
+
+#endif
