@@ -24,8 +24,10 @@ void glint_image_destroy(glint_image *image); /* NULL is allowed */
  * with the picture. Written beside the target, then renamed: never a half-written file. */
 glint_status glint_image_write_png(const glint_image *image, const char *path, glint_error *err);
 
-/* Reads any PNG that libpng reads. The object is where alpha is above 0; a picture without alpha is
- * all object. */
+/* Reads any PNG that libpng reads: grey becomes R = G = B, palettes and fewer bits are expanded,
+ * 16 bits are rounded to 8; no gamma or colour profile is applied, and alpha does not change the
+ * colours. The object is where alpha is above 0; a picture without alpha is all object.
+ * GLINT_BAD_INPUT for a file that is no whole PNG or has a side above GLINT_IMAGE_SIDE_MAX. */
 glint_status glint_image_read_png(const char *path, glint_image **image, glint_error *err);
 
 /* How two pictures of one size differ, from the reference a to b. */
@@ -33,16 +35,20 @@ typedef struct glint_image_difference {
     uint64_t pixels;           /* compared: all of the frame */
     uint64_t object_pixels;    /* of these, the object's in either: nmse and psnr are over these */
     uint64_t differing_pixels; /* with any component unequal, over the frame */
+    uint64_t mask_pixels;      /* the object's in one picture only */
     int largest;               /* largest difference of one component, 0…255 */
-    double nmse;               /* thesis (3.1); 0 when equal; INFINITY if the reference is black */
-    double psnr;               /* dB, peak 255; INFINITY when equal */
+    int first_x, first_y;      /* the first pixel, row by row, of differing_pixels or mask_pixels;
+                                  -1 when the pictures are equal */
+    double nmse; /* thesis (3.1); 0 when equal; INFINITY if the reference is black and b is not */
+    double psnr; /* dB, peak 255; INFINITY when equal */
 } glint_image_difference;
 
 /* GLINT_BAD_INPUT when the sizes differ. */
 glint_status glint_image_compare(const glint_image *a, const glint_image *b,
                                  glint_image_difference *difference, glint_error *err);
 
-/* A picture of where and how much they differ; legend in docs/frames.md. */
+/* A picture of where and how much they differ; legend in docs/frames.md, "Comparing frames". Its
+ * object mask is 1 everywhere, so that a difference on the background is seen too. */
 glint_status glint_image_difference_picture(const glint_image *a, const glint_image *b,
                                             glint_image **picture, glint_error *err);
 

@@ -1,0 +1,194 @@
+/* A file that appears whole or not at all; see new_file.h. */
+#define _XOPEN_SOURCE 700
+
+#include "file/new_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+struct glint_new_file {
+    char *target;    /* the name it takes at the end */
+    char *temporary; /* the name it is written under; NULL: the target itself */
+    FILE *stream;
+    mode_t mode; /* permissions to keep; 0: a new file's */
+};
+
+static glint_status cannot_write(const char *path, int reason, glint_error *err)
+{
+    return glint_fail(err, reason == ENOMEM ? GLINT_NO_MEMORY : GLINT_IO_ERROR,
+                      "cannot write %.400s: %s", path, strerror(reason));
+}
+
+static void free_file(glint_new_file *file)
+{
+    free(file->target);
+    free(file->temporary);
+    free(file);
+}
+
+/* Fills target, mode and whether the target is to be written directly. Returns 0 or an errno. */
+static int look_at_target(const char *path, glint_new_file *file, bool *direct)
+{
+    struct stat existing;
+    *direct = false;
+    if (stat(path, &existing) != 0) {
+        if (errno != ENOENT) {
+            return errno;
+        }
+        file->target = strdup(path);
+        return file->target != NULL ? 0 : ENOMEM;
+    }
+    if (S_ISDIR(existing.st_mode)) {
+        return EISDIR;
+    }
+    /* A rename would replace a file that its owner made read-only. */
+    if (access(path, W_OK) != 0) {
+        return errno;
+    }
+    *direct = !S_ISREG(existing.st_mode);
+    file->mode = existing.st_mode & 07777;
+    file->target = *direct ? strdup(path) : realpath(path, NULL);
+    return file->target != NULL ? 0 : errno;
+}
+
+/* Creates a file of a name not yet taken in the target's directory. Not mkstemp(): that gives the
+ * file permissions for its owner only. Returns the descriptor, or -1 with errno. */
+static int create_beside(glint_new_file *file)
+{
+    const char *slash = strrchr(file->target, '/');
+    const int directory_length = slash != NULL ? (int)(slash - file->target) + 1 : 0;
+    const size_t size = (size_t)directory_length + 64;
+    file->temporary = malloc(size);
+    if (file->temporary == NULL) {
+        return -1;
+    }
+    int fd = -1;
+    for (int attempt = 0; attempt < 1000; attempt++) {
+        snprintf(file->temporary, size, "%.*s.glint-%ld-%d.tmp", directory_length, file->target,
+                 (long)getpid(), attempt);
+        fd = open(file->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (fd >= 0 || errno != EEXIST) {
+            break;
+        }
+    }
+    if (fd < 0) {
+        const int reason = errno;
+        free(file->temporary);
+        file->temporary = NULL; /* nothing to remove */
+        errno = reason;
+    }
+    return fd;
+}
+
+/* Returns 0 or an errno. */
+static int open_stream(glint_new_file *file, bool direct)
+{
+    const int fd = direct ? open(file->target, O_WRONLY | O_CLOEXEC) : create_beside(file);
+    if (fd < 0) {
+        return errno;
+    }
+    if (!direct && file->mode != 0 && fchmod(fd, file->mode) != 0) {
+        const int reason = errno;
+        close(fd);
+        return reason;
+    }
+    file->stream = fdopen(fd, "wb");
+    if (file->stream == NULL) {
+        const int reason = errno;
+        close(fd);
+        return reason;
+    }
+    return 0;
+}
+
+glint_status glint_new_file_open(const char *path, glint_new_file **file, glint_error *err)
+{
+    *file = NULL;
+    glint_new_file *made = calloc(1, sizeof *made);
+    if (made == NULL) {
+        return cannot_write(path, ENOMEM, err);
+    }
+    bool direct;
+    int reason = look_at_target(path, made, &direct);
+    if (reason == 0) {
+        reason = open_stream(made, direct);
+    }
+    if (reason != 0) {
+        glint_new_file_discard(made);
+        return cannot_write(path, reason, err);
+    }
+    *file = made;
+    return GLINT_OK;
+}
+
+FILE *glint_new_file_stream(const glint_new_file *file)
+{
+    return file->stream;
+}
+
+/* Closes the stream. Returns 0, or the errno of whatever was not written. */
+static int close_stream(glint_new_file *file)
+{
+    errno = 0;
+    bool whole = fflush(file->stream) == 0 && !ferror(file->stream);
+    int reason = errno;
+    if (fclose(file->stream) != 0) {
+        whole = false;
+        reason = reason != 0 ? reason : errno;
+    }
+    file->stream = NULL;
+    return whole ? 0 : (reason != 0 ? reason : EIO);
+}
+
+glint_status glint_new_file_commit(glint_new_file *file, glint_error *err)
+{
+    int reason = close_stream(file);
+    if (reason == 0 && file->temporary != NULL && rename(file->temporary, file->target) != 0) {
+        reason = errno;
+    }
+    glint_status status = GLINT_OK;
+    if (reason != 0) {
+        status = cannot_write(file->target, reason, err);
+        glint_new_file_discard(file);
+    } else {
+        free_file(file);
+    }
+    return status;
+}
+
+void glint_new_file_discard(glint_new_file *file)
+{
+    if (file == NULL) {
+        return;
+    }
+    if (file->stream != NULL) {
+        fclose(file->stream);
+    }
+    if (file->temporary != NULL) {
+        unlink(file->temporary);
+    }
+    free_file(file);
+}
+
+glint_status glint_new_file_check(const char *path, glint_error *err)
+{
+    glint_new_file probe = {0};
+    bool direct;
+    int reason = look_at_target(path, &probe, &direct);
+    free(probe.target);
+    if (reason != 0) {
+        return cannot_write(path, reason, err);
+    }
+    if (direct) {
+        return GLINT_OK; /* opening a pipe would wait for its reader */
+    }
+    glint_new_file *file;
+    const glint_status status = glint_new_file_open(path, &file, err);
+    glint_new_file_discard(file);
+    return status;
+}

@@ -1,0 +1,35 @@
+/* A file that appears whole or not at all: it is written under another name in the same directory
+ * and takes its own name only when everything has arrived.
+ *
+ *     glint_new_file *file;
+ *     status = glint_new_file_open(path, &file, err);
+ *     …fprintf(glint_new_file_stream(file), …) …
+ *     return good ? glint_new_file_commit(file, err) : (glint_new_file_discard(file), status);
+ *
+ * An existing file keeps its permissions; a symbolic link keeps pointing to the file, which is
+ * replaced. A path that names no regular file (a device, a pipe) is written to directly. */
+#ifndef GLINT_SIM_NEW_FILE_H
+#define GLINT_SIM_NEW_FILE_H
+
+#include <stdio.h>
+
+#include "glint_status.h"
+
+typedef struct glint_new_file glint_new_file;
+
+glint_status glint_new_file_open(const char *path, glint_new_file **file, glint_error *err);
+
+/* Binary, fully buffered. Writers need not check each write: commit does. */
+FILE *glint_new_file_stream(const glint_new_file *file);
+
+/* Closes the file and gives it its name; where anything was not written, removes it instead and
+ * returns GLINT_IO_ERROR. The file is gone as an object either way. */
+glint_status glint_new_file_commit(glint_new_file *file, glint_error *err);
+
+/* Closes and removes what was written. NULL is allowed. */
+void glint_new_file_discard(glint_new_file *file);
+
+/* Tells, before long work, whether path could be written; leaves nothing behind. */
+glint_status glint_new_file_check(const char *path, glint_error *err);
+
+#endif
