@@ -46,12 +46,12 @@ typedef struct glint_material {
 typedef struct glint_specular_values {
     uint32_t reg1;   /* cos γ after saturation, U1.18 */
     uint32_t rom33;  /* σ, U9.13 */
-    uint32_t rom9;   /* gate cosine, sign: limit of the cosine, U1.18; drawn: limit of W, U1.18 */
+    uint32_t rom9;   /* gate cosine: limit of the cosine, U1.18; drawn: limit of W, U1.18; sign: 0 */
     int32_t adder6;  /* cos γ − 1, S1.18 */
     int32_t mul7;    /* σ(cos γ − 1), S10.18 */
     int32_t adder8;  /* t, S10.18 */
-    uint64_t mul10;  /* t², U1.18, or U17.18 with gate drawn */
-    uint32_t sat10;  /* the square, at most 1.0, U1.18 */
+    uint64_t mul10;  /* t², U1.18 (of t's low bits), or U17.18 with gate drawn */
+    uint32_t sat10;  /* gate drawn: the square, at most 1.0, U1.18; else the same as mul10 */
     uint32_t cmp11;  /* 1: the key block passes the square */
     uint32_t keys12; /* W, U1.18 */
     uint8_t mul13, mul14, mul15; /* W·R, W·G, W·B */
@@ -60,9 +60,9 @@ typedef struct glint_specular_values {
 /* ROM 33: σ = (n+1)/3 as U9.13, rounded half up. n: 0…1023, only its ten low bits are used. */
 uint32_t glint_rom33(uint32_t n);
 
-/* ROM 9 for the gates cosine and sign: the smallest cosine code for which t, computed from the
- * quantised σ with the device's own rounding, is not negative. Limit of the true formula:
- * cos γ₀ = (n−2)/(n+1); 0 for n ≤ 2. For gate drawn: GLINT_DRAWN_LIMIT whatever n. */
+/* ROM 9. Gate cosine: the smallest cosine code for which t, computed from the quantised σ with the
+ * device's own rounding, is not negative; the true formula's limit is cos γ₀ = (n−2)/(n+1), and 0
+ * for n ≤ 2. Gate drawn: GLINT_DRAWN_LIMIT whatever n. Gate sign has no ROM 9: 0. */
 uint32_t glint_rom9(glint_gate gate, uint32_t n);
 
 /* Computes one point: cos_code U1.18, 0…GLINT_COS_CODE_MAX (codes above 1.0 saturate).

@@ -1,0 +1,166 @@
+/* glint-gen: writes the files that are generated from the C model, so that a fact stands once.
+ *
+ *     glint-gen FILE KIND
+ *
+ * KIND: formats (rtl/glint_formats.vh), sigma-rom, limit-rom (rtl/…_rom.v), signals (the Verilator
+ * configuration that makes the named signals readable). FILE is written beside, then renamed. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "glint_specular_device.h"
+
+typedef void writer(FILE *out);
+
+static void write_header(FILE *out, const char *what)
+{
+    fprintf(out, "// %s\n//\n// Made by glint-gen from cmodel/; `make generate` makes it anew.\n",
+            what);
+}
+
+#define WRITE_CONSTANT(out, name) fprintf(out, "`define %s %ld\n", #name, (long)(name))
+
+static void write_formats(FILE *out)
+{
+    write_header(out, "glint_formats: widths and binary points of the specular device.");
+    fprintf(out, "`ifndef GLINT_FORMATS_VH\n`define GLINT_FORMATS_VH\n\n");
+    WRITE_CONSTANT(out, GLINT_GATE_COSINE);
+    WRITE_CONSTANT(out, GLINT_GATE_SIGN);
+    WRITE_CONSTANT(out, GLINT_GATE_DRAWN);
+    WRITE_CONSTANT(out, GLINT_COS_FRAC_BITS);
+    WRITE_CONSTANT(out, GLINT_COS_BITS);
+    WRITE_CONSTANT(out, GLINT_N_BITS);
+    WRITE_CONSTANT(out, GLINT_SIGMA_FRAC_BITS);
+    WRITE_CONSTANT(out, GLINT_SIGMA_BITS);
+    WRITE_CONSTANT(out, GLINT_ADDER6_BITS);
+    WRITE_CONSTANT(out, GLINT_T_INT_BITS);
+    WRITE_CONSTANT(out, GLINT_T_FRAC_BITS);
+    WRITE_CONSTANT(out, GLINT_T_BITS);
+    WRITE_CONSTANT(out, GLINT_W_FRAC_BITS);
+    WRITE_CONSTANT(out, GLINT_W_BITS);
+    WRITE_CONSTANT(out, GLINT_W_DRAWN_INT_BITS);
+    WRITE_CONSTANT(out, GLINT_W_DRAWN_BITS);
+    WRITE_CONSTANT(out, GLINT_COLOR_BITS);
+    fprintf(out, "`define GLINT_DRAWN_LIMIT %d'd%u\n", GLINT_COS_BITS, GLINT_DRAWN_LIMIT);
+    fprintf(out, "\n`endif\n");
+}
+
+typedef struct rom {
+    const char *module, *what, *output, *width_name;
+    int width;
+    uint32_t (*value)(uint32_t n);
+} rom;
+
+static uint32_t cosine_limit(uint32_t n)
+{
+    return glint_rom9(GLINT_GATE_COSINE, n);
+}
+
+static void write_rom(FILE *out, const rom *rom)
+{
+    write_header(out, rom->what);
+    fprintf(out,
+            "`default_nettype none\n`include \"glint_formats.vh\"\n\n"
+            "module %s (\n"
+            "    input  wire [`GLINT_N_BITS-1:0] n,\n"
+            "    output reg  [`%s-1:0] %s\n"
+            ");\n"
+            "    always @*\n"
+            "        case (n)\n",
+            rom->module, rom->width_name, rom->output);
+    for (uint32_t n = 0; n < GLINT_N_COUNT; n++)
+        fprintf(out, "            %d'd%-4u: %s = %d'd%u;\n", GLINT_N_BITS, n, rom->output,
+                rom->width, rom->value(n));
+    fprintf(out, "        endcase\nendmodule\n\n`default_nettype wire\n");
+}
+
+static void write_sigma_rom(FILE *out)
+{
+    static const rom sigma = {
+        "sigma_rom",
+        "sigma_rom: ROM 33 of figure 3.1, n -> sigma = (n+1)/3 as U9.13, rounded half up;\n"
+        "// combinational.",
+        "sigma",
+        "GLINT_SIGMA_BITS",
+        GLINT_SIGMA_BITS,
+        glint_rom33};
+    write_rom(out, &sigma);
+}
+
+static void write_limit_rom(FILE *out)
+{
+    static const rom limit = {
+        "limit_rom",
+        "limit_rom: ROM 9 of figure 3.1 for gate cosine, n -> the smallest cosine, U1.18, for which\n"
+        "// t, computed from the quantised sigma, is not negative; combinational.",
+        "limit",
+        "GLINT_COS_BITS",
+        GLINT_COS_BITS,
+        cosine_limit};
+    write_rom(out, &limit);
+}
+
+/* Outputs are ports of the device or, in a lane, of its instance: they are all named here, because
+ * a lane's slice of a port has no name of its own at the top. */
+#define PUBLIC_SHARED(name, ...)                                                                   \
+    fprintf(out, "public_flat_rd -module \"specular_device\" -var \"%s\"\n", #name);
+#define PUBLIC_LANE(name, ...)                                                                     \
+    fprintf(out, "public_flat_rd -module \"specular_lane*\" -var \"%s\"\n", #name);
+
+static void write_signals(FILE *out)
+{
+    write_header(out, "specular_signals.vlt: the signals that lockstep reads by name.");
+    fprintf(out, "`verilator_config\n");
+    GLINT_SPECULAR_SHARED_SIGNALS(PUBLIC_SHARED)
+    GLINT_SPECULAR_LANE_SIGNALS(PUBLIC_LANE)
+}
+
+static writer *find_writer(const char *kind)
+{
+    static const struct {
+        const char *kind;
+        writer *write;
+    } writers[] = {
+        {"formats", write_formats},
+        {"sigma-rom", write_sigma_rom},
+        {"limit-rom", write_limit_rom},
+        {"signals", write_signals},
+    };
+    for (size_t i = 0; i < sizeof writers / sizeof writers[0]; i++)
+        if (strcmp(writers[i].kind, kind) == 0)
+            return writers[i].write;
+    return NULL;
+}
+
+static int write_file(const char *path, writer *write)
+{
+    char temporary[4096];
+    int length = snprintf(temporary, sizeof temporary, "%s.new", path);
+    if (length < 0 || (size_t)length >= sizeof temporary)
+        return -1;
+    FILE *out = fopen(temporary, "w");
+    if (out == NULL)
+        return -1;
+    write(out);
+    int failed = ferror(out);
+    failed |= fclose(out);
+    if (failed || rename(temporary, path) != 0) {
+        remove(temporary);
+        return -1;
+    }
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    writer *write = argc == 3 ? find_writer(argv[2]) : NULL;
+    if (write == NULL) {
+        fprintf(stderr, "usage: glint-gen FILE formats|sigma-rom|limit-rom|signals\n");
+        return 2;
+    }
+    if (write_file(argv[1], write) != 0) {
+        perror(argv[1]);
+        return 1;
+    }
+    return 0;
+}

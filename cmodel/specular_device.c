@@ -1,0 +1,214 @@
+/* The specular device clock by clock. Each pass_* function is the row of pipeline registers between
+ * two stages: in the pipelined form an edge moves all of them, the last first, so that each takes
+ * what its stage held before the edge; in the drawn form they are wires, passed while settling. */
+#include "glint_specular_device.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "blocks.h"
+
+struct glint_specular_device {
+    glint_specular_config config;
+    uint32_t rom33[GLINT_N_COUNT], rom9[GLINT_N_COUNT];
+    glint_specular_signals signals;
+};
+
+static uint32_t low_bits(uint32_t value, int count)
+{
+    return value & ((1u << count) - 1u);
+}
+
+static void load_registers(glint_specular_device *d, const glint_specular_inputs *in)
+{
+    glint_specular_signals *s = &d->signals;
+    if (in->n_we)
+        s->reg2 = low_bits(in->n, GLINT_N_BITS);
+    if (in->rgb_we) {
+        s->reg3 = in->r;
+        s->reg4 = in->g;
+        s->reg5 = in->b;
+    }
+    s->s1_valid = low_bits(in->in_valid, d->config.lanes);
+    for (int i = 0; i < d->config.lanes; i++)
+        if (s->s1_valid >> i & 1)
+            s->lane[i].reg1 = glint_block_saturate1(low_bits(in->cos[i], GLINT_COS_BITS));
+}
+
+static void settle_stage1(glint_specular_device *d)
+{
+    glint_specular_signals *s = &d->signals;
+    s->rom33 = d->rom33[s->reg2];
+    s->rom9 = d->rom9[s->reg2];
+    for (int i = 0; i < d->config.lanes; i++)
+        s->lane[i].adder6 = glint_block_adder6((uint32_t)s->lane[i].reg1);
+}
+
+static void pass_stage2(glint_specular_device *d)
+{
+    glint_specular_signals *s = &d->signals;
+    s->s2_valid = s->s1_valid;
+    s->s2_rom33 = s->rom33;
+    s->s2_rom9 = s->rom9;
+    s->s2_reg3 = s->reg3;
+    s->s2_reg4 = s->reg4;
+    s->s2_reg5 = s->reg5;
+    for (int i = 0; i < d->config.lanes; i++) {
+        s->lane[i].s2_reg1 = s->lane[i].reg1;
+        s->lane[i].s2_adder6 = s->lane[i].adder6;
+    }
+}
+
+static void settle_stage2(glint_specular_device *d)
+{
+    glint_specular_signals *s = &d->signals;
+    for (int i = 0; i < d->config.lanes; i++) {
+        glint_specular_lane *lane = &s->lane[i];
+        lane->mul7 = glint_block_mul7((uint32_t)s->s2_rom33, (int32_t)lane->s2_adder6);
+        lane->adder8 = glint_block_adder8((int32_t)lane->mul7);
+        if (d->config.gate != GLINT_GATE_DRAWN)
+            lane->cmp11 = glint_block_cmp11(d->config.gate, (uint32_t)s->s2_rom9,
+                                            (uint32_t)lane->s2_reg1, (int32_t)lane->adder8, 0);
+    }
+}
+
+static void pass_stage3(glint_specular_device *d)
+{
+    glint_specular_signals *s = &d->signals;
+    s->s3_valid = s->s2_valid;
+    s->s3_rom9 = s->s2_rom9;
+    s->s3_reg3 = s->s2_reg3;
+    s->s3_reg4 = s->s2_reg4;
+    s->s3_reg5 = s->s2_reg5;
+    for (int i = 0; i < d->config.lanes; i++) {
+        s->lane[i].s3_adder8 = s->lane[i].adder8;
+        s->lane[i].s3_cmp11 = d->config.gate == GLINT_GATE_DRAWN ? 0 : s->lane[i].cmp11;
+    }
+}
+
+static void settle_stage3(glint_specular_device *d)
+{
+    glint_specular_signals *s = &d->signals;
+    glint_gate gate = d->config.gate;
+    for (int i = 0; i < d->config.lanes; i++) {
+        glint_specular_lane *lane = &s->lane[i];
+        uint64_t square = glint_block_mul10_gated(gate, (int32_t)lane->s3_adder8);
+        uint32_t pass = (uint32_t)lane->s3_cmp11;
+        if (gate == GLINT_GATE_DRAWN) {
+            pass = glint_block_cmp11(gate, (uint32_t)s->s3_rom9, 0, 0, square);
+            lane->cmp11 = pass;
+        }
+        lane->mul10 = (int64_t)square;
+        lane->sat10 = glint_block_sat10(gate, square);
+        lane->keys12 = glint_block_keys12(pass, (uint32_t)lane->sat10);
+    }
+}
+
+static void pass_stage4(glint_specular_device *d)
+{
+    glint_specular_signals *s = &d->signals;
+    s->s4_valid = s->s3_valid;
+    s->s4_reg3 = s->s3_reg3;
+    s->s4_reg4 = s->s3_reg4;
+    s->s4_reg5 = s->s3_reg5;
+    for (int i = 0; i < d->config.lanes; i++)
+        s->lane[i].s4_keys12 = s->lane[i].keys12;
+}
+
+static void settle_stage4(glint_specular_device *d)
+{
+    glint_specular_signals *s = &d->signals;
+    for (int i = 0; i < d->config.lanes; i++) {
+        glint_specular_lane *lane = &s->lane[i];
+        lane->mul13 = glint_block_mul_color((uint32_t)lane->s4_keys12, (uint8_t)s->s4_reg3);
+        lane->mul14 = glint_block_mul_color((uint32_t)lane->s4_keys12, (uint8_t)s->s4_reg4);
+        lane->mul15 = glint_block_mul_color((uint32_t)lane->s4_keys12, (uint8_t)s->s4_reg5);
+    }
+}
+
+static void pass_outputs(glint_specular_device *d)
+{
+    glint_specular_signals *s = &d->signals;
+    s->out_valid = s->s4_valid;
+    for (int i = 0; i < d->config.lanes; i++) {
+        glint_specular_lane *lane = &s->lane[i];
+        lane->out_w = lane->s4_keys12;
+        lane->out_r = lane->mul13;
+        lane->out_g = lane->mul14;
+        lane->out_b = lane->mul15;
+    }
+}
+
+/* Everything combinational, from what the registers hold. */
+static void settle(glint_specular_device *d)
+{
+    const int wires = d->config.pipeline == GLINT_PIPELINE_DRAWN;
+    settle_stage1(d);
+    if (wires)
+        pass_stage2(d);
+    settle_stage2(d);
+    if (wires)
+        pass_stage3(d);
+    settle_stage3(d);
+    if (wires)
+        pass_stage4(d);
+    settle_stage4(d);
+    if (wires)
+        pass_outputs(d);
+}
+
+void glint_specular_device_clock(glint_specular_device *d, const glint_specular_inputs *in)
+{
+    if (in->reset) {
+        memset(&d->signals, 0, sizeof d->signals);
+    } else if (in->en) {
+        if (d->config.pipeline == GLINT_PIPELINE_PIPELINED) {
+            pass_outputs(d);
+            pass_stage4(d);
+            pass_stage3(d);
+            pass_stage2(d);
+        }
+        load_registers(d, in);
+    }
+    settle(d);
+}
+
+static int lanes_are_valid(int lanes)
+{
+    return lanes >= 1 && lanes <= GLINT_LANES_MAX && (lanes & (lanes - 1)) == 0;
+}
+
+glint_status glint_specular_device_create(const glint_specular_config *config,
+                                          glint_specular_device **device)
+{
+    *device = NULL;
+    if ((unsigned)config->gate >= GLINT_GATE_COUNT ||
+        (unsigned)config->pipeline >= GLINT_PIPELINE_COUNT || !lanes_are_valid(config->lanes))
+        return GLINT_BAD_ARGUMENT;
+    glint_specular_device *d = calloc(1, sizeof *d);
+    if (d == NULL)
+        return GLINT_NO_MEMORY;
+    d->config = *config;
+    for (uint32_t n = 0; n < GLINT_N_COUNT; n++) {
+        d->rom33[n] = glint_rom33(n);
+        d->rom9[n] = glint_rom9(config->gate, n);
+    }
+    settle(d);
+    *device = d;
+    return GLINT_OK;
+}
+
+void glint_specular_device_destroy(glint_specular_device *device)
+{
+    free(device);
+}
+
+const glint_specular_signals *glint_specular_device_signals(const glint_specular_device *device)
+{
+    return &device->signals;
+}
+
+int glint_specular_latency(glint_pipeline pipeline)
+{
+    return pipeline == GLINT_PIPELINE_DRAWN ? GLINT_LATENCY_DRAWN : GLINT_LATENCY_PIPELINED;
+}

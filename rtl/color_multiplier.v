@@ -1,0 +1,25 @@
+// color_multiplier: multiplier 13, 14 or 15 of figure 3.1.
+//
+// Function    product = w times color
+// Formats     w U1.18, at most 1.0;  color, product U8.0
+// Rounding    half up, at the binary point of the product
+// Latency     combinational; no reset, no handshake
+`default_nettype none
+`include "glint_formats.vh"
+
+module color_multiplier (
+    input  wire [`GLINT_W_BITS-1:0]     w,
+    input  wire [`GLINT_COLOR_BITS-1:0] color,
+    output wire [`GLINT_COLOR_BITS-1:0] product
+);
+    localparam SUM_BITS = `GLINT_W_BITS + `GLINT_COLOR_BITS;
+    localparam [SUM_BITS-1:0] HALF = {{(`GLINT_COLOR_BITS + 1){1'b0}}, 1'b1,
+                                      {(`GLINT_W_FRAC_BITS - 1){1'b0}}};
+
+    wire [SUM_BITS-1:0]           sum = w * color + HALF;
+    wire                          high_unused; // w at most 1.0 leaves it 0
+    wire [`GLINT_W_FRAC_BITS-1:0] low_unused;
+    assign {high_unused, product, low_unused} = sum;
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,156 @@
+// specular_lane: the blocks of figure 3.1 that every cosine of a clock needs for itself.
+//
+// Function    W = t^2 where comparator 11 passes it, else 0;  t = sigma (cos - 1) + 1
+//             out_r, out_g, out_b = W times R, G, B
+// Blocks      register 1, adders 6 and 8, multipliers 7, 10, 13, 14, 15, comparator 11, keys 12
+// Formats     cos, reg1, rom9, W  U1.18    rom33 (sigma)  U9.13    adder6  S1.18
+//             mul7, adder8 (t)    S10.18   colours        U8.0
+//             S<i>.<f> counts the sign among its i integer digits.
+// Rounding    half up, at multipliers 7, 10, 13, 14, 15; nowhere else.
+// Saturation  register 1 takes 1.0 for any code above 1.0; GATE drawn: the square is at most 1.0.
+// Latency     1 clock (PIPELINED = 0) or 5 (PIPELINED = 1), from the edge that loads register 1 to
+//             the one after which the result is out, both counted. Throughput: one cosine a clock.
+// Reset       synchronous, active high, all registers 0, whatever en says. en = 0 holds them all.
+// Handshake   none here: specular_device carries the valid bits beside the lanes.
+// Parameters  GATE 0 cosine: comparator 11 compares register 1 with ROM 9, a limit of the cosine
+//                  1 sign:   the sign of adder 8 decides, ROM 9 is not looked at
+//                  2 drawn:  comparator 11 compares the square with ROM 9, a limit of W
+`default_nettype none
+`include "glint_formats.vh"
+
+module specular_lane #(
+    parameter GATE      = `GLINT_GATE_COSINE,
+    parameter PIPELINED = 1
+) (
+    input  wire                        clk,
+    input  wire                        reset,
+    input  wire                        en,
+    input  wire                        in_valid, // register 1 loads
+    input  wire [`GLINT_COS_BITS-1:0]  cos,      // information input 32
+
+    // Material, delayed by the device to the stage that reads it.
+    input  wire [`GLINT_SIGMA_BITS-1:0] s2_rom33,
+    input  wire [`GLINT_COS_BITS-1:0]   s2_rom9,
+    input  wire [`GLINT_COS_BITS-1:0]   s3_rom9,
+    input  wire [`GLINT_COLOR_BITS-1:0] s4_reg3,
+    input  wire [`GLINT_COLOR_BITS-1:0] s4_reg4,
+    input  wire [`GLINT_COLOR_BITS-1:0] s4_reg5,
+
+    output wire [`GLINT_W_BITS-1:0]     out_w,
+    output wire [`GLINT_COLOR_BITS-1:0] out_r,
+    output wire [`GLINT_COLOR_BITS-1:0] out_g,
+    output wire [`GLINT_COLOR_BITS-1:0] out_b
+);
+    localparam DRAWN = (GATE == `GLINT_GATE_DRAWN);
+
+    // Stage 1: register 1 and adder 6.
+    localparam [`GLINT_COS_BITS-1:0] COS_ONE = {1'b1, {`GLINT_COS_FRAC_BITS{1'b0}}};
+
+    reg [`GLINT_COS_BITS-1:0] reg1;
+    always @(posedge clk)
+        if (reset)               reg1 <= {`GLINT_COS_BITS{1'b0}};
+        else if (en && in_valid) reg1 <= (cos > COS_ONE) ? COS_ONE : cos;
+
+    // All ones on the integer digit is -1 there; the fraction passes beside the adder.
+    wire digit6 = reg1[`GLINT_COS_FRAC_BITS] + 1'b1;
+    wire signed [`GLINT_ADDER6_BITS-1:0] adder6 = {digit6, reg1[`GLINT_COS_FRAC_BITS-1:0]};
+
+    wire        [`GLINT_COS_BITS-1:0]    s2_reg1;
+    wire signed [`GLINT_ADDER6_BITS-1:0] s2_adder6;
+    stage_register #(.WIDTH(`GLINT_COS_BITS), .PRESENT(PIPELINED)) u_s2_reg1 (
+        .clk(clk), .reset(reset), .en(en), .d(reg1), .q(s2_reg1));
+    stage_register #(.WIDTH(`GLINT_ADDER6_BITS), .PRESENT(PIPELINED)) u_s2_adder6 (
+        .clk(clk), .reset(reset), .en(en), .d(adder6), .q(s2_adder6));
+
+    // Stage 2: multiplier 7 and adder 8; comparator 11 unless it waits for the square.
+    localparam SUM7_BITS = `GLINT_T_BITS + `GLINT_SIGMA_FRAC_BITS;
+    localparam signed [SUM7_BITS-1:0] HALF7 = {{`GLINT_T_BITS{1'b0}}, 1'b1,
+                                               {(`GLINT_SIGMA_FRAC_BITS - 1){1'b0}}};
+
+    wire signed [`GLINT_SIGMA_BITS:0] sigma7 = {1'b0, s2_rom33};
+    wire signed [SUM7_BITS-1:0]       sum7   = sigma7 * s2_adder6 + HALF7;
+    wire signed [`GLINT_T_BITS-1:0]   mul7;
+    wire [`GLINT_SIGMA_FRAC_BITS-1:0] mul7_unused;
+    assign {mul7, mul7_unused} = sum7;
+
+    // Carry-in 1 at the integer digits is +1; the fraction passes beside the adder.
+    wire signed [`GLINT_T_BITS-1:0] adder8 = {
+        mul7[`GLINT_T_BITS-1:`GLINT_T_FRAC_BITS] + {{(`GLINT_T_INT_BITS - 1){1'b0}}, 1'b1},
+        mul7[`GLINT_T_FRAC_BITS-1:0]};
+
+    wire cmp11;
+    wire s3_cmp11;
+    wire signed [`GLINT_T_BITS-1:0] s3_adder8;
+    stage_register #(.WIDTH(`GLINT_T_BITS), .PRESENT(PIPELINED)) u_s3_adder8 (
+        .clk(clk), .reset(reset), .en(en), .d(adder8), .q(s3_adder8));
+    stage_register #(.WIDTH(1), .PRESENT(PIPELINED)) u_s3_cmp11 (
+        .clk(clk), .reset(reset), .en(en), .d(cmp11 && !DRAWN), .q(s3_cmp11));
+
+    // Stage 3: multiplier 10 and key block 12.
+    localparam MUL10_BITS = DRAWN ? `GLINT_W_DRAWN_BITS : `GLINT_W_BITS;
+    wire [MUL10_BITS-1:0]    mul10;
+    wire [`GLINT_W_BITS-1:0] sat10;
+
+    generate
+        if (GATE == `GLINT_GATE_DRAWN) begin : g_square
+            localparam SUM10_BITS = `GLINT_W_DRAWN_BITS + `GLINT_W_FRAC_BITS;
+            localparam signed [SUM10_BITS-1:0] HALF10 = {
+                {`GLINT_W_DRAWN_BITS{1'b0}}, 1'b1, {(`GLINT_W_FRAC_BITS - 1){1'b0}}};
+            localparam [`GLINT_W_DRAWN_BITS-1:0] W_ONE = {
+                {(`GLINT_W_DRAWN_INT_BITS - 1){1'b0}}, 1'b1, {`GLINT_W_FRAC_BITS{1'b0}}};
+
+            wire signed [SUM10_BITS-1:0]  sum10 = s3_adder8 * s3_adder8 + HALF10;
+            wire [`GLINT_W_FRAC_BITS-1:0] mul10_unused;
+            assign {mul10, mul10_unused} = sum10;
+
+            assign sat10 = (mul10 > W_ONE) ? W_ONE[`GLINT_W_BITS-1:0] : mul10[`GLINT_W_BITS-1:0];
+            assign cmp11 = mul10 >= {{(`GLINT_W_DRAWN_INT_BITS - 1){1'b0}}, s3_rom9};
+        end else begin : g_square
+            // Where the gate passes, t is in 0..1: the square needs no more than these digits.
+            localparam SUM10_BITS = 2 * `GLINT_W_BITS;
+            localparam [SUM10_BITS-1:0] HALF10 = {
+                {(SUM10_BITS - `GLINT_W_FRAC_BITS){1'b0}}, 1'b1, {(`GLINT_W_FRAC_BITS - 1){1'b0}}};
+
+            wire [`GLINT_W_BITS-1:0]      t10 = s3_adder8[`GLINT_W_BITS-1:0];
+            wire [SUM10_BITS-1:0]         sum10 = t10 * t10 + HALF10;
+            wire                          mul10_high_unused;
+            wire [`GLINT_W_FRAC_BITS-1:0] mul10_low_unused;
+            assign {mul10_high_unused, mul10, mul10_low_unused} = sum10;
+
+            assign sat10 = mul10;
+            if (GATE == `GLINT_GATE_SIGN) begin : g_compare
+                assign cmp11 = !adder8[`GLINT_T_BITS-1];
+            end else begin : g_compare
+                assign cmp11 = s2_reg1 >= s2_rom9;
+            end
+        end
+    endgenerate
+
+    wire gate_unused = &{1'b0, s2_reg1, s2_rom9, s3_rom9, s3_adder8}; // no gate reads all of them
+
+    wire                     pass12 = DRAWN ? cmp11 : s3_cmp11;
+    wire [`GLINT_W_BITS-1:0] keys12 = pass12 ? sat10 : {`GLINT_W_BITS{1'b0}};
+
+    wire [`GLINT_W_BITS-1:0] s4_keys12;
+    stage_register #(.WIDTH(`GLINT_W_BITS), .PRESENT(PIPELINED)) u_s4_keys12 (
+        .clk(clk), .reset(reset), .en(en), .d(keys12), .q(s4_keys12));
+
+    // Stage 4: multipliers 13, 14, 15.
+    wire [`GLINT_COLOR_BITS-1:0] mul13;
+    wire [`GLINT_COLOR_BITS-1:0] mul14;
+    wire [`GLINT_COLOR_BITS-1:0] mul15;
+    color_multiplier u_mul13 (.w(s4_keys12), .color(s4_reg3), .product(mul13));
+    color_multiplier u_mul14 (.w(s4_keys12), .color(s4_reg4), .product(mul14));
+    color_multiplier u_mul15 (.w(s4_keys12), .color(s4_reg5), .product(mul15));
+
+    stage_register #(.WIDTH(`GLINT_W_BITS), .PRESENT(PIPELINED)) u_out_w (
+        .clk(clk), .reset(reset), .en(en), .d(s4_keys12), .q(out_w));
+    stage_register #(.WIDTH(`GLINT_COLOR_BITS), .PRESENT(PIPELINED)) u_out_r (
+        .clk(clk), .reset(reset), .en(en), .d(mul13), .q(out_r));
+    stage_register #(.WIDTH(`GLINT_COLOR_BITS), .PRESENT(PIPELINED)) u_out_g (
+        .clk(clk), .reset(reset), .en(en), .d(mul14), .q(out_g));
+    stage_register #(.WIDTH(`GLINT_COLOR_BITS), .PRESENT(PIPELINED)) u_out_b (
+        .clk(clk), .reset(reset), .en(en), .d(mul15), .q(out_b));
+endmodule
+
+`default_nettype wire
