@@ -1,0 +1,139 @@
+/* `glint compare`: how two pictures differ. */
+#include <inttypes.h>
+#include <math.h>
+
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "image/image.h"
+
+typedef struct compare_options {
+    const char *a, *b;
+    const char *diff; /* NULL: no difference picture */
+    bool json;
+} compare_options;
+
+static int parse(int argc, char **argv, compare_options *chosen)
+{
+    const glint_option options[] = {
+        {.name = "diff",
+         .placeholder = "FILE.png",
+         .help = "write a picture of where and how much they differ",
+         .kind = GLINT_OPTION_STRING,
+         .string = &chosen->diff},
+        {.name = "json",
+         .help = "the answer as JSON (psnr null: infinite)",
+         .kind = GLINT_OPTION_FLAG,
+         .flag = &chosen->json},
+    };
+    const glint_positional positionals[] = {{"A.png", &chosen->a}, {"B.png", &chosen->b}};
+    const glint_command_line line = {
+        .command = "compare",
+        .summary = "Compares two pictures of one size, A the reference: pixels that differ, the "
+                   "largest difference of a component, and NMSE and PSNR over the object (where "
+                   "alpha is above 0 in either).",
+        .details = "Exit status: 0 equal, 1 differing or not comparable, 2 malformed command line.",
+        .options = options,
+        .option_count = sizeof options / sizeof options[0],
+        .positionals = positionals,
+        .positional_count = sizeof positionals / sizeof positionals[0],
+    };
+    return glint_options_parse(&line, argc, argv);
+}
+
+/* What the thesis, section 3.3, reads from an NMSE. */
+static const char *verdict(double nmse)
+{
+    return nmse == 0.0       ? "equal"
+           : nmse <= 0.0001  ? "no visible difference"
+           : nmse <= 0.00025 ? "slight differences"
+           : nmse <= 0.001   ? "visible differences"
+                             : "substantially different";
+}
+
+static bool equal(const glint_image_difference *difference)
+{
+    return difference->differing_pixels == 0 && difference->mask_pixels == 0;
+}
+
+static void print_text(const glint_image_difference *difference)
+{
+    printf("%" PRIu64 " differing pixels of %" PRIu64 ", largest difference %d of 255\n",
+           difference->differing_pixels, difference->pixels, difference->largest);
+    if (difference->mask_pixels > 0) {
+        printf("%" PRIu64 " pixels are the object's in one picture only\n",
+               difference->mask_pixels);
+    }
+    if (!equal(difference)) {
+        printf("first at x=%d y=%d\n", difference->first_x, difference->first_y);
+    }
+    printf("over the object's %" PRIu64 " pixels: NMSE %.6g (%s), PSNR %.4g dB\n",
+           difference->object_pixels, difference->nmse, verdict(difference->nmse),
+           difference->psnr);
+}
+
+static bool print_json(const glint_image_difference *difference)
+{
+    cJSON *json = cJSON_CreateObject();
+    cJSON_AddBoolToObject(json, "equal", equal(difference));
+    cJSON_AddNumberToObject(json, "pixels", (double)difference->pixels);
+    cJSON_AddNumberToObject(json, "object_pixels", (double)difference->object_pixels);
+    cJSON_AddNumberToObject(json, "differing_pixels", (double)difference->differing_pixels);
+    cJSON_AddNumberToObject(json, "mask_pixels", (double)difference->mask_pixels);
+    cJSON_AddNumberToObject(json, "largest", difference->largest);
+    cJSON_AddNumberToObject(json, "first_x", difference->first_x);
+    cJSON_AddNumberToObject(json, "first_y", difference->first_y);
+    cJSON_AddNumberToObject(json, "nmse", difference->nmse);
+    cJSON_AddNumberToObject(json, "psnr", difference->psnr);
+    return glint_output_json(json);
+}
+
+static glint_status write_difference(const glint_image *a, const glint_image *b, const char *path,
+                                     glint_error *err)
+{
+    glint_image *picture;
+    glint_status status = glint_image_difference_picture(a, b, &picture, err);
+    if (status == GLINT_OK) {
+        status = glint_image_write_png(picture, path, err);
+    }
+    glint_image_destroy(picture);
+    return status;
+}
+
+/* Returns the exit status. */
+static int report(const compare_options *chosen, const glint_image_difference *difference)
+{
+    if (!chosen->json) {
+        print_text(difference);
+    } else if (!print_json(difference)) {
+        return glint_complain("compare", GLINT_EXIT_FAILURE, "no memory");
+    }
+    return glint_output_finish("compare", equal(difference) ? GLINT_EXIT_OK : GLINT_EXIT_FAILURE);
+}
+
+int glint_cmd_compare(int argc, char **argv)
+{
+    compare_options chosen = {0};
+    const int parsed = parse(argc, argv, &chosen);
+    if (parsed != GLINT_OPTIONS_RUN) {
+        return parsed;
+    }
+    glint_error err;
+    glint_image *a = NULL;
+    glint_image *b = NULL;
+    glint_image_difference difference;
+    glint_status status = glint_image_read_png(chosen.a, &a, &err);
+    if (status == GLINT_OK) {
+        status = glint_image_read_png(chosen.b, &b, &err);
+    }
+    if (status == GLINT_OK) {
+        status = glint_image_compare(a, b, &difference, &err);
+    }
+    if (status == GLINT_OK && chosen.diff != NULL) {
+        status = write_difference(a, b, chosen.diff, &err);
+    }
+    glint_image_destroy(a);
+    glint_image_destroy(b);
+    return status == GLINT_OK ? report(&chosen, &difference)
+                              : glint_complain_error("compare", &err);
+}

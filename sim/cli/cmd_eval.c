@@ -1,0 +1,219 @@
+/* `glint eval`: points on standard input, the device's answers on standard output. */
+#define _POSIX_C_SOURCE 200809L
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "backend/backend.h"
+#include "cli/commands.h"
+#include "cli/eval_line.h"
+#include "cli/options.h"
+#include "cli/output.h"
+
+#define RUN_MAX 4096
+
+typedef struct eval_options {
+    int backend, gate, pipeline;
+    bool json;
+} eval_options;
+
+/* Points of one material that stand one after the other in the input, shaded together. */
+typedef struct run {
+    glint_backend *backend;
+    bool json;
+    uint64_t printed; /* points of earlier runs */
+    size_t limit;     /* shade when this many are waiting */
+    size_t count;
+    glint_material material;
+    uint32_t cos_code[RUN_MAX];
+    uint32_t w_code[RUN_MAX];
+    uint8_t r[RUN_MAX], g[RUN_MAX], b[RUN_MAX];
+} run;
+
+static int parse(int argc, char **argv, eval_options *chosen)
+{
+    const glint_option options[] = {
+        {.name = "backend",
+         .help = "who computes: the C model, the Verilog, or the formula in floating point",
+         .kind = GLINT_OPTION_CHOICE,
+         .choice = {&chosen->backend, glint_backend_names}},
+        {.name = "gate",
+         .help = "what decides that a point lies outside the highlight",
+         .kind = GLINT_OPTION_CHOICE,
+         .choice = {&chosen->gate, glint_gate_names}},
+        {.name = "pipeline",
+         .help = "where the Verilog's registers are",
+         .kind = GLINT_OPTION_CHOICE,
+         .choice = {&chosen->pipeline, glint_pipeline_names}},
+        {.name = "json",
+         .help = "a JSON array of objects instead of CSV",
+         .kind = GLINT_OPTION_FLAG,
+         .flag = &chosen->json},
+    };
+    const glint_command_line line = {
+        .command = "eval",
+        .summary = "Reads points from standard input, one a line, and prints what the device "
+                   "answers for each, in order.",
+        .details =
+            "A line is: n cos r g b, with blanks or commas between. n is 0 to 1023; cos is a\n"
+            "number from 0 to 1, or a code of register 1 from 0x0 to 0x7ffff (above 0x40000,\n"
+            "which is 1.0, it saturates); r, g, b are 0 to 255. Blank lines and lines that\n"
+            "begin with # are skipped.\n"
+            "\n"
+            "The columns printed are n,cos_code,w_code,r,g,b: cos_code is what register 1\n"
+            "holds and w_code the output of the key block, both in units of 2^-18.",
+        .options = options,
+        .option_count = sizeof options / sizeof options[0],
+    };
+    return glint_options_parse(&line, argc, argv);
+}
+
+static void print_row(const run *points, size_t i)
+{
+    const uint32_t code = points->cos_code[i];
+    const uint32_t reg1 = code < GLINT_COS_ONE ? code : GLINT_COS_ONE;
+    if (!points->json) {
+        printf("%u,%" PRIu32 ",%" PRIu32 ",%u,%u,%u\n", points->material.n, reg1, points->w_code[i],
+               points->r[i], points->g[i], points->b[i]);
+        return;
+    }
+    /* Written by hand: a tree of millions of points would not fit, and these are integers only. */
+    printf("%s\n{\"n\":%u,\"cos_code\":%" PRIu32 ",\"w_code\":%" PRIu32
+           ",\"r\":%u,\"g\":%u,\"b\":%u}",
+           points->printed + i > 0 ? "," : "", points->material.n, reg1, points->w_code[i],
+           points->r[i], points->g[i], points->b[i]);
+}
+
+/* Shades and prints the points that wait. Returns an exit status. */
+static int flush_run(run *points)
+{
+    if (points->count == 0) {
+        return GLINT_EXIT_OK;
+    }
+    glint_error err;
+    if (glint_backend_shade(points->backend, &points->material, points->cos_code, points->count,
+                            points->w_code, points->r, points->g, points->b, &err) != GLINT_OK) {
+        return glint_complain_error("eval", &err);
+    }
+    for (size_t i = 0; i < points->count; i++) {
+        print_row(points, i);
+    }
+    points->printed += points->count;
+    points->count = 0;
+    if (points->limit == 1) {
+        fflush(stdout);
+    }
+    return ferror(stdout) ? glint_output_finish("eval", GLINT_EXIT_FAILURE) : GLINT_EXIT_OK;
+}
+
+static bool same_material(const glint_material *a, const glint_material *b)
+{
+    return a->n == b->n && a->r == b->r && a->g == b->g && a->b == b->b;
+}
+
+static int add_point(run *points, const glint_eval_point *point)
+{
+    if (points->count == points->limit || !same_material(&points->material, &point->material)) {
+        const int status = flush_run(points);
+        if (status != GLINT_EXIT_OK) {
+            return status;
+        }
+        points->material = point->material;
+    }
+    points->cos_code[points->count++] = point->cos_code;
+    return points->count == points->limit ? flush_run(points) : GLINT_EXIT_OK;
+}
+
+static int take_line(run *points, uint64_t number, char *line, size_t length)
+{
+    glint_eval_point point;
+    glint_error err;
+    switch (glint_eval_read_line(line, length, &point, &err)) {
+    case GLINT_EVAL_POINT:
+        return add_point(points, &point);
+    case GLINT_EVAL_NOTHING:
+        return GLINT_EXIT_OK;
+    case GLINT_EVAL_MALFORMED:
+        break;
+    }
+    flush_run(points);
+    fflush(stdout);
+    return glint_complain("eval", GLINT_EXIT_USAGE, "line %" PRIu64 ": %s", number, err.text);
+}
+
+/* Why getline() returned nothing: the end of the input, or something worse. */
+static int check_input(void)
+{
+    const int reason = errno;
+    if (glint_stop_requested()) {
+        return glint_complain("eval", GLINT_EXIT_FAILURE, "interrupted");
+    }
+    if (feof(stdin)) {
+        return GLINT_EXIT_OK;
+    }
+    return glint_complain("eval", GLINT_EXIT_FAILURE, "cannot read standard input: %s",
+                          strerror(reason));
+}
+
+static int shade_input(run *points)
+{
+    char *line = NULL;
+    size_t size = 0;
+    int status = GLINT_EXIT_OK;
+    uint64_t number = 0;
+    while (status == GLINT_EXIT_OK) {
+        errno = 0;
+        const ssize_t length = glint_stop_requested() ? -1 : getline(&line, &size, stdin);
+        if (length < 0) {
+            status = check_input();
+            break;
+        }
+        status = take_line(points, ++number, line, (size_t)length);
+    }
+    free(line);
+    return status == GLINT_EXIT_OK ? flush_run(points) : status;
+}
+
+static int eval(run *points)
+{
+    fputs(points->json ? "[" : "n,cos_code,w_code,r,g,b\n", stdout);
+    const int status = shade_input(points);
+    if (status != GLINT_EXIT_OK) {
+        return status;
+    }
+    if (points->json) {
+        fputs("\n]\n", stdout);
+    }
+    return glint_output_finish("eval", GLINT_EXIT_OK);
+}
+
+int glint_cmd_eval(int argc, char **argv)
+{
+    eval_options chosen = {.backend = GLINT_BACKEND_C,
+                           .gate = GLINT_GATE_COSINE,
+                           .pipeline = GLINT_PIPELINE_PIPELINED};
+    const int parsed = parse(argc, argv, &chosen);
+    if (parsed != GLINT_OPTIONS_RUN) {
+        return parsed;
+    }
+    const glint_backend_config config = {.kind = (glint_backend_kind)chosen.backend,
+                                         .gate = (glint_gate)chosen.gate,
+                                         .pipeline = (glint_pipeline)chosen.pipeline};
+    glint_error err;
+    run *points = calloc(1, sizeof *points);
+    if (points == NULL) {
+        return glint_complain("eval", GLINT_EXIT_FAILURE, "no memory");
+    }
+    /* Whoever types the points wants each answer at once. */
+    points->limit = isatty(STDIN_FILENO) == 1 ? 1 : RUN_MAX;
+    points->json = chosen.json;
+    const int status = glint_backend_create(&config, &points->backend, &err) == GLINT_OK
+                           ? eval(points)
+                           : glint_complain_error("eval", &err);
+    glint_backend_destroy(points->backend);
+    free(points);
+    return status;
+}
