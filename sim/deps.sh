@@ -1,0 +1,88 @@
+#!/bin/sh
+# Sees that the Debian packages a goal needs are there, and installs the missing ones.
+#
+#   sim/deps.sh GOAL...     goals: the names in the table below
+#   NO_INSTALL=1 sim/deps.sh GOAL...     only says what to install; exit status 1
+#
+# Silent when nothing is missing. Installs with apt-get, through sudo when not root.
+set -u
+
+build='gcc g++ make pkg-config verilator zlib1g-dev libpng-dev libassimp-dev libcjson-dev'
+checks="$build libcmocka-dev iverilog yosys clang valgrind"
+view='gtkwave xvfb xauth imagemagick'
+meshes='assimp-testmodels glmark2-data'
+
+# The one table: what each goal needs.
+packages_of() {
+    case $1 in
+    build | demo | bench | wave | install) echo "$build" ;;
+    lint) echo "$checks" ;;
+    test) echo "$checks $view $meshes" ;;
+    gtkwave) echo "$view" ;;
+    *) return 1 ;;
+    esac
+}
+
+fail() {
+    echo "sim/deps.sh: $*" >&2
+    exit 1
+}
+
+# Prints the packages of the list that are not installed. dpkg-query fails for names it has never
+# heard of, so what counts is what it lists as installed.
+missing_of() {
+    # shellcheck disable=SC2086  # a list of words
+    installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' $1 2>/dev/null)
+    for package in $1; do
+        case "
+$installed
+" in
+        *"
+installed $package
+"*) ;;
+        *) echo "$package" ;;
+        esac
+    done
+}
+
+[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build demo bench wave install lint test gtkwave)"
+
+needed=
+for goal in "$@"; do
+    packages=$(packages_of "$goal") || fail "unknown goal \"$goal\""
+    needed="$needed $packages"
+done
+
+command -v dpkg-query >/dev/null 2>&1 ||
+    fail "this is no Debian system (no dpkg-query); install the equivalents of:$needed"
+
+missing=$(missing_of "$needed" | sort -u | tr '\n' ' ')
+missing=${missing% }
+[ -n "$missing" ] || exit 0
+
+as_root=
+[ "$(id -u)" -eq 0 ] || as_root='sudo '
+if [ "${NO_INSTALL:-}" = 1 ]; then
+    fail "missing packages; run: ${as_root}apt-get install --no-install-recommends $missing"
+fi
+if [ -n "$as_root" ] && ! command -v sudo >/dev/null 2>&1; then
+    fail "missing packages and no sudo; as root run:" \
+        "apt-get install --no-install-recommends $missing"
+fi
+
+echo "sim/deps.sh: installing $missing" >&2
+log=$(mktemp) || fail "cannot make a temporary file"
+trap 'rm -f "$log"' EXIT
+
+# apt-get's many lines are shown only when it fails.
+apt() {
+    # shellcheck disable=SC2086  # sudo or nothing
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get -q "$@" >>"$log" 2>&1 </dev/null
+}
+
+apt update # where one of several sources does not answer, the packages may still be there
+# shellcheck disable=SC2086  # a list of words
+if ! apt install -y --no-install-recommends $missing; then
+    cat "$log" >&2
+    fail "apt-get could not install: $missing (its output is above)"
+fi
