@@ -10,28 +10,39 @@
 #include "image/image.h"
 #include "render/mesh.h"
 
-/* I = C·(Ka·Ia + Kd·Ie·(N·L)) + Ie·Ks·W(N·H)·S : ambient, Lambert (1.2) and the device's highlight. */
+/* Limits of a scene and of a renderer. */
+#define GLINT_ANGLE_MAX    36000.0f /* of yaw and pitch, degrees either way */
+#define GLINT_FOV_MIN      1.0f
+#define GLINT_FOV_MAX      170.0f
+#define GLINT_DISTANCE_MAX 1000.0f
+#define GLINT_THREADS_MAX  64
+
+/* I = C·(Ka·Ia + Kd·Ie·(N·L)) + Ie·Ks·W(N·H)·S : ambient, Lambert (1.2) and the device's highlight.
+ * Where N·L ≤ 0 both of the latter are 0. In brackets: what glint_scene_defaults() sets. */
 typedef struct glint_scene {
     const glint_mesh *mesh;
     float light[3];       /* direction from the object to the light (at infinity), any length > 0,
-                             in camera axes: x right, y up, z towards the viewer */
-    uint8_t color[3];     /* C, the object's colour */
-    uint8_t highlight[3]; /* S, the highlight's colour */
-    float ia, ie;         /* intensity of ambient and of the light source, 0…1 */
-    float ka, kd, ks;     /* 0…1 */
-    uint16_t n;           /* exponent, 0…1023 */
-    float yaw, pitch;     /* the camera's place around the object, degrees */
-    float fov;            /* vertical field of view, degrees, 1…170 */
-    float distance;       /* of the camera from the object's centre in multiples of the radius of its
-                             bounding sphere; 0: the object fills the frame */
+                             in camera axes: x right, y up, z towards the viewer [-1, 1.2, 1.6] */
+    uint8_t color[3];     /* C, the object's colour [200, 90, 40] */
+    uint8_t highlight[3]; /* S, the highlight's colour [255, 255, 255] */
+    float ia, ie;         /* intensity of ambient and of the light source, 0…1 [1, 1] */
+    float ka, kd, ks;     /* 0…1 [0.2, 0.8, 0.8] */
+    uint16_t n;           /* exponent, 0…1023 [80] */
+    float yaw, pitch;     /* the camera's place around the object, degrees: yaw turns it from the +z
+                             axis towards +x, pitch lifts it towards +y [25, 22] */
+    float fov;            /* vertical field of view, degrees, 1…170 [35] */
+    float distance; /* of the camera from the object's centre in multiples of the radius of its
+                       bounding sphere (about the centre of its bounding box), up to 1000; it
+                       may stand inside. 0: the object fills the frame, its projection centred
+                       and 2 % short of two opposite sides [0] */
 } glint_scene;
 
-/* Everything but the mesh set to the documented defaults. */
+/* Everything but the mesh set to the defaults that stand in brackets above. */
 void glint_scene_defaults(glint_scene *scene);
 
 typedef struct glint_render_stats {
     uint64_t triangles; /* of the mesh */
-    uint64_t drawn;     /* triangles left after culling and clipping */
+    uint64_t drawn;     /* triangles left after culling and clipping that span a pixel's centre */
     uint64_t fragments; /* visible pixels of the object: each went through the backend */
     double seconds;
 } glint_render_stats;
@@ -46,8 +57,8 @@ glint_status glint_renderer_create(int width, int height, int threads,
 void glint_renderer_destroy(glint_renderer *renderer); /* NULL is allowed */
 
 /* Renders one frame into image (of the renderer's size; every pixel is written, the object mask
- * too; the background is 0). stop (may be NULL): when it becomes true the frame is given up with GLINT_INTERRUPTED.
- * GLINT_BAD_ARGUMENT for a scene value out of range, naming it. */
+ * too; the background is 0). stop (may be NULL): when it becomes true the frame is given up with
+ * GLINT_INTERRUPTED. GLINT_BAD_ARGUMENT for a scene value out of range, naming it. */
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, glint_image *image,
                           const volatile bool *stop, glint_render_stats *stats, glint_error *err);
 

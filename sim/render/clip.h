@@ -1,0 +1,24 @@
+/* Clipping of one triangle against the near plane and the four sides of the guard square. */
+#ifndef GLINT_SIM_CLIP_H
+#define GLINT_SIM_CLIP_H
+
+#include "render/camera.h"
+
+/* Each plane adds at most one corner. */
+#define GLINT_CLIP_PLANES      5
+#define GLINT_CLIP_CORNERS_MAX (3 + GLINT_CLIP_PLANES)
+
+/* A corner in the camera's coordinates, with the normal there. */
+typedef struct glint_clip_corner {
+    glint_view_point p;
+    glint_vec3 n;
+} glint_clip_corner;
+
+/* A bit for each plane that the point is beyond. */
+uint32_t glint_clip_outside(const glint_camera *camera, glint_view_point p);
+
+/* Clips polygon, which begins with three corners and has room for GLINT_CLIP_CORNERS_MAX, against
+ * the planes whose bit is set. Returns how many corners are left, 0 or 3 and more. */
+int glint_clip(const glint_camera *camera, uint32_t planes, glint_clip_corner *polygon);
+
+#endif

@@ -1,0 +1,189 @@
+/* Coverage by exact integer edge functions with the top-left rule, and the depth test. */
+#include "render/raster.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* A box at least this wide is searched for a row's span by division instead of step by step. */
+#define WIDE 24
+
+/* The function of the edge from one corner to the next: positive on the inner side, twice the area
+ * of the triangle that the edge forms with the point. */
+typedef struct edge {
+    int64_t value;          /* at the current sample */
+    int64_t step_x, step_y; /* one pixel to the right, one down */
+} edge;
+
+/* Pixels of one row, last < first when there are none. */
+typedef struct span {
+    int32_t first, last;
+} span;
+
+static int64_t sample(int32_t pixel)
+{
+    return (int64_t)pixel * GLINT_SUBPIXEL_ONE + GLINT_SUBPIXEL_HALF;
+}
+
+/* The edge that starts at corner i, at the sample of pixel (x, y). */
+static edge edge_at(const glint_triangle *t, int i, int32_t x, int32_t y)
+{
+    const int next = i < 2 ? i + 1 : 0;
+    const int64_t dx = (int64_t)t->x[next] - t->x[i];
+    const int64_t dy = (int64_t)t->y[next] - t->y[i];
+    return (edge){
+        .value = dx * (sample(y) - t->y[i]) - dy * (sample(x) - t->x[i]),
+        .step_x = -dy * GLINT_SUBPIXEL_ONE,
+        .step_y = dx * GLINT_SUBPIXEL_ONE,
+    };
+}
+
+/* A sample exactly on an edge belongs to the triangle if that edge is a top or a left one, so that
+ * of the two triangles along an edge exactly one has it. For the others "positive" is asked, not
+ * "not negative": one less in integers. */
+static edge biased_edge_at(const glint_triangle *t, int i, int32_t x, int32_t y)
+{
+    edge e = edge_at(t, i, x, y);
+    const bool left = e.step_x > 0;
+    const bool top = e.step_x == 0 && e.step_y > 0;
+    if (!left && !top) {
+        e.value -= 1;
+    }
+    return e;
+}
+
+glint_weights glint_triangle_weights(const glint_triangle *t, int32_t x, int32_t y)
+{
+    const edge e1 = edge_at(t, 2, x, y); /* the edges opposite to corners 1 and 2 */
+    const edge e2 = edge_at(t, 0, x, y);
+    return (glint_weights){
+        .at1 = (double)e1.value * t->inv_area,
+        .at2 = (double)e2.value * t->inv_area,
+        .step1 = (double)e1.step_x * t->inv_area,
+        .step2 = (double)e2.step_x * t->inv_area,
+    };
+}
+
+/* The inside of a narrow box's row, found step by step. */
+static span narrow_span(const edge e[3], int32_t first, int32_t last)
+{
+    int64_t a = e[0].value;
+    int64_t b = e[1].value;
+    int64_t c = e[2].value;
+    int32_t x = first;
+    while (x <= last && (a | b | c) < 0) {
+        a += e[0].step_x;
+        b += e[1].step_x;
+        c += e[2].step_x;
+        x++;
+    }
+    const int32_t start = x;
+    while (x <= last && (a | b | c) >= 0) {
+        a += e[0].step_x;
+        b += e[1].step_x;
+        c += e[2].step_x;
+        x++;
+    }
+    return (span){start, x - 1};
+}
+
+/* The same for a wide one, solved for where each edge function changes its sign. */
+static span wide_span(const edge e[3], int32_t first, int32_t last)
+{
+    int64_t low = 0;
+    int64_t high = last - first;
+    for (int i = 0; i < 3; i++) {
+        const int64_t step = e[i].step_x;
+        const int64_t value = e[i].value;
+        if (value < 0) {
+            if (step <= 0) {
+                return (span){first, first - 1};
+            }
+            const int64_t enter = (-value + step - 1) / step;
+            low = low > enter ? low : enter;
+        } else if (step < 0) {
+            const int64_t leave = value / -step;
+            high = high < leave ? high : leave;
+        }
+    }
+    return low > high ? (span){first, first - 1}
+                      : (span){first + (int32_t)low, first + (int32_t)high};
+}
+
+/* Takes the pixels of the span where the triangle is nearer than what was there; of equally near
+ * ones the first in the mesh's order stays. */
+static void test_depth(glint_visibility *band, size_t row, const glint_triangle *t, int32_t y,
+                       span s)
+{
+    const glint_weights w = glint_triangle_weights(t, s.first, y);
+    const double start = (double)t->inv_w + w.at1 * (double)t->inv_w1 + w.at2 * (double)t->inv_w2;
+    const double step = w.step1 * (double)t->inv_w1 + w.step2 * (double)t->inv_w2;
+    const float from = (float)start;
+    const float by = (float)step;
+    float *depth = &band->depth[row + (size_t)s.first];
+    const glint_triangle **seen = &band->triangle[row + (size_t)s.first];
+    for (int32_t k = 0; k <= s.last - s.first; k++) {
+        const float here = from + (float)k * by;
+        if (here > depth[k]) {
+            depth[k] = here;
+            seen[k] = t;
+        }
+    }
+}
+
+static void draw(glint_visibility *band, glint_extent extent, const glint_triangle *t)
+{
+    const int32_t first_y = t->first_y > band->first_y ? t->first_y : band->first_y;
+    const int32_t last_y = t->last_y < band->last_y ? t->last_y : band->last_y;
+    edge e[3];
+    for (int i = 0; i < 3; i++) {
+        e[i] = biased_edge_at(t, i, t->first_x, first_y);
+    }
+    const bool wide = t->last_x - t->first_x >= WIDE;
+    for (int32_t y = first_y; y <= last_y; y++) {
+        const span s =
+            wide ? wide_span(e, t->first_x, t->last_x) : narrow_span(e, t->first_x, t->last_x);
+        if (s.first <= s.last) {
+            test_depth(band, (size_t)(y - band->first_y) * (size_t)extent.width, t, y, s);
+        }
+        for (int i = 0; i < 3; i++) {
+            e[i].value += e[i].step_y;
+        }
+    }
+}
+
+void glint_visibility_create(glint_visibility *band, int32_t width)
+{
+    const size_t pixels = (size_t)width * GLINT_BAND_ROWS;
+    band->depth = malloc(pixels * sizeof *band->depth);
+    band->triangle = malloc(pixels * sizeof *band->triangle);
+}
+
+void glint_visibility_destroy(glint_visibility *band)
+{
+    free(band->depth);
+    free(band->triangle);
+}
+
+void glint_visibility_begin(glint_visibility *band, glint_extent extent, int32_t first_y,
+                            int32_t last_y)
+{
+    const size_t pixels = (size_t)extent.width * (size_t)(last_y - first_y + 1);
+    band->first_y = first_y;
+    band->last_y = last_y;
+    memset(band->depth, 0, pixels * sizeof *band->depth);
+    memset(band->triangle, 0, pixels * sizeof *band->triangle);
+}
+
+void glint_visibility_draw(glint_visibility *band, glint_extent extent,
+                           const glint_triangle_list *list)
+{
+    if (list->last_y < band->first_y || list->first_y > band->last_y) {
+        return;
+    }
+    for (size_t i = 0; i < list->count; i++) {
+        const glint_triangle *t = &list->triangle[i];
+        if (t->first_y <= band->last_y && t->last_y >= band->first_y) {
+            draw(band, extent, t);
+        }
+    }
+}

@@ -1,0 +1,38 @@
+/* Visibility: which triangle is seen in each pixel of a band of rows. */
+#ifndef GLINT_SIM_RASTER_H
+#define GLINT_SIM_RASTER_H
+
+#include "render/setup.h"
+
+/* Rows a band. Fixed, so that no result depends on how bands fall to threads. */
+#define GLINT_BAND_ROWS 16
+
+/* What is seen of a band, row by row, extent.width pixels each. */
+typedef struct glint_visibility {
+    int32_t first_y, last_y;
+    float *depth;                    /* 1/w of what is nearest so far, 0 for nothing */
+    const glint_triangle **triangle; /* and the triangle, NULL for nothing */
+} glint_visibility;
+
+/* Room for one band of that width; the arrays are NULL when there is no memory. */
+void glint_visibility_create(glint_visibility *band, int32_t width);
+void glint_visibility_destroy(glint_visibility *band);
+
+/* Empties the band and sets it to rows first_y … last_y. */
+void glint_visibility_begin(glint_visibility *band, glint_extent extent, int32_t first_y,
+                            int32_t last_y);
+
+/* Draws the triangles of the list in their order. */
+void glint_visibility_draw(glint_visibility *band, glint_extent extent,
+                           const glint_triangle_list *list);
+
+/* How far corners 1 and 2 of a triangle pull at the sample of pixel (x, y), 0…1 inside, and what
+ * one pixel to the right adds. From the exact integer edge functions: they do not run out of the
+ * triangle however thin it is. */
+typedef struct glint_weights {
+    double at1, at2, step1, step2;
+} glint_weights;
+
+glint_weights glint_triangle_weights(const glint_triangle *t, int32_t x, int32_t y);
+
+#endif

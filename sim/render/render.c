@@ -1,0 +1,367 @@
+/* One frame from scene to picture, in three phases that all threads share: vertices, triangles,
+ * bands of rows. The pieces of each phase are of a fixed size and are taken by whichever thread is
+ * free; what a piece yields depends on the scene alone, so the picture does too. */
+#define _POSIX_C_SOURCE 200809L
+
+#include "render/render.h"
+
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "render/pool.h"
+#include "render/raster.h"
+#include "render/scene.h"
+#include "render/setup.h"
+#include "render/shade.h"
+
+#define VERTEX_RUN   1024
+#define TRIANGLE_RUN 256
+
+/* One thread's own things. */
+typedef struct worker {
+    glint_backend *backend;
+    glint_visibility band;
+    glint_shader shader;
+    uint64_t fragments; /* of this frame */
+    glint_status status;
+    glint_error error;
+} worker;
+
+struct glint_renderer {
+    glint_extent extent;
+    int threads;
+    glint_pool *pool;
+    worker *workers;
+    glint_record record;
+    glint_material material; /* of the last frame */
+    bool rendered;           /* the record holds a frame */
+    glint_screen_vertex *screen;
+    size_t screen_capacity;
+    glint_triangle_list *lists; /* one for each run of the mesh's triangles */
+    size_t list_count, list_capacity;
+};
+
+/* A frame in the making. */
+typedef struct frame {
+    glint_renderer *renderer;
+    const glint_mesh *mesh;
+    glint_camera camera;
+    glint_lighting lighting;
+    glint_image *image;
+    const volatile bool *stop;
+    atomic_size_t next; /* piece of the current phase to be taken */
+    atomic_bool failed;
+} frame;
+
+static void fail_worker(frame *f, worker *w, glint_status status, const char *why)
+{
+    w->status = glint_fail(&w->error, status, "%s", why);
+    atomic_store(&f->failed, true);
+}
+
+/* Takes the next of count pieces; false when there are none left or the frame is given up. */
+static bool take(frame *f, worker *w, size_t count, size_t *piece)
+{
+    if (atomic_load_explicit(&f->failed, memory_order_relaxed)) {
+        return false;
+    }
+    if (f->stop != NULL && *f->stop) {
+        fail_worker(f, w, GLINT_INTERRUPTED, "the frame was given up: interrupted");
+        return false;
+    }
+    *piece = atomic_fetch_add_explicit(&f->next, 1, memory_order_relaxed);
+    return *piece < count;
+}
+
+static size_t pieces(size_t items, size_t a_piece)
+{
+    return (items + a_piece - 1) / a_piece;
+}
+
+static size_t end_of(size_t start, size_t run, size_t items)
+{
+    return items - start < run ? items : start + run;
+}
+
+static void vertex_phase(void *context, int worker_index)
+{
+    frame *f = context;
+    worker *w = &f->renderer->workers[worker_index];
+    const size_t items = f->mesh->vertex_count;
+    size_t piece;
+    while (take(f, w, pieces(items, VERTEX_RUN), &piece)) {
+        const size_t start = piece * VERTEX_RUN;
+        glint_setup_vertices(&f->camera, f->mesh, start, end_of(start, VERTEX_RUN, items),
+                             f->renderer->screen);
+    }
+}
+
+static void triangle_phase(void *context, int worker_index)
+{
+    frame *f = context;
+    glint_renderer *r = f->renderer;
+    worker *w = &r->workers[worker_index];
+    const size_t items = f->mesh->triangle_count;
+    size_t piece;
+    while (take(f, w, r->list_count, &piece)) {
+        const size_t start = piece * TRIANGLE_RUN;
+        if (!glint_setup_triangles(&f->camera, f->mesh, r->extent, r->screen, start,
+                                   end_of(start, TRIANGLE_RUN, items), &r->lists[piece])) {
+            fail_worker(f, w, GLINT_NO_MEMORY, "no memory for the frame's triangles");
+        }
+    }
+}
+
+static void draw_band(frame *f, worker *w, size_t band)
+{
+    glint_renderer *r = f->renderer;
+    const int32_t first_y = (int32_t)band * GLINT_BAND_ROWS;
+    const int32_t after = first_y + GLINT_BAND_ROWS;
+    const int32_t last_y = (after < r->extent.height ? after : r->extent.height) - 1;
+    glint_visibility_begin(&w->band, r->extent, first_y, last_y);
+    for (size_t i = 0; i < r->list_count; i++) {
+        if (f->stop != NULL && *f->stop) {
+            return; /* take() sees it too */
+        }
+        glint_visibility_draw(&w->band, r->extent, &r->lists[i]);
+    }
+    uint64_t fragments = 0;
+    const glint_status status = glint_shade_band(&w->shader, &f->lighting, &w->band, w->backend,
+                                                 &r->record, f->image, &fragments, &w->error);
+    if (status != GLINT_OK) {
+        w->status = status;
+        atomic_store(&f->failed, true);
+    }
+    w->fragments += fragments;
+}
+
+static void band_phase(void *context, int worker_index)
+{
+    frame *f = context;
+    worker *w = &f->renderer->workers[worker_index];
+    const size_t bands = pieces((size_t)f->renderer->extent.height, GLINT_BAND_ROWS);
+    size_t band;
+    while (take(f, w, bands, &band)) {
+        draw_band(f, w, band);
+    }
+}
+
+/* Runs one phase on all threads and returns the first worker's failure, if any. */
+static glint_status run_phase(frame *f, glint_pool_task *phase, glint_error *err)
+{
+    glint_renderer *r = f->renderer;
+    atomic_store(&f->next, 0);
+    glint_pool_run(r->pool, phase, f);
+    for (int i = 0; i < r->threads; i++) {
+        if (r->workers[i].status != GLINT_OK) {
+            return glint_fail(err, r->workers[i].status, "%s", r->workers[i].error.text);
+        }
+    }
+    return GLINT_OK;
+}
+
+static glint_status make_room(glint_renderer *r, const glint_mesh *mesh, glint_error *err)
+{
+    if (r->screen_capacity < mesh->vertex_count) {
+        free(r->screen);
+        r->screen = malloc(mesh->vertex_count * sizeof *r->screen);
+        r->screen_capacity = r->screen != NULL ? mesh->vertex_count : 0;
+        if (r->screen == NULL) {
+            return glint_fail(err, GLINT_NO_MEMORY, "no memory for the frame's %zu vertices",
+                              mesh->vertex_count);
+        }
+    }
+    const size_t lists = pieces(mesh->triangle_count, TRIANGLE_RUN);
+    if (r->list_capacity < lists) {
+        glint_triangle_list *more = realloc(r->lists, lists * sizeof *more);
+        if (more == NULL) {
+            return glint_fail(err, GLINT_NO_MEMORY, "no memory for the frame's %zu triangles",
+                              mesh->triangle_count);
+        }
+        for (size_t i = r->list_capacity; i < lists; i++) {
+            more[i] = (glint_triangle_list){0};
+        }
+        r->lists = more;
+        r->list_capacity = lists;
+    }
+    r->list_count = lists;
+    return GLINT_OK;
+}
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static glint_status run_phases(frame *f, glint_error *err)
+{
+    glint_status status = run_phase(f, vertex_phase, err);
+    if (status == GLINT_OK) {
+        status = run_phase(f, triangle_phase, err);
+    }
+    if (status == GLINT_OK) {
+        status = run_phase(f, band_phase, err);
+    }
+    return status;
+}
+
+static void collect_stats(const frame *f, double seconds, glint_render_stats *stats)
+{
+    const glint_renderer *r = f->renderer;
+    *stats = (glint_render_stats){.triangles = f->mesh->triangle_count, .seconds = seconds};
+    for (size_t i = 0; i < r->list_count; i++) {
+        stats->drawn += r->lists[i].count;
+    }
+    for (int i = 0; i < r->threads; i++) {
+        stats->fragments += r->workers[i].fragments;
+    }
+}
+
+glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, glint_image *image,
+                          const volatile bool *stop, glint_render_stats *stats, glint_error *err)
+{
+    const double start = now();
+    glint_status status = glint_scene_check(scene, err);
+    if (status != GLINT_OK) {
+        return status;
+    }
+    if (image->width != renderer->extent.width || image->height != renderer->extent.height) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "the image is %dx%d, the renderer's frame %dx%d",
+                          image->width, image->height, renderer->extent.width,
+                          renderer->extent.height);
+    }
+    renderer->rendered = false;
+    status = make_room(renderer, scene->mesh, err);
+    if (status != GLINT_OK) {
+        return status;
+    }
+    frame f = {.renderer = renderer, .mesh = scene->mesh, .image = image, .stop = stop};
+    atomic_init(&f.next, 0);
+    atomic_init(&f.failed, false);
+    f.camera = glint_camera_of(scene, image->width, image->height);
+    f.lighting = glint_lighting_of(scene, &f.camera);
+    for (int i = 0; i < renderer->threads; i++) {
+        renderer->workers[i].status = GLINT_OK;
+        renderer->workers[i].fragments = 0;
+    }
+    status = run_phases(&f, err);
+    if (status != GLINT_OK) {
+        return status;
+    }
+    renderer->material = f.lighting.material;
+    renderer->rendered = true;
+    if (stats != NULL) {
+        collect_stats(&f, now() - start, stats);
+    }
+    return GLINT_OK;
+}
+
+static glint_status create_worker(worker *w, int32_t width, const glint_backend_config *config,
+                                  glint_error *err)
+{
+    glint_visibility_create(&w->band, width);
+    const bool shader = glint_shader_create(&w->shader, width);
+    if (!shader || w->band.depth == NULL || w->band.triangle == NULL) {
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a band of %d pixels' width", width);
+    }
+    return glint_backend_create(config, &w->backend, err);
+}
+
+static glint_status create_parts(glint_renderer *r, const glint_backend_config *config,
+                                 glint_error *err)
+{
+    const size_t pixels = (size_t)r->extent.width * (size_t)r->extent.height;
+    r->workers = calloc((size_t)r->threads, sizeof *r->workers);
+    r->record.cos_code = malloc(pixels * sizeof *r->record.cos_code);
+    r->record.x = malloc(pixels * sizeof *r->record.x);
+    r->record.in_row = malloc((size_t)r->extent.height * sizeof *r->record.in_row);
+    if (r->workers == NULL || r->record.cos_code == NULL || r->record.x == NULL ||
+        r->record.in_row == NULL) {
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a frame of %dx%d", r->extent.width,
+                          r->extent.height);
+    }
+    for (int i = 0; i < r->threads; i++) {
+        const glint_status status = create_worker(&r->workers[i], r->extent.width, config, err);
+        if (status != GLINT_OK) {
+            return status;
+        }
+    }
+    return glint_pool_create(r->threads, &r->pool, err);
+}
+
+glint_status glint_renderer_create(int width, int height, int threads,
+                                   const glint_backend_config *config, glint_renderer **renderer,
+                                   glint_error *err)
+{
+    if (width < 1 || width > GLINT_IMAGE_SIDE_MAX || height < 1 || height > GLINT_IMAGE_SIDE_MAX) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "frame size %dx%d: sides are from 1 to %d",
+                          width, height, GLINT_IMAGE_SIDE_MAX);
+    }
+    if (threads < 1 || threads > GLINT_THREADS_MAX) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "threads is %d, not from 1 to %d", threads,
+                          GLINT_THREADS_MAX);
+    }
+    glint_renderer *r = calloc(1, sizeof *r);
+    if (r == NULL) {
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a renderer");
+    }
+    r->extent = (glint_extent){width, height};
+    r->threads = threads;
+    const glint_status status = create_parts(r, config, err);
+    if (status != GLINT_OK) {
+        glint_renderer_destroy(r);
+        return status;
+    }
+    *renderer = r;
+    return GLINT_OK;
+}
+
+void glint_renderer_destroy(glint_renderer *renderer)
+{
+    if (renderer == NULL) {
+        return;
+    }
+    glint_pool_destroy(renderer->pool);
+    for (int i = 0; renderer->workers != NULL && i < renderer->threads; i++) {
+        glint_backend_destroy(renderer->workers[i].backend);
+        glint_visibility_destroy(&renderer->workers[i].band);
+        glint_shader_destroy(&renderer->workers[i].shader);
+    }
+    for (size_t i = 0; i < renderer->list_capacity; i++) {
+        free(renderer->lists[i].triangle);
+    }
+    free(renderer->lists);
+    free(renderer->screen);
+    free(renderer->record.cos_code);
+    free(renderer->record.x);
+    free(renderer->record.in_row);
+    free(renderer->workers);
+    free(renderer);
+}
+
+bool glint_renderer_fragment(const glint_renderer *renderer, int x, int y, uint32_t *cos_code,
+                             glint_material *material)
+{
+    if (!renderer->rendered || x < 0 || x >= renderer->extent.width || y < 0 ||
+        y >= renderer->extent.height) {
+        return false;
+    }
+    const int band_y = y - y % GLINT_BAND_ROWS;
+    size_t at = (size_t)band_y * (size_t)renderer->extent.width;
+    for (int row = band_y; row < y; row++) {
+        at += renderer->record.in_row[row];
+    }
+    const size_t end = at + renderer->record.in_row[y];
+    while (at < end && renderer->record.x[at] < x) {
+        at++;
+    }
+    if (at == end || renderer->record.x[at] != x) {
+        return false;
+    }
+    *cos_code = renderer->record.cos_code[at];
+    *material = renderer->material;
+    return true;
+}

@@ -1,0 +1,101 @@
+/* Scenes: their defaults, their limits, and the material that the device gets of them. */
+#include "render/scene.h"
+
+#include <math.h>
+
+void glint_scene_defaults(glint_scene *scene)
+{
+    const glint_mesh *mesh = scene->mesh;
+    *scene = (glint_scene){
+        .mesh = mesh,
+        .light = {-1.0f, 1.2f, 1.6f},
+        .color = {200, 90, 40},
+        .highlight = {255, 255, 255},
+        .ia = 1.0f,
+        .ie = 1.0f,
+        .ka = 0.2f,
+        .kd = 0.8f,
+        .ks = 0.8f,
+        .n = 80,
+        .yaw = 25.0f,
+        .pitch = 22.0f,
+        .fov = 35.0f,
+        .distance = 0.0f,
+    };
+}
+
+/* The comparison is false for a NaN, so that a NaN is out of every range. */
+static glint_status check_range(const char *name, float value, float low, float high,
+                                glint_error *err)
+{
+    if (value >= low && value <= high) {
+        return GLINT_OK;
+    }
+    return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: %s is %g, not from %g to %g", name,
+                      (double)value, (double)low, (double)high);
+}
+
+static glint_status check_light(const float light[3], glint_error *err)
+{
+    bool zero = true;
+    for (int axis = 0; axis < 3; axis++) {
+        if (!isfinite(light[axis])) {
+            return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: light's %c is %g, not a number",
+                              "xyz"[axis], (double)light[axis]);
+        }
+        zero = zero && light[axis] == 0.0f;
+    }
+    if (zero) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: light 0,0,0 has no direction");
+    }
+    return GLINT_OK;
+}
+
+glint_status glint_scene_check(const glint_scene *scene, glint_error *err)
+{
+    const struct {
+        const char *name;
+        float value, low, high;
+    } ranges[] = {
+        {"ia", scene->ia, 0.0f, 1.0f},
+        {"ie", scene->ie, 0.0f, 1.0f},
+        {"ka", scene->ka, 0.0f, 1.0f},
+        {"kd", scene->kd, 0.0f, 1.0f},
+        {"ks", scene->ks, 0.0f, 1.0f},
+        {"yaw", scene->yaw, -GLINT_ANGLE_MAX, GLINT_ANGLE_MAX},
+        {"pitch", scene->pitch, -GLINT_ANGLE_MAX, GLINT_ANGLE_MAX},
+        {"fov", scene->fov, GLINT_FOV_MIN, GLINT_FOV_MAX},
+        {"distance", scene->distance, 0.0f, GLINT_DISTANCE_MAX},
+    };
+    for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
+        const glint_status status =
+            check_range(ranges[i].name, ranges[i].value, ranges[i].low, ranges[i].high, err);
+        if (status != GLINT_OK) {
+            return status;
+        }
+    }
+    if (scene->n > GLINT_N_MAX) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: n is %u, not from 0 to %u",
+                          (unsigned)scene->n, GLINT_N_MAX);
+    }
+    if (scene->mesh == NULL) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: mesh is missing");
+    }
+    return check_light(scene->light, err);
+}
+
+static uint8_t register_of(uint8_t component, const glint_scene *scene)
+{
+    const double value = component * (double)scene->ie * (double)scene->ks + 0.5;
+    return value < 255.0 ? (uint8_t)value : 255;
+}
+
+glint_material glint_scene_material(const glint_scene *scene)
+{
+    return (glint_material){
+        .n = scene->n,
+        .r = register_of(scene->highlight[0], scene),
+        .g = register_of(scene->highlight[1], scene),
+        .b = register_of(scene->highlight[2], scene),
+    };
+}

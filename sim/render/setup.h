@@ -1,0 +1,61 @@
+/* Geometry: vertices projected onto the frame, triangles culled, clipped and made ready to be
+ * rasterized.
+ *
+ * Screen coordinates are fixed-point, 1/4096 of a pixel, x to the right and y down from the frame's
+ * upper left corner; the sample of a pixel is its centre. From here on every question of coverage
+ * is one of integers, so that it has one answer. */
+#ifndef GLINT_SIM_SETUP_H
+#define GLINT_SIM_SETUP_H
+
+#include "render/camera.h"
+
+#define GLINT_SUBPIXEL_BITS 12
+#define GLINT_SUBPIXEL_ONE  (1 << GLINT_SUBPIXEL_BITS)
+#define GLINT_SUBPIXEL_HALF (GLINT_SUBPIXEL_ONE / 2)
+
+/* Half the side of the square about the frame's centre to which triangles are clipped, in pixels:
+ * beyond every frame, and small enough for the products of two coordinates to fit in 64 bits. Most
+ * triangles that reach out of the frame stay within it and need no clipping. */
+#define GLINT_GUARD 32768
+
+/* A vertex on the frame. */
+typedef struct glint_screen_vertex {
+    int32_t x, y;     /* 1/4096 pixel; meaningless unless outside is 0 */
+    float inv_w;      /* 1/w, linear on the screen: the depth, larger is nearer */
+    float n[3];       /* normal/w in camera axes, linear on the screen */
+    uint32_t outside; /* a bit for each clipping plane that it is beyond */
+} glint_screen_vertex;
+
+/* A triangle that faces the camera and whose box holds a sample. Corners clockwise as seen (y
+ * down), so that the edge functions are positive inside. Depth and normal are those of corner 0 and
+ * what is added on the way to corners 1 and 2. */
+typedef struct glint_triangle {
+    int32_t x[3], y[3];
+    int32_t first_x, last_x, first_y, last_y; /* pixels whose samples its box holds */
+    float inv_w, inv_w1, inv_w2;
+    float n[3], n1[3], n2[3];
+    double inv_area; /* 1 / twice the area, in units of the edge functions */
+} glint_triangle;
+
+/* The triangles of one run of the mesh, in its order. */
+typedef struct glint_triangle_list {
+    glint_triangle *triangle;
+    size_t count, capacity;
+    int32_t first_y, last_y; /* pixel rows that any of them may cover */
+} glint_triangle_list;
+
+/* Rows and columns of the frame. */
+typedef struct glint_extent {
+    int32_t width, height;
+} glint_extent;
+
+/* Vertices first … last−1 of the mesh to screen[first] … screen[last−1]. */
+void glint_setup_vertices(const glint_camera *camera, const glint_mesh *mesh, size_t first,
+                          size_t last, glint_screen_vertex *screen);
+
+/* Triangles first … last−1 of the mesh into list, which is emptied before. false: no memory. */
+bool glint_setup_triangles(const glint_camera *camera, const glint_mesh *mesh, glint_extent extent,
+                           const glint_screen_vertex *screen, size_t first, size_t last,
+                           glint_triangle_list *list);
+
+#endif

@@ -1,0 +1,205 @@
+/* The loops over fragments. Their arithmetic is single precision: the error of a cosine near 1 is
+ * some 2⁻²³, a thirtieth of the device's step of 2⁻¹⁸. */
+#include "render/shade.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/multiversion.h"
+
+glint_lighting glint_lighting_of(const glint_scene *scene, const glint_camera *camera)
+{
+    const glint_vec3 light = glint_vec3_of(scene->light);
+    glint_lighting lighting = {
+        .inv_focal = (float)(1.0 / camera->focal),
+        .half_width = (float)camera->half_width,
+        .half_height = (float)camera->half_height,
+        .material = glint_scene_material(scene),
+    };
+    glint_vec3_store(glint_vec3_scale(light, 1.0 / glint_vec3_length(light)), lighting.light);
+    for (int i = 0; i < 3; i++) {
+        lighting.ambient[i] =
+            (float)((double)scene->color[i] * (double)scene->ka * (double)scene->ia);
+        lighting.lambert[i] =
+            (float)((double)scene->color[i] * (double)scene->kd * (double)scene->ie);
+    }
+    return lighting;
+}
+
+bool glint_shader_create(glint_shader *shader, int32_t width)
+{
+    const size_t pixels = (size_t)width * GLINT_BAND_ROWS;
+    bool complete = (shader->lit = malloc(pixels)) != NULL;
+    for (int i = 0; i < 3; i++) {
+        shader->n[i] = malloc((size_t)width * sizeof *shader->n[i]);
+        shader->base[i] = malloc(pixels);
+        shader->highlight[i] = malloc(pixels);
+        complete = complete && shader->n[i] != NULL && shader->base[i] != NULL &&
+                   shader->highlight[i] != NULL;
+    }
+    return complete;
+}
+
+void glint_shader_destroy(glint_shader *shader)
+{
+    for (int i = 0; i < 3; i++) {
+        free(shader->n[i]);
+        free(shader->base[i]);
+        free(shader->highlight[i]);
+    }
+    free(shader->lit);
+}
+
+/* The normals of `count` pixels of one row that show the same triangle, from pixel (x, y) on. Their
+ * sum N/w is linear on the screen and has the direction of N, so no division is needed. */
+static void interpolate(const glint_triangle *t, int32_t x, int32_t y, int32_t count, float *nx,
+                        float *ny, float *nz)
+{
+    const glint_weights w = glint_triangle_weights(t, x, y);
+    float from[3], by[3];
+    for (int i = 0; i < 3; i++) {
+        const double n1 = (double)t->n1[i];
+        const double n2 = (double)t->n2[i];
+        from[i] = (float)((double)t->n[i] + w.at1 * n1 + w.at2 * n2);
+        by[i] = (float)(w.step1 * n1 + w.step2 * n2);
+    }
+    for (int32_t k = 0; k < count; k++) {
+        nx[k] = from[0] + (float)k * by[0];
+        ny[k] = from[1] + (float)k * by[1];
+        nz[k] = from[2] + (float)k * by[2];
+    }
+}
+
+/* Collects the fragments of one row: columns and normals. Returns how many there are. */
+static size_t gather_row(glint_shader *shader, const glint_visibility *band, int32_t y,
+                         int32_t width, uint16_t *columns)
+{
+    const glint_triangle *const *seen =
+        &band->triangle[(size_t)(y - band->first_y) * (size_t)width];
+    size_t count = 0;
+    int32_t x = 0;
+    while (x < width) {
+        const glint_triangle *t = seen[x];
+        if (t == NULL) {
+            x++;
+            continue;
+        }
+        const int32_t start = x;
+        while (x < width && seen[x] == t) {
+            columns[count + (size_t)(x - start)] = (uint16_t)x;
+            x++;
+        }
+        interpolate(t, start, y, x - start, &shader->n[0][count], &shader->n[1][count],
+                    &shader->n[2][count]);
+        count += (size_t)(x - start);
+    }
+    return count;
+}
+
+/* Rounded half up and saturated; value ≥ 0. */
+static inline uint8_t saturate(float value)
+{
+    const int rounded = (int)(value + 0.5f);
+    return (uint8_t)(rounded < 255 ? rounded : 255);
+}
+
+/* cos γ = N·H/(|N||H|) with H = L + V, both of unit length, and the light that needs no device. V
+ * depends on the pixel alone: it is the way back along the ray through it. A normal or an H of no
+ * length makes 0/0; a comparison with that is false and the cosine 0. */
+GLINT_MULTIVERSION
+static void light_row(const glint_lighting *lighting, int32_t y, size_t count,
+                      const uint16_t *restrict columns, const float *restrict nx,
+                      const float *restrict ny, const float *restrict nz,
+                      uint32_t *restrict cos_code, uint8_t *restrict red, uint8_t *restrict green,
+                      uint8_t *restrict blue, uint8_t *restrict lit)
+{
+    const glint_lighting c = *lighting;
+    const float vy = ((float)y + 0.5f - c.half_height) * c.inv_focal;
+    const float vyz = vy * vy + 1.0f;
+    for (size_t i = 0; i < count; i++) {
+        const float vx = (c.half_width - ((float)columns[i] + 0.5f)) * c.inv_focal;
+        const float inv_v = 1.0f / sqrtf(vx * vx + vyz);
+        const float hx = c.light[0] + vx * inv_v;
+        const float hy = c.light[1] + vy * inv_v;
+        const float hz = c.light[2] + inv_v;
+        const float hh = hx * hx + hy * hy + hz * hz;
+        const float nn = nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i];
+        const float nh = nx[i] * hx + ny[i] * hy + nz[i] * hz;
+        const float nl = nx[i] * c.light[0] + ny[i] * c.light[1] + nz[i] * c.light[2];
+        const float cos_h = nh / sqrtf(nn * hh);
+        const float cos_l = nl / sqrtf(nn);
+        const float above = cos_h > 0.0f ? cos_h : 0.0f;
+        const float gamma = above < 1.0f ? above : 1.0f;
+        const float diffuse = cos_l > 0.0f ? cos_l : 0.0f;
+        cos_code[i] = (uint32_t)(int32_t)(gamma * (float)GLINT_COS_ONE + 0.5f);
+        red[i] = saturate(c.ambient[0] + c.lambert[0] * diffuse);
+        green[i] = saturate(c.ambient[1] + c.lambert[1] * diffuse);
+        blue[i] = saturate(c.ambient[2] + c.lambert[2] * diffuse);
+        lit[i] = cos_l > 0.0f ? 255 : 0;
+    }
+}
+
+/* base + highlight where lit, saturated to 8 bits. */
+GLINT_MULTIVERSION
+static void add_highlight(size_t count, const uint8_t *restrict highlight,
+                          const uint8_t *restrict lit, uint8_t *restrict base)
+{
+    for (size_t i = 0; i < count; i++) {
+        const unsigned sum = (unsigned)base[i] + (highlight[i] & lit[i]);
+        base[i] = (uint8_t)(sum < 255 ? sum : 255);
+    }
+}
+
+static void write_row(const glint_shader *shader, const uint16_t *columns, size_t first,
+                      size_t count, glint_image *image, int32_t y)
+{
+    const size_t row = (size_t)y * (size_t)image->width;
+    uint8_t *rgb = &image->rgb[3 * row];
+    uint8_t *object = &image->object[row];
+    memset(rgb, 0, 3 * (size_t)image->width);
+    memset(object, 0, (size_t)image->width);
+    for (size_t i = first; i < first + count; i++) {
+        const size_t x = columns[i];
+        rgb[3 * x] = shader->base[0][i];
+        rgb[3 * x + 1] = shader->base[1][i];
+        rgb[3 * x + 2] = shader->base[2][i];
+        object[x] = 1;
+    }
+}
+
+glint_status glint_shade_band(glint_shader *shader, const glint_lighting *lighting,
+                              const glint_visibility *band, glint_backend *backend,
+                              glint_record *record, glint_image *image, uint64_t *fragments,
+                              glint_error *err)
+{
+    const size_t start = (size_t)band->first_y * (size_t)image->width;
+    uint32_t *cos_code = &record->cos_code[start];
+    uint16_t *columns = &record->x[start];
+    size_t count = 0;
+    for (int32_t y = band->first_y; y <= band->last_y; y++) {
+        const size_t found = gather_row(shader, band, y, image->width, &columns[count]);
+        light_row(lighting, y, found, &columns[count], shader->n[0], shader->n[1], shader->n[2],
+                  &cos_code[count], &shader->base[0][count], &shader->base[1][count],
+                  &shader->base[2][count], &shader->lit[count]);
+        record->in_row[y] = (uint32_t)found;
+        count += found;
+    }
+    if (count > 0) {
+        const glint_status status = glint_backend_shade(
+            backend, &lighting->material, cos_code, count, NULL, shader->highlight[0],
+            shader->highlight[1], shader->highlight[2], err);
+        if (status != GLINT_OK) {
+            return status;
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        add_highlight(count, shader->highlight[i], shader->lit, shader->base[i]);
+    }
+    size_t first = 0;
+    for (int32_t y = band->first_y; y <= band->last_y; y++) {
+        write_row(shader, columns, first, record->in_row[y], image, y);
+        first += record->in_row[y];
+    }
+    *fragments = count;
+    return GLINT_OK;
+}

@@ -1,0 +1,48 @@
+/* Deferred shading of one band of rows: what is seen becomes fragments, the fragments' cosines go
+ * to the backend in one run, and its highlights join ambient and Lambert light in the picture. */
+#ifndef GLINT_SIM_SHADE_H
+#define GLINT_SIM_SHADE_H
+
+#include "render/camera.h"
+#include "render/raster.h"
+#include "render/scene.h"
+
+/* What all fragments of a frame have in common. */
+typedef struct glint_lighting {
+    float light[3];                /* L, unit length, camera axes */
+    float ambient[3];              /* C·Ka·Ia */
+    float lambert[3];              /* C·Kd·Ie */
+    float inv_focal;               /* 1 / distance of the frame from the eye in pixels */
+    float half_width, half_height; /* of the frame in pixels */
+    glint_material material;       /* of the highlight */
+} glint_lighting;
+
+glint_lighting glint_lighting_of(const glint_scene *scene, const glint_camera *camera);
+
+/* The fragments of a frame as they went to the backend. Those of a band lie together, from the
+ * place of the band's first pixel on, row after row and each row from left to right. */
+typedef struct glint_record {
+    uint32_t *cos_code; /* width·height */
+    uint16_t *x;        /* width·height */
+    uint32_t *in_row;   /* fragments of each row */
+} glint_record;
+
+/* One thread's room for the fragments of a band. */
+typedef struct glint_shader {
+    float *n[3];           /* of one row: the interpolated normals, any length */
+    uint8_t *base[3];      /* of the band: ambient and Lambert light, then the sum */
+    uint8_t *highlight[3]; /* from the backend */
+    uint8_t *lit;          /* 255 where the surface faces the light, else 0 */
+} glint_shader;
+
+/* Room for bands of that width; false when there is no memory (destroy is still due). */
+bool glint_shader_create(glint_shader *shader, int32_t width);
+void glint_shader_destroy(glint_shader *shader);
+
+/* Shades the band into the image; *fragments is how many there were. */
+glint_status glint_shade_band(glint_shader *shader, const glint_lighting *lighting,
+                              const glint_visibility *band, glint_backend *backend,
+                              glint_record *record, glint_image *image, uint64_t *fragments,
+                              glint_error *err);
+
+#endif
