@@ -63,7 +63,8 @@ missing=${missing% }
 as_root=
 [ "$(id -u)" -eq 0 ] || as_root='sudo '
 if [ "${NO_INSTALL:-}" = 1 ]; then
-    fail "missing packages; run: ${as_root}apt-get install --no-install-recommends $missing"
+    fail "missing packages; run: ${as_root}apt-get update &&" \
+        "${as_root}apt-get install --no-install-recommends $missing"
 fi
 if [ -n "$as_root" ] && ! command -v sudo >/dev/null 2>&1; then
     fail "missing packages and no sudo; as root run:" \

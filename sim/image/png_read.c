@@ -50,6 +50,18 @@ static void get_bytes(png_structp png, png_bytep bytes, size_t count)
     png_error(png, "the file ends early");
 }
 
+static void check_size(png_structp png, png_infop info, reader *from)
+{
+    const png_uint_32 width = png_get_image_width(png, info);
+    const png_uint_32 height = png_get_image_height(png, info);
+    if (width > GLINT_IMAGE_SIDE_MAX || height > GLINT_IMAGE_SIDE_MAX) {
+        from->status = glint_fail(
+            from->err, GLINT_BAD_INPUT, "%.400s: %lux%lu is too large: each side is at most %d",
+            from->path, (unsigned long)width, (unsigned long)height, GLINT_IMAGE_SIDE_MAX);
+        png_error(png, "too large");
+    }
+}
+
 /* Whatever the file holds, rows of R G B A with 8 bits come out. */
 static void ask_for_rgba(png_structp png, png_infop info)
 {
@@ -88,8 +100,9 @@ static void read_rows(png_structp png, png_infop info, reader *from)
         return;
     }
     png_set_read_fn(png, from, get_bytes);
-    png_set_user_limits(png, GLINT_IMAGE_SIDE_MAX, GLINT_IMAGE_SIDE_MAX);
+    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); /* check_size() says it better */
     png_read_info(png, info);
+    check_size(png, info, from);
     ask_for_rgba(png, info);
     make_room(png, info, from);
     png_read_image(png, from->rows);
