@@ -1,0 +1,223 @@
+/* `glint render`: a lit mesh as a PNG, every highlight by the backend. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/render_options.h"
+#include "cli/render_report.h"
+#include "file/new_file.h"
+
+/* The files that a run may write; all allocated. */
+typedef struct outputs {
+    char *frame, *frame_c, *diff;
+} outputs;
+
+/* FILE.png with an ending before the suffix: FILE-c.png. Returns NULL without memory. */
+static char *beside(const char *path, const char *ending)
+{
+    size_t stem = strlen(path);
+    if (stem >= 4 && strcasecmp(path + stem - 4, ".png") == 0) {
+        stem -= 4;
+    }
+    const size_t size = stem + strlen(ending) + sizeof ".png";
+    char *name = malloc(size);
+    if (name != NULL) {
+        snprintf(name, size, "%.*s%s.png", (int)stem, path, ending);
+    }
+    return name;
+}
+
+static void free_outputs(outputs *files)
+{
+    free(files->frame);
+    free(files->frame_c);
+    free(files->diff);
+}
+
+static glint_status name_outputs(const char *out, outputs *files, glint_error *err)
+{
+    files->frame = malloc(strlen(out) + 1);
+    files->frame_c = beside(out, "-c");
+    files->diff = beside(out, "-diff");
+    if (files->frame == NULL || files->frame_c == NULL || files->diff == NULL) {
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory");
+    }
+    strcpy(files->frame, out);
+    return GLINT_OK;
+}
+
+static glint_status load_mesh(const glint_render_options *chosen, glint_mesh **mesh,
+                              glint_error *err)
+{
+    if (strcmp(chosen->model, "teapot") == 0) {
+        const int density = chosen->density != 0 ? chosen->density : GLINT_TEAPOT_DENSITY;
+        return glint_mesh_teapot(density, mesh, err);
+    }
+    if (strcmp(chosen->model, "sphere") == 0) {
+        const int density = chosen->density != 0 ? chosen->density : GLINT_SPHERE_DENSITY;
+        return glint_mesh_sphere(density, mesh, err);
+    }
+    if (chosen->density != 0) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT,
+                          "--density is for teapot and sphere: a mesh file has its own triangles");
+    }
+    return glint_mesh_load(chosen->model, mesh, err);
+}
+
+static glint_status render_frame(const glint_render_options *chosen, glint_backend_kind kind,
+                                 const glint_scene *scene, glint_render_frame *frame,
+                                 glint_error *err)
+{
+    glint_backend_config config = chosen->backend;
+    config.kind = kind;
+    frame->kind = kind;
+    glint_status status = glint_renderer_create(chosen->width, chosen->height, chosen->threads,
+                                                &config, &frame->renderer, err);
+    if (status == GLINT_OK) {
+        status = glint_image_create(chosen->width, chosen->height, &frame->image, err);
+    }
+    if (status == GLINT_OK) {
+        status = glint_render(frame->renderer, scene, frame->image, glint_stop_flag(),
+                              &frame->stats, err);
+    }
+    return status;
+}
+
+/* Two empty frames are equal and say nothing. */
+static glint_status compare_frames(glint_render_result *result, glint_error *err)
+{
+    if (result->frame[0].stats.fragments == 0) {
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "nothing to compare: no pixel of the object is in the frame");
+    }
+    return glint_image_compare(result->frame[0].image, result->frame[1].image, &result->difference,
+                               err);
+}
+
+static glint_status render_all(const glint_render_options *chosen, const glint_mesh *mesh,
+                               glint_render_result *result, glint_error *err)
+{
+    glint_scene scene = chosen->scene;
+    scene.mesh = mesh;
+    const glint_backend_kind kinds[2] = {chosen->both ? GLINT_BACKEND_C : chosen->backend.kind,
+                                         GLINT_BACKEND_RTL};
+    result->frame_count = chosen->both ? 2 : 1;
+    for (int i = 0; i < result->frame_count; i++) {
+        const glint_status status = render_frame(chosen, kinds[i], &scene, &result->frame[i], err);
+        if (status != GLINT_OK) {
+            return status;
+        }
+    }
+    return chosen->both ? compare_frames(result, err) : GLINT_OK;
+}
+
+static glint_status write_difference(const glint_render_result *result, const outputs *files,
+                                     glint_error *err)
+{
+    glint_image *picture;
+    glint_status status = glint_image_difference_picture(result->frame[0].image,
+                                                         result->frame[1].image, &picture, err);
+    if (status == GLINT_OK) {
+        status = glint_image_write_png(picture, files->diff, err);
+    }
+    glint_image_destroy(picture);
+    return status == GLINT_OK ? glint_image_write_png(result->frame[0].image, files->frame_c, err)
+                              : status;
+}
+
+static glint_status write_all(const glint_render_result *result, const outputs *files,
+                              glint_error *err)
+{
+    const glint_render_frame *last = &result->frame[result->frame_count - 1];
+    const glint_status status = glint_image_write_png(last->image, files->frame, err);
+    return status == GLINT_OK && glint_render_differs(result) ? write_difference(result, files, err)
+                                                              : status;
+}
+
+/* Finds an unwritable target before the work. */
+static glint_status check_outputs(const glint_render_options *chosen, const outputs *files,
+                                  glint_error *err)
+{
+    glint_status status = glint_new_file_check(files->frame, err);
+    if (status == GLINT_OK && chosen->both) {
+        status = glint_new_file_check(files->frame_c, err);
+    }
+    if (status == GLINT_OK && chosen->both) {
+        status = glint_new_file_check(files->diff, err);
+    }
+    return status;
+}
+
+static glint_status run(const glint_render_options *chosen, const outputs *files,
+                        glint_render_result *result, glint_error *err)
+{
+    glint_mesh *mesh = NULL;
+    glint_status status = check_outputs(chosen, files, err);
+    if (status == GLINT_OK) {
+        status = load_mesh(chosen, &mesh, err);
+    }
+    if (status == GLINT_OK) {
+        status = render_all(chosen, mesh, result, err);
+    }
+    if (status == GLINT_OK) {
+        status = write_all(result, files, err);
+    }
+    glint_mesh_destroy(mesh);
+    return status;
+}
+
+static int report(const glint_render_options *chosen, const outputs *files,
+                  const glint_render_result *result)
+{
+    if (!chosen->json) {
+        glint_render_report_text(chosen, result);
+        printf("wrote %s\n", files->frame);
+    } else if (!glint_render_report_json(chosen, result)) {
+        return glint_complain("render", GLINT_EXIT_FAILURE, "no memory");
+    }
+    const int status = glint_output_finish("render", GLINT_EXIT_OK);
+    if (status != GLINT_EXIT_OK || !glint_render_differs(result)) {
+        return status;
+    }
+    return glint_complain("render", GLINT_EXIT_FAILURE, "c and rtl differ: see %s, %s and %s",
+                          files->frame, files->frame_c, files->diff);
+}
+
+static void free_result(glint_render_result *result)
+{
+    for (int i = 0; i < 2; i++) {
+        glint_renderer_destroy(result->frame[i].renderer);
+        glint_image_destroy(result->frame[i].image);
+    }
+}
+
+int glint_cmd_render(int argc, char **argv)
+{
+    glint_render_options chosen;
+    const int parsed = glint_render_options_parse(argc, argv, &chosen);
+    if (parsed != GLINT_OPTIONS_RUN) {
+        return parsed;
+    }
+    glint_error err;
+    outputs files = {0};
+    glint_render_result result = {0};
+    glint_status status = name_outputs(chosen.out, &files, &err);
+    if (status == GLINT_OK) {
+        status = run(&chosen, &files, &result, &err);
+    }
+    int exit_status;
+    if (status == GLINT_OK) {
+        exit_status = report(&chosen, &files, &result);
+    } else {
+        exit_status = glint_complain(
+            "render", status == GLINT_BAD_ARGUMENT ? GLINT_EXIT_USAGE : GLINT_EXIT_FAILURE, "%s",
+            err.text);
+    }
+    free_result(&result);
+    free_outputs(&files);
+    return exit_status;
+}

@@ -1,0 +1,22 @@
+/* The command line of `glint render`. */
+#ifndef GLINT_SIM_CLI_RENDER_OPTIONS_H
+#define GLINT_SIM_CLI_RENDER_OPTIONS_H
+
+#include "backend/backend.h"
+#include "render/render.h"
+
+typedef struct glint_render_options {
+    const char *model; /* "teapot", "sphere", or a path */
+    int density;       /* of a built-in model; 0: its own default */
+    bool both;         /* render by c and by rtl and compare; else by backend.kind */
+    glint_backend_config backend;
+    int width, height, threads;
+    glint_scene scene; /* all but the mesh */
+    const char *out;
+    bool json;
+} glint_render_options;
+
+/* Returns GLINT_OPTIONS_RUN with *chosen filled, or the exit status to leave with. */
+int glint_render_options_parse(int argc, char **argv, glint_render_options *chosen);
+
+#endif

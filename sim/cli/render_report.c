@@ -1,0 +1,123 @@
+/* What `glint render` says of the frames it made; see render_report.h. */
+#include "cli/render_report.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+
+#include "cli/options.h"
+#include "cli/output.h"
+
+bool glint_render_differs(const glint_render_result *result)
+{
+    return result->frame_count == 2 &&
+           (result->difference.differing_pixels > 0 || result->difference.mask_pixels > 0);
+}
+
+static double per_second(double count, const glint_render_stats *stats)
+{
+    return stats->seconds > 0.0 ? count / stats->seconds : 0.0;
+}
+
+static void print_frame(const glint_render_frame *frame)
+{
+    const glint_render_stats *stats = &frame->stats;
+    printf("%-5s%10.6f s, %8.1f frames/s, %8.2f million fragments/s\n",
+           glint_backend_names[frame->kind], stats->seconds, per_second(1.0, stats),
+           1e-6 * per_second((double)stats->fragments, stats));
+}
+
+static const uint8_t *pixel(const glint_render_frame *frame, int x, int y)
+{
+    return frame->image->rgb + 3 * ((size_t)y * (size_t)frame->image->width + (size_t)x);
+}
+
+/* The first differing pixel, both values, and how to ask both backends for that fragment alone. */
+static void print_first(const glint_render_options *chosen, const glint_render_result *result)
+{
+    const int x = result->difference.first_x;
+    const int y = result->difference.first_y;
+    printf("first at x=%d y=%d:", x, y);
+    for (int i = 0; i < 2; i++) {
+        const uint8_t *rgb = pixel(&result->frame[i], x, y);
+        printf(" %s %u,%u,%u", glint_backend_names[result->frame[i].kind], rgb[0], rgb[1], rgb[2]);
+    }
+    putchar('\n');
+
+    uint32_t code;
+    glint_material material;
+    if (!glint_renderer_fragment(result->frame[1].renderer, x, y, &code, &material)) {
+        return;
+    }
+    for (int i = 0; i < 2; i++) {
+        printf("replay: echo %u 0x%" PRIx32 " %u %u %u | glint eval --backend %s --gate %s "
+               "--pipeline %s\n",
+               material.n, code, material.r, material.g, material.b,
+               glint_backend_names[result->frame[i].kind], glint_gate_names[chosen->backend.gate],
+               glint_pipeline_names[chosen->backend.pipeline]);
+    }
+}
+
+void glint_render_report_text(const glint_render_options *chosen, const glint_render_result *result)
+{
+    const glint_render_stats *stats = &result->frame[0].stats;
+    printf("%s, %dx%d: %" PRIu64 " triangles, %" PRIu64 " drawn, %" PRIu64 " fragments\n",
+           chosen->model, chosen->width, chosen->height, stats->triangles, stats->drawn,
+           stats->fragments);
+    for (int i = 0; i < result->frame_count; i++) {
+        print_frame(&result->frame[i]);
+    }
+    if (result->frame_count == 2) {
+        printf("%" PRIu64 " differing pixels of %" PRIu64 "\n", result->difference.differing_pixels,
+               result->difference.pixels);
+    }
+    if (glint_render_differs(result)) {
+        print_first(chosen, result);
+    }
+}
+
+static void add_frame(cJSON *frames, const glint_render_frame *frame)
+{
+    const glint_render_stats *stats = &frame->stats;
+    cJSON *json = cJSON_CreateObject();
+    cJSON_AddStringToObject(json, "backend", glint_backend_names[frame->kind]);
+    cJSON_AddNumberToObject(json, "seconds", stats->seconds);
+    cJSON_AddNumberToObject(json, "frames_per_second", per_second(1.0, stats));
+    cJSON_AddNumberToObject(json, "fragments_per_second",
+                            per_second((double)stats->fragments, stats));
+    cJSON_AddItemToArray(frames, json);
+}
+
+static void add_comparison(cJSON *json, const glint_image_difference *difference)
+{
+    cJSON *compared = cJSON_AddObjectToObject(json, "comparison");
+    cJSON_AddNumberToObject(compared, "pixels", (double)difference->pixels);
+    cJSON_AddNumberToObject(compared, "differing_pixels", (double)difference->differing_pixels);
+    cJSON_AddNumberToObject(compared, "mask_pixels", (double)difference->mask_pixels);
+    cJSON_AddNumberToObject(compared, "largest", difference->largest);
+    cJSON_AddNumberToObject(compared, "first_x", difference->first_x);
+    cJSON_AddNumberToObject(compared, "first_y", difference->first_y);
+}
+
+bool glint_render_report_json(const glint_render_options *chosen, const glint_render_result *result)
+{
+    const glint_render_stats *stats = &result->frame[0].stats;
+    cJSON *json = cJSON_CreateObject();
+    cJSON_AddStringToObject(json, "model", chosen->model);
+    cJSON_AddStringToObject(json, "out", chosen->out);
+    cJSON_AddNumberToObject(json, "width", chosen->width);
+    cJSON_AddNumberToObject(json, "height", chosen->height);
+    cJSON_AddStringToObject(json, "gate", glint_gate_names[chosen->backend.gate]);
+    cJSON_AddStringToObject(json, "pipeline", glint_pipeline_names[chosen->backend.pipeline]);
+    cJSON_AddNumberToObject(json, "threads", chosen->threads);
+    cJSON_AddNumberToObject(json, "triangles", (double)stats->triangles);
+    cJSON_AddNumberToObject(json, "drawn", (double)stats->drawn);
+    cJSON_AddNumberToObject(json, "fragments", (double)stats->fragments);
+    cJSON *frames = cJSON_AddArrayToObject(json, "frames");
+    for (int i = 0; i < result->frame_count; i++) {
+        add_frame(frames, &result->frame[i]);
+    }
+    if (result->frame_count == 2) {
+        add_comparison(json, &result->difference);
+    }
+    return glint_output_json(json);
+}

@@ -1,0 +1,31 @@
+/* What `glint render` says of the frames it made. */
+#ifndef GLINT_SIM_CLI_RENDER_REPORT_H
+#define GLINT_SIM_CLI_RENDER_REPORT_H
+
+#include "cli/render_options.h"
+
+/* One frame by one backend. */
+typedef struct glint_render_frame {
+    glint_backend_kind kind;
+    glint_renderer *renderer;
+    glint_image *image;
+    glint_render_stats stats;
+} glint_render_frame;
+
+typedef struct glint_render_result {
+    glint_render_frame frame[2]; /* --backend both: c, then rtl; else one */
+    int frame_count;
+    glint_image_difference difference; /* from frame[0] to frame[1] */
+} glint_render_result;
+
+/* True when there are two frames and they are not the same picture. */
+bool glint_render_differs(const glint_render_result *result);
+
+void glint_render_report_text(const glint_render_options *chosen,
+                              const glint_render_result *result);
+
+/* Returns false when memory ran out. */
+bool glint_render_report_json(const glint_render_options *chosen,
+                              const glint_render_result *result);
+
+#endif
