@@ -116,11 +116,11 @@ static void copy_color(const uint8_t from[3], uint8_t to[3])
     }
 }
 
-/* The reference in grey at a third of its brightness, so that the shape shows and no colour of the
+/* The reference in grey at half its brightness, so that the shape shows and no colour of the
  * legend is mistaken for it. */
 static void dim(const uint8_t reference[3], uint8_t to[3])
 {
-    const int grey = (reference[0] + reference[1] + reference[2]) / 9;
+    const int grey = (reference[0] + reference[1] + reference[2]) / 6;
     to[0] = to[1] = to[2] = (uint8_t)grey;
 }
 

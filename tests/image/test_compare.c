@@ -149,7 +149,7 @@ static void the_difference_picture_follows_its_legend(void **state)
     glint_error err;
     static const uint8_t expected[8][3] = {{64, 128, 255}, {0, 220, 100}, {0, 220, 100},
                                            {255, 230, 0},  {255, 140, 0}, {255, 0, 0},
-                                           {255, 0, 255},  {33, 33, 33}};
+                                           {255, 0, 255},  {50, 50, 50}};
     b->rgb[0] = 99;                  /* 1 */
     b->rgb[3 + 1] = 102;             /* 2 */
     b->rgb[6 + 2] = 103;             /* 3 */

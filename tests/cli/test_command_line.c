@@ -1,0 +1,228 @@
+/* What every subcommand's command line has in common: help, refusals, exit statuses, and a standard
+ * output that does not take what is printed. */
+#define _XOPEN_SOURCE 700
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "../scratch.h"
+#include "run.h"
+
+static const char *const subcommands[] = {"info",   "eval", "render", "compare",
+                                          "verify", "wave", "bench"};
+#define SUBCOMMAND_COUNT (sizeof subcommands / sizeof subcommands[0])
+
+static void help_lists_every_subcommand(void **state)
+{
+    (void)state;
+    static const char *const asked[] = {"--help", "-h"};
+    for (size_t i = 0; i < 2; i++) {
+        outcome done = run(asked[i], "");
+        assert_outcome(&done, 0, "");
+        assert_says(done.out, "Usage: glint SUBCOMMAND");
+        for (size_t j = 0; j < SUBCOMMAND_COUNT; j++) {
+            assert_says(done.out, subcommands[j]);
+        }
+        forget(&done);
+    }
+}
+
+static void every_subcommand_has_help(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < SUBCOMMAND_COUNT; i++) {
+        char command_line[64];
+        char usage[64];
+        snprintf(command_line, sizeof command_line, "%s --help", subcommands[i]);
+        snprintf(usage, sizeof usage, "Usage: glint %s", subcommands[i]);
+        outcome done = run(command_line, "");
+        assert_outcome(&done, 0, "");
+        assert_memory_equal(done.out, usage, strlen(usage));
+        assert_says(done.out, "\n  --help");
+        forget(&done);
+    }
+}
+
+static void every_subcommand_refuses_what_it_does_not_know(void **state)
+{
+    (void)state;
+    static const char *const unknown[] = {"--no-such-option", "--no-such-option=1", "-z", "--hel"};
+    static const char *const shown[] = {"--no-such-option", "--no-such-option", "-z", "--hel"};
+    for (size_t i = 0; i < SUBCOMMAND_COUNT; i++) {
+        for (size_t j = 0; j < 4; j++) {
+            char command_line[64];
+            char expected[128];
+            snprintf(command_line, sizeof command_line, "%s %s", subcommands[i], unknown[j]);
+            snprintf(expected, sizeof expected,
+                     "glint %s: unknown option \"%s\" (see glint %s --help)\n", subcommands[i],
+                     shown[j], subcommands[i]);
+            outcome done = run(command_line, "");
+            assert_outcome(&done, 2, expected);
+            assert_string_equal(done.out, "");
+            forget(&done);
+        }
+    }
+}
+
+static void the_version_is_printed(void **state)
+{
+    (void)state;
+    outcome done = run("--version", "");
+    assert_outcome(&done, 0, "");
+    int major;
+    int minor;
+    int patch;
+    int length = 0;
+    assert_int_equal(sscanf(done.out, "glint %d.%d.%d\n%n", &major, &minor, &patch, &length), 3);
+    assert_int_equal(length, strlen(done.out));
+    forget(&done);
+}
+
+typedef struct refusal {
+    const char *command_line;
+    const char *err;
+} refusal;
+
+static void assert_refused(const refusal *refusals, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        outcome done = run(refusals[i].command_line, "");
+        assert_outcome(&done, 2, refusals[i].err);
+        assert_string_equal(done.out, "");
+        forget(&done);
+    }
+}
+
+static void a_wrong_subcommand_is_refused(void **state)
+{
+    (void)state;
+    static const refusal refusals[] = {
+        {"", "glint: no subcommand (see glint --help)\n"},
+        {"draw", "glint: unknown subcommand \"draw\" (see glint --help)\n"},
+        {"rende", "glint: unknown subcommand \"rende\" (see glint --help)\n"},
+        {"--json", "glint: unknown option \"--json\" (see glint --help)\n"},
+    };
+    assert_refused(refusals, sizeof refusals / sizeof refusals[0]);
+}
+
+static void options_are_read_strictly(void **state)
+{
+    (void)state;
+    static const refusal refusals[] = {
+        {"render", "glint render: --out is required (see glint render --help)\n"},
+        {"render --out", "glint render: --out needs a value: a non-empty FILE.png\n"},
+        {"render --out=", "glint render: --out: \"\" is not a non-empty FILE.png\n"},
+        {"render --out x.png stray", "glint render: unexpected argument \"stray\"\n"},
+        {"render --out x.png -- --n", "glint render: unexpected argument \"--n\"\n"},
+        {"render --ou x.png", "glint render: unknown option \"--ou\" (see glint render --help)\n"},
+        {"render --k 1", "glint render: unknown option \"--k\" (see glint render --help)\n"},
+        {"render --n 1 --n 1", "glint render: --n is given twice\n"},
+        {"render --json --json", "glint render: --json is given twice\n"},
+        {"render --json=1", "glint render: --json takes no value\n"},
+        {"render --help=1", "glint render: --help takes no value\n"},
+        {"render --n", "glint render: --n needs a value: an integer from 0 to 1023\n"},
+        {"render --n 5000", "glint render: --n: \"5000\" is not an integer from 0 to 1023\n"},
+        {"render --n -1", "glint render: --n: \"-1\" is not an integer from 0 to 1023\n"},
+        {"render --n=", "glint render: --n: \"\" is not an integer from 0 to 1023\n"},
+        {"render --n 5x", "glint render: --n: \"5x\" is not an integer from 0 to 1023\n"},
+        {"render --n 5.0", "glint render: --n: \"5.0\" is not an integer from 0 to 1023\n"},
+        {"render --n 0x5", "glint render: --n: \"0x5\" is not an integer from 0 to 1023\n"},
+        {"render --n 99999999999999999999",
+         "glint render: --n: \"99999999999999999999\" is not an integer from 0 to 1023\n"},
+        {"render --n --json", "glint render: --n: \"--json\" is not an integer from 0 to 1023\n"},
+        {"render --ka 1.01", "glint render: --ka: \"1.01\" is not a number from 0 to 1\n"},
+        {"render --ka nan", "glint render: --ka: \"nan\" is not a number from 0 to 1\n"},
+        {"render --ka 0x1p-1", "glint render: --ka: \"0x1p-1\" is not a number from 0 to 1\n"},
+        {"render --ka .5.", "glint render: --ka: \".5.\" is not a number from 0 to 1\n"},
+        {"render --fov inf", "glint render: --fov: \"inf\" is not a number from 1 to 170\n"},
+        {"render --backend gpu",
+         "glint render: --backend: \"gpu\" is not one of c, rtl, real, both\n"},
+        {"render --gate Sign",
+         "glint render: --gate: \"Sign\" is not one of cosine, sign, drawn\n"},
+        {"render --pipeline p", "glint render: --pipeline: \"p\" is not one of drawn, pipelined\n"},
+        {"render --lanes 3", "glint render: --lanes: \"3\" is not one of auto, 1, 2, 4, 8, 16\n"},
+        {"render --size 640",
+         "glint render: --size: \"640\" is not WIDTHxHEIGHT, each from 1 to 16384\n"},
+        {"render --size 640x480x2",
+         "glint render: --size: \"640x480x2\" is not WIDTHxHEIGHT, each from 1 to 16384\n"},
+        {"render --size 0x480",
+         "glint render: --size: \"0x480\" is not WIDTHxHEIGHT, each from 1 to 16384\n"},
+        {"render --size 640x16385",
+         "glint render: --size: \"640x16385\" is not WIDTHxHEIGHT, each from 1 to 16384\n"},
+        {"render --light 1,2", "glint render: --light: \"1,2\" is not three numbers from -1e+06 to "
+                               "1e+06 with commas between\n"},
+        {"render --light 1,,3", "glint render: --light: \"1,,3\" is not three numbers from -1e+06 "
+                                "to 1e+06 with commas between\n"},
+        {"render --light 1,2,nan", "glint render: --light: \"1,2,nan\" is not three numbers from "
+                                   "-1e+06 to 1e+06 with commas between\n"},
+        {"render --color 1,2,256", "glint render: --color: \"1,2,256\" is not three integers from "
+                                   "0 to 255 with commas between\n"},
+        {"render --color 1,2,3,4", "glint render: --color: \"1,2,3,4\" is not three integers from "
+                                   "0 to 255 with commas between\n"},
+        {"render --threads 65", "glint render: --threads: \"65\" is not an integer from 1 to 64\n"},
+        {"eval points.csv", "glint eval: unexpected argument \"points.csv\"\n"},
+        {"eval --backend both", "glint eval: --backend: \"both\" is not one of c, rtl, real\n"},
+        {"compare", "glint compare: A.png is missing (see glint compare --help)\n"},
+        {"compare a.png", "glint compare: B.png is missing (see glint compare --help)\n"},
+        {"compare a.png b.png c.png", "glint compare: unexpected argument \"c.png\"\n"},
+    };
+    assert_refused(refusals, sizeof refusals / sizeof refusals[0]);
+}
+
+static void a_message_stays_one_line(void **state)
+{
+    (void)state;
+    const plumbing none = {0};
+    char longest[100000];
+    memset(longest, 'x', sizeof longest - 1);
+    longest[sizeof longest - 1] = '\0';
+    char *newline[] = {NULL, "render", "--n", "1\n2\x1b[31m", NULL};
+    char *lengthy[] = {NULL, "render", "--n", longest, NULL};
+    outcome done = run_arguments(newline, "", 0, &none);
+    assert_outcome(&done, 2,
+                   "glint render: --n: \"1\\x0a2\\x1b[31m\" is not an integer from 0 to 1023\n");
+    forget(&done);
+    done = run_arguments(lengthy, "", 0, &none);
+    assert_int_equal(done.status, 2);
+    assert_true(strlen(done.err) < 200);
+    assert_says(done.err, "xxx...\" is not an integer from 0 to 1023\n");
+    forget(&done);
+}
+
+static void output_that_is_not_taken_is_a_failure(void **state)
+{
+    (void)state;
+    static const char *const printing[] = {"--help",        "--version",   "info",
+                                           "render --help", "info --json", "eval"};
+    const plumbing full = {.out = "/dev/full"};
+    const plumbing closed = {.close_out = true};
+    for (size_t i = 0; i < sizeof printing / sizeof printing[0]; i++) {
+        outcome done = run_plumbed(printing[i], "1 1 1 1 1\n", &full);
+        assert_int_equal(done.status, 1);
+        assert_says(done.err, "cannot write to standard output: No space left on device\n");
+        forget(&done);
+        done = run_plumbed(printing[i], "1 1 1 1 1\n", &closed);
+        assert_int_equal(done.status, 1);
+        assert_says(done.err, "cannot write to standard output: Bad file descriptor\n");
+        forget(&done);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(help_lists_every_subcommand),
+        cmocka_unit_test(every_subcommand_has_help),
+        cmocka_unit_test(every_subcommand_refuses_what_it_does_not_know),
+        cmocka_unit_test(the_version_is_printed),
+        cmocka_unit_test(a_wrong_subcommand_is_refused),
+        cmocka_unit_test(options_are_read_strictly),
+        cmocka_unit_test(a_message_stays_one_line),
+        cmocka_unit_test(output_that_is_not_taken_is_a_failure),
+    };
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
+}
