@@ -1,0 +1,463 @@
+/* `glint eval`: its input line by line, and its answers against the formula in double precision. */
+#define _XOPEN_SOURCE 700
+
+#include <math.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cjson/cJSON.h>
+#include <cmocka.h>
+
+#include "../scratch.h"
+#include "run.h"
+
+#define HEADER "n,cos_code,w_code,r,g,b\n"
+
+static void assert_answer(const char *options, const char *input, const char *expected)
+{
+    char command_line[128];
+    snprintf(command_line, sizeof command_line, "eval%s%s", *options != '\0' ? " " : "", options);
+    outcome done = run(command_line, input);
+    assert_outcome(&done, 0, "");
+    assert_string_equal(done.out, expected);
+    forget(&done);
+}
+
+/* n = 2 makes σ = 1 and so W = cos²: figures that can be checked by eye. */
+static void a_point_is_answered(void **state)
+{
+    (void)state;
+    static const char *const backends[] = {"", "--backend c", "--backend rtl", "--backend real"};
+    for (size_t i = 0; i < 4; i++) {
+        assert_answer(backends[i], "2 0.5 255 100 4\n", HEADER "2,131072,65536,64,25,1\n");
+        assert_answer(backends[i], "1000 1 255 1 0\n", HEADER "1000,262144,262144,255,1,0\n");
+    }
+}
+
+static void the_input_is_read_generously_in_its_blanks(void **state)
+{
+    (void)state;
+    static const char *const inputs[] = {
+        "2 0.5 4 8 12\n",
+        "2,0.5,4,8,12\n",
+        "2, 0.5,4 ,8 , 12\n",
+        " \t2\t0.5  4\t8 12 \t\n",
+        "2 0.5 4 8 12",
+        "2 0.5 4 8 12\r\n",
+        "2 0.5 4 8 12\r",
+        "\n\n2 .5 4 8 12\n",
+        "# a comment\n2 5e-1 4 8 12\n#\n",
+        " \r\n\t\n2 0x20000 4 8 12\n",
+        "  # 1 2 3\n+2 0X20000 4 8 12\n \n",
+        "002 0.50 004 8 12\n",
+    };
+    for (size_t i = 0; i < sizeof inputs / sizeof inputs[0]; i++) {
+        assert_answer("", inputs[i], HEADER "2,131072,65536,1,2,3\n");
+    }
+}
+
+static void an_empty_input_has_no_rows(void **state)
+{
+    (void)state;
+    assert_answer("", "", HEADER);
+    assert_answer("", "# nothing\n\n", HEADER);
+    assert_answer("--json", "", "[\n]\n");
+}
+
+static void a_code_above_one_saturates(void **state)
+{
+    (void)state;
+    assert_answer("", "9 0x40000 3 4 5\n9 0x40001 3 4 5\n9 0x7FFFF 3 4 5\n",
+                  HEADER "9,262144,262144,3,4,5\n9,262144,262144,3,4,5\n9,262144,262144,3,4,5\n");
+}
+
+/* 2^-19 is half a code, and half goes up. */
+static void a_real_cosine_is_rounded_half_up(void **state)
+{
+    (void)state;
+    assert_answer("", "2 0.00000190734863281250 0 0 0\n2 0.00000190734863281249 0 0 0\n",
+                  HEADER "2,1,0,0,0,0\n2,0,0,0,0,0\n");
+}
+
+static void rows_stay_in_order(void **state)
+{
+    (void)state;
+    char input[20000];
+    char expected[20000] = HEADER;
+    size_t in = 0;
+    size_t out = strlen(expected);
+    /* W = 1 passes the colours, so that each row shows which point it belongs to. */
+    for (int i = 0; i < 600; i++) {
+        const int n = i / 7 % 3;
+        in += (size_t)sprintf(input + in, "%d 1 %d %d 0\n", n, i % 256, i / 256);
+        out += (size_t)sprintf(expected + out, "%d,262144,262144,%d,%d,0\n", n, i % 256, i / 256);
+    }
+    assert_answer("", input, expected);
+}
+
+typedef struct refusal {
+    const char *input;
+    size_t count; /* 0: the string's length */
+    const char *err;
+} refusal;
+
+static void malformed_lines_are_named(void **state)
+{
+    (void)state;
+    static const refusal refusals[] = {
+        {"1 1 1 1\n", 0, "line 1: fewer than the five values n cos r g b"},
+        {"1 1 1 1 1 1\n", 0, "line 1: more than the five values n cos r g b"},
+        {"n,cos,r,g,b\n", 0, "line 1: n: \"n\" is not an integer from 0 to 1023"},
+        {"1024 1 1 1 1", 0, "line 1: n: \"1024\" is not an integer from 0 to 1023"},
+        {"-1 1 1 1 1", 0, "line 1: n: \"-1\" is not an integer from 0 to 1023"},
+        {"1.5 1 1 1 1", 0, "line 1: n: \"1.5\" is not an integer from 0 to 1023"},
+        {"1 1.000001 1 1 1", 0,
+         "line 1: cos: \"1.000001\" is not a number from 0 to 1 or a code from 0x0 to 0x7ffff"},
+        {"1 -0.1 1 1 1", 0,
+         "line 1: cos: \"-0.1\" is not a number from 0 to 1 or a code from 0x0 to 0x7ffff"},
+        {"1 nan 1 1 1", 0,
+         "line 1: cos: \"nan\" is not a number from 0 to 1 or a code from 0x0 to 0x7ffff"},
+        {"1 0x1p-1 1 1 1", 0,
+         "line 1: cos: \"0x1p-1\" is not a number from 0 to 1 or a code from 0x0 to 0x7ffff"},
+        {"1 0x80000 1 1 1", 0,
+         "line 1: cos: \"0x80000\" is not a number from 0 to 1 or a code from 0x0 to 0x7ffff"},
+        {"1 0x 1 1 1", 0,
+         "line 1: cos: \"0x\" is not a number from 0 to 1 or a code from 0x0 to 0x7ffff"},
+        {"1 1 256 1 1", 0, "line 1: r: \"256\" is not an integer from 0 to 255"},
+        {"1 1 1 0x1 1", 0, "line 1: g: \"0x1\" is not an integer from 0 to 255"},
+        {"1 1 1 1 b", 0, "line 1: b: \"b\" is not an integer from 0 to 255"},
+        {"1,,1,1,1", 0,
+         "line 1: cos: \"\" is not a number from 0 to 1 or a code from 0x0 to 0x7ffff"},
+        {",1,1,1,1", 0, "line 1: n: \"\" is not an integer from 0 to 1023"},
+        {"1,1,1,1,", 0, "line 1: b: \"\" is not an integer from 0 to 255"},
+        {"1,1,1,1,1,", 0, "line 1: more than the five values n cos r g b"},
+        {"1;1;1;1;1", 0, "line 1: fewer than the five values n cos r g b"},
+        {"1 1 1 1 1 # comment", 0, "line 1: more than the five values n cos r g b"},
+        {"1 1 1 1\r1\n", 0, "line 1: fewer than the five values n cos r g b"},
+        {"1 1 1 1 1\0 2\n", 13, "line 1: a NUL byte is in it: this is not text"},
+        {"# \0\n", 4, "line 1: a NUL byte is in it: this is not text"},
+        {"\n\n# c\n1 1 1 1 1 1\n", 0, "line 4: more than the five values n cos r g b"},
+    };
+    const plumbing none = {0};
+    for (size_t i = 0; i < sizeof refusals / sizeof refusals[0]; i++) {
+        char expected[256];
+        char *argv[] = {NULL, "eval", NULL};
+        const size_t count = refusals[i].count != 0 ? refusals[i].count : strlen(refusals[i].input);
+        snprintf(expected, sizeof expected, "glint eval: %s\n", refusals[i].err);
+        outcome done = run_arguments(argv, refusals[i].input, count, &none);
+        assert_outcome(&done, 2, expected);
+        assert_string_equal(done.out, HEADER);
+        forget(&done);
+    }
+}
+
+static void lines_before_the_malformed_one_are_answered(void **state)
+{
+    (void)state;
+    outcome done = run("eval", "0 1 7 8 9\n0 1 7 8 9\n0 1 7 8\n0 1 7 8 9\n");
+    assert_outcome(&done, 2, "glint eval: line 3: fewer than the five values n cos r g b\n");
+    assert_string_equal(done.out, HEADER "0,262144,262144,7,8,9\n0,262144,262144,7,8,9\n");
+    forget(&done);
+}
+
+static void long_lines_are_read_to_their_end(void **state)
+{
+    (void)state;
+    enum { LENGTH = 3000000 };
+    char *line = malloc(LENGTH + 32);
+    assert_non_null(line);
+    memset(line, ' ', LENGTH);
+    strcpy(line + LENGTH, "0 1 7 8 9\n");
+    assert_answer("", line, HEADER "0,262144,262144,7,8,9\n");
+    memset(line, '7', LENGTH);
+    outcome done = run("eval", line);
+    assert_int_equal(done.status, 2);
+    assert_true(strlen(done.err) < 200);
+    assert_says(done.err, "777...\" is not an integer from 0 to 1023\n");
+    forget(&done);
+    free(line);
+}
+
+static void json_is_an_array_of_objects(void **state)
+{
+    (void)state;
+    outcome done = run("eval --json", "2 0.5 4 8 12\n7 1 1 2 3\n");
+    assert_outcome(&done, 0, "");
+    cJSON *json = cJSON_Parse(done.out);
+    assert_true(cJSON_IsArray(json));
+    assert_int_equal(cJSON_GetArraySize(json), 2);
+    static const char *const names[] = {"n", "cos_code", "w_code", "r", "g", "b"};
+    static const int values[2][6] = {{2, 131072, 65536, 1, 2, 3}, {7, 262144, 262144, 1, 2, 3}};
+    for (int i = 0; i < 2; i++) {
+        const cJSON *point = cJSON_GetArrayItem(json, i);
+        assert_int_equal(cJSON_GetArraySize(point), 6);
+        for (int j = 0; j < 6; j++) {
+            const cJSON *value = cJSON_GetObjectItem(point, names[j]);
+            assert_true(cJSON_IsNumber(value));
+            assert_int_equal(value->valueint, values[i][j]);
+        }
+    }
+    cJSON_Delete(json);
+    forget(&done);
+}
+
+static void an_unreadable_input_is_a_failure(void **state)
+{
+    (void)state;
+    const plumbing directory = {.in = "."};
+    const plumbing closed = {.close_in = true};
+    outcome done = run_plumbed("eval", "", &directory);
+    assert_outcome(&done, 1, "glint eval: cannot read standard input: Is a directory\n");
+    forget(&done);
+    done = run_plumbed("eval", "", &closed);
+    assert_outcome(&done, 1, "glint eval: cannot read standard input: Bad file descriptor\n");
+    forget(&done);
+}
+
+/* ---- the answers themselves ---- */
+
+#define POINTS 20000
+
+static uint32_t random_state = 2024;
+
+static uint32_t random_below(uint32_t limit)
+{
+    random_state ^= random_state << 13;
+    random_state ^= random_state >> 17;
+    random_state ^= random_state << 5;
+    return random_state % limit;
+}
+
+/* A cosine, mostly inside the highlight of n, as a code or as a decimal number. */
+static int print_cosine(char *text, int n)
+{
+    const double edge = n > 2 ? 1.0 - 4.0 / (n + 1.0) : 0.0;
+    const double cosine = edge + (1.0 - edge) * random_below(1u << 20) / (double)(1u << 20);
+    switch (random_below(4)) {
+    case 0:
+        return sprintf(text, "0x%x", random_below(0x80000));
+    case 1:
+        return sprintf(text, "0x%x", (unsigned)(cosine * 262144.0));
+    default:
+        return sprintf(text, "%.9f", cosine);
+    }
+}
+
+/* Random points: runs of one material, some of a single point. To be freed. */
+static char *random_points(void)
+{
+    char *text = malloc((size_t)POINTS * 48);
+    assert_non_null(text);
+    size_t length = 0;
+    int n = 0;
+    unsigned r = 0, g = 0, b = 0;
+    for (int i = 0; i < POINTS; i++) {
+        if (random_below(8) == 0) {
+            n = (int)random_below(1024) >> random_below(8);
+            r = random_below(256);
+            g = random_below(256);
+            b = random_below(256);
+        }
+        length += (size_t)sprintf(text + length, "%d ", n);
+        length += (size_t)print_cosine(text + length, n);
+        length += (size_t)sprintf(text + length, " %u %u %u\n", r, g, b);
+    }
+    return text;
+}
+
+static void c_and_rtl_agree_on_random_points(void **state)
+{
+    (void)state;
+    static const char *const settings[] = {
+        "",
+        " --gate sign",
+        " --gate drawn",
+        " --pipeline drawn",
+        " --gate sign --pipeline drawn",
+        " --gate drawn --pipeline drawn",
+    };
+    char *points = random_points();
+    for (size_t i = 0; i < sizeof settings / sizeof settings[0]; i++) {
+        char command_line[128];
+        snprintf(command_line, sizeof command_line, "eval --backend c%s", settings[i]);
+        outcome c = run(command_line, points);
+        snprintf(command_line, sizeof command_line, "eval --backend rtl%s", settings[i]);
+        outcome rtl = run(command_line, points);
+        assert_outcome(&c, 0, "");
+        assert_outcome(&rtl, 0, "");
+        assert_true(strlen(c.out) > POINTS * strlen("0,0,0,0,0,0\n"));
+        assert_string_equal(c.out, rtl.out);
+        forget(&c);
+        forget(&rtl);
+    }
+    free(points);
+}
+
+/* (2.15) for the cosine that the code stands for; nothing of Glint's own is called. */
+static double formula(int n, long code)
+{
+    const double t = (n + 1) / 3.0 * ((double)code / 262144.0 - 1.0) + 1.0;
+    return t > 0.0 ? t * t : 0.0;
+}
+
+typedef struct point {
+    int n;
+    char cosine[24];
+    int component[3];
+} point;
+
+static void read_point(const char *line, point *given)
+{
+    assert_int_equal(sscanf(line, "%d %23s %d %d %d", &given->n, given->cosine,
+                            &given->component[0], &given->component[1], &given->component[2]),
+                     5);
+}
+
+/* Register 1, by the rules of the input: half up, and at most 1.0. */
+static long expected_code(const char *cosine)
+{
+    const long code = strncmp(cosine, "0x", 2) == 0
+                          ? strtol(cosine, NULL, 16)
+                          : (long)floor(strtod(cosine, NULL) * 262144.0 + 0.5);
+    return code < 262144 ? code : 262144;
+}
+
+static void assert_close(double found, double expected, double tolerance, const char *line)
+{
+    if (!(fabs(found - expected) <= tolerance)) {
+        fail_msg("%g is more than %g from %.9f for %.40s", found, tolerance, expected, line);
+    }
+}
+
+static void check_row(const char *line, const char *row, double tolerance)
+{
+    point given;
+    int n, component[3];
+    long cos_code, w_code;
+    read_point(line, &given);
+    assert_int_equal(sscanf(row, "%d,%ld,%ld,%d,%d,%d", &n, &cos_code, &w_code, &component[0],
+                            &component[1], &component[2]),
+                     6);
+    assert_int_equal(n, given.n);
+    assert_int_equal(cos_code, expected_code(given.cosine));
+    const double w = formula(n, cos_code);
+    /* What is left of the tolerance after the output's own rounding is W's. */
+    assert_close((double)w_code / 262144.0 * 255.0, w * 255.0, tolerance - 0.5, line);
+    for (int i = 0; i < 3; i++) {
+        assert_close(component[i], w * given.component[i], tolerance, line);
+    }
+}
+
+static const char *next_line(const char *text)
+{
+    const char *end = strchr(text, '\n');
+    assert_non_null(end);
+    return end + 1;
+}
+
+/* Every output within `tolerance` of one step of the formula of the quantised cosine. */
+static void assert_follows_formula(const char *command_line, double tolerance)
+{
+    char *points = random_points();
+    outcome done = run(command_line, points);
+    assert_outcome(&done, 0, "");
+    const char *line = points;
+    const char *row = next_line(done.out);
+    for (int i = 0; i < POINTS; i++) {
+        check_row(line, row, tolerance);
+        line = next_line(line);
+        row = next_line(row);
+    }
+    assert_string_equal(row, "");
+    forget(&done);
+    free(points);
+}
+
+static void c_follows_the_formula(void **state)
+{
+    (void)state;
+    assert_follows_formula("eval --backend c", 0.52);
+    assert_follows_formula("eval --backend c --gate sign", 0.52);
+}
+
+static void real_is_the_formula(void **state)
+{
+    (void)state;
+    /* W itself is rounded to its code: half a code is 255/2^19 of a step. */
+    assert_follows_formula("eval --backend real", 0.5 + 255.0 / 524288.0 + 1e-9);
+}
+
+/* ---- Ctrl-C ---- */
+
+/* Starts `glint eval` with pipes at both ends. */
+static pid_t start_eval(int *input, int *output)
+{
+    pid_t child;
+    int in[2], out[2];
+    posix_spawn_file_actions_t actions;
+    char *argv[] = {(char *)(uintptr_t)glint_under_test(), "eval", NULL};
+    assert_int_equal(pipe(in), 0);
+    assert_int_equal(pipe(out), 0);
+    assert_int_equal(posix_spawn_file_actions_init(&actions), 0);
+    assert_int_equal(posix_spawn_file_actions_adddup2(&actions, in[0], 0), 0);
+    assert_int_equal(posix_spawn_file_actions_adddup2(&actions, out[1], 1), 0);
+    assert_int_equal(posix_spawn_file_actions_addopen(&actions, 2, scratch_path("stderr"),
+                                                      O_WRONLY | O_CREAT | O_TRUNC, 0666),
+                     0);
+    /* Else the child would hold its own input open. */
+    assert_int_equal(posix_spawn_file_actions_addclose(&actions, in[1]), 0);
+    assert_int_equal(posix_spawn(&child, argv[0], &actions, NULL, argv, environ), 0);
+    posix_spawn_file_actions_destroy(&actions);
+    close(in[0]);
+    close(out[1]);
+    *input = in[1];
+    *output = out[0];
+    return child;
+}
+
+static void an_interrupt_ends_the_wait_for_input(void **state)
+{
+    (void)state;
+    int input;
+    int output;
+    char line[32];
+    const pid_t child = start_eval(&input, &output);
+    /* Single-point runs until standard output's buffer overflows: then it surely runs. */
+    for (int i = 0; i < 1500; i++) {
+        const int length = snprintf(line, sizeof line, "5 1 %d 2 3\n", i % 2);
+        assert_int_equal(write(input, line, (size_t)length), length);
+    }
+    assert_int_equal(read(output, line, 2), 2);
+    assert_int_equal(kill(child, SIGINT), 0);
+    assert_int_equal(wait_for(child), 1);
+    close(input);
+    close(output);
+    char *err = scratch_read(scratch_path("stderr"), NULL);
+    assert_string_equal(err, "glint eval: interrupted\n");
+    free(err);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_point_is_answered),
+        cmocka_unit_test(the_input_is_read_generously_in_its_blanks),
+        cmocka_unit_test(an_empty_input_has_no_rows),
+        cmocka_unit_test(a_code_above_one_saturates),
+        cmocka_unit_test(a_real_cosine_is_rounded_half_up),
+        cmocka_unit_test(rows_stay_in_order),
+        cmocka_unit_test(malformed_lines_are_named),
+        cmocka_unit_test(lines_before_the_malformed_one_are_answered),
+        cmocka_unit_test(long_lines_are_read_to_their_end),
+        cmocka_unit_test(json_is_an_array_of_objects),
+        cmocka_unit_test(an_unreadable_input_is_a_failure),
+        cmocka_unit_test(c_and_rtl_agree_on_random_points),
+        cmocka_unit_test(c_follows_the_formula),
+        cmocka_unit_test(real_is_the_formula),
+        cmocka_unit_test(an_interrupt_ends_the_wait_for_input),
+    };
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
+}

@@ -1,0 +1,308 @@
+/* `glint render`: the files it writes, what it says of them, and what it refuses. How a frame must
+ * look is tested elsewhere. */
+#define _XOPEN_SOURCE 700
+
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <time.h>
+
+#include <cjson/cJSON.h>
+#include <cmocka.h>
+
+#include "../scratch.h"
+#include "image/image.h"
+#include "run.h"
+
+static outcome render(const char *name, const char *options)
+{
+    char command_line[2048];
+    snprintf(command_line, sizeof command_line, "render --out %s%s%s", scratch_path(name),
+             *options != '\0' ? " " : "", options);
+    return run(command_line, "");
+}
+
+static glint_image *read_picture(const char *name)
+{
+    glint_error err;
+    glint_image *image;
+    if (glint_image_read_png(scratch_path(name), &image, &err) != GLINT_OK) {
+        fail_msg("%s", err.text);
+    }
+    return image;
+}
+
+/* Renders and reads the picture back; the run must have ended well. */
+static glint_image *rendered(const char *options)
+{
+    outcome done = render("picture.png", options);
+    assert_outcome(&done, 0, "");
+    forget(&done);
+    return read_picture("picture.png");
+}
+
+static uint64_t differing_pixels(const glint_image *a, const glint_image *b)
+{
+    glint_error err;
+    glint_image_difference difference;
+    assert_int_equal(glint_image_compare(a, b, &difference, &err), GLINT_OK);
+    return difference.differing_pixels + difference.mask_pixels;
+}
+
+static void a_picture_of_the_size_asked_for(void **state)
+{
+    (void)state;
+    const int before = scratch_count();
+    glint_image *image = rendered("--size 160x90");
+    assert_int_equal(image->width, 160);
+    assert_int_equal(image->height, 90);
+    int covered = 0;
+    for (int i = 0; i < 160 * 90; i++) {
+        covered += image->object[i];
+    }
+    assert_in_range(covered, 160 * 90 / 10, 160 * 90 - 1);
+    assert_true(scratch_count() <= before + 4); /* the picture and the three streams */
+    glint_image_destroy(image);
+}
+
+static void both_backends_are_equal(void **state)
+{
+    (void)state;
+    static const char *const options[] = {
+        "--backend both --size 200x150",
+        "--backend both --size 200x150 --model sphere --gate sign --n 1023",
+        "--backend both --size 200x150 --gate drawn --n 40",
+        "--backend both --size 200x150 --pipeline drawn --threads 3 --lanes 1",
+    };
+    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
+        outcome done = render("both.png", options[i]);
+        assert_outcome(&done, 0, "");
+        assert_says(done.out, "0 differing pixels of 30000\n");
+        assert_says(done.out, "triangles");
+        assert_says(done.out, "million fragments/s");
+        assert_says(done.out, "\nc ");
+        assert_says(done.out, "\nrtl ");
+        forget(&done);
+        glint_image_destroy(read_picture("both.png"));
+        assert_int_equal(access(scratch_path("both-c.png"), F_OK), -1);
+        assert_int_equal(access(scratch_path("both-diff.png"), F_OK), -1);
+    }
+}
+
+/* Meshes that nobody here made, from Debian's assimp-testmodels. */
+static void foreign_meshes_are_equal_by_both_backends(void **state)
+{
+    (void)state;
+    static const char *const meshes[] = {
+        "/usr/share/assimp/models/OBJ/spider.obj",
+        "/usr/share/assimp/models/3DS/fels.3ds",
+    };
+    for (size_t i = 0; i < sizeof meshes / sizeof meshes[0]; i++) {
+        char options[256];
+        snprintf(options, sizeof options, "--backend both --size 200x150 --model %s", meshes[i]);
+        outcome done = render("mesh.png", options);
+        assert_outcome(&done, 0, "");
+        assert_says(done.out, "0 differing pixels of 30000\n");
+        forget(&done);
+    }
+}
+
+static void each_option_changes_the_picture(void **state)
+{
+    (void)state;
+    static const char *const changes[] = {
+        "--model sphere",
+        "--density 2",
+        "--gate drawn",
+        "--n 5",
+        "--color 0,0,255",
+        "--highlight 0,255,0",
+        "--light 1,0,0",
+        "--ia 0.5",
+        "--ie 0.5",
+        "--ka 0.9",
+        "--kd 0.1",
+        "--ks 0",
+        "--yaw 90",
+        "--pitch -40",
+        "--fov 90",
+        "--distance 8",
+        "--light -1,1.2,-1.6",
+    };
+    glint_image *usual = rendered("--size 160x120");
+    for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
+        char options[128];
+        snprintf(options, sizeof options, "--size 160x120 %s", changes[i]);
+        glint_image *changed = rendered(options);
+        if (differing_pixels(usual, changed) == 0) {
+            fail_msg("%s changed nothing", changes[i]);
+        }
+        glint_image_destroy(changed);
+    }
+    glint_image_destroy(usual);
+}
+
+static void threads_lanes_and_pipeline_do_not_change_the_picture(void **state)
+{
+    (void)state;
+    static const char *const same[] = {
+        "--threads 1",
+        "--threads 5",
+        "--backend rtl --lanes 1",
+        "--backend rtl",
+        "--backend rtl --lanes 16 --threads 2",
+        "--gate sign",
+        "--backend rtl --pipeline drawn",
+    };
+    glint_image *usual = rendered("--size 160x120");
+    for (size_t i = 0; i < sizeof same / sizeof same[0]; i++) {
+        char options[128];
+        snprintf(options, sizeof options, "--size 160x120 %s", same[i]);
+        glint_image *other = rendered(options);
+        if (differing_pixels(usual, other) != 0) {
+            fail_msg("%s changed the picture", same[i]);
+        }
+        glint_image_destroy(other);
+    }
+    glint_image_destroy(usual);
+}
+
+static void json_gives_the_figures(void **state)
+{
+    (void)state;
+    outcome done = render("json.png", "--json --backend both --size 100x80 --threads 2");
+    assert_outcome(&done, 0, "");
+    cJSON *json = cJSON_Parse(done.out);
+    assert_non_null(json);
+    assert_string_equal(cJSON_GetObjectItem(json, "model")->valuestring, "teapot");
+    assert_int_equal(cJSON_GetObjectItem(json, "width")->valueint, 100);
+    assert_int_equal(cJSON_GetObjectItem(json, "height")->valueint, 80);
+    assert_int_equal(cJSON_GetObjectItem(json, "threads")->valueint, 2);
+    assert_true(cJSON_GetObjectItem(json, "triangles")->valueint > 1000);
+    assert_true(cJSON_GetObjectItem(json, "fragments")->valueint > 500);
+    const cJSON *frames = cJSON_GetObjectItem(json, "frames");
+    assert_int_equal(cJSON_GetArraySize(frames), 2);
+    assert_string_equal(cJSON_GetObjectItem(cJSON_GetArrayItem(frames, 1), "backend")->valuestring,
+                        "rtl");
+    const cJSON *comparison = cJSON_GetObjectItem(json, "comparison");
+    assert_int_equal(cJSON_GetObjectItem(comparison, "pixels")->valueint, 8000);
+    assert_int_equal(cJSON_GetObjectItem(comparison, "differing_pixels")->valueint, 0);
+    cJSON_Delete(json);
+    forget(&done);
+}
+
+static void comparing_nothing_is_a_failure(void **state)
+{
+    (void)state;
+    /* From inside the sphere only back faces are seen. */
+    outcome done = render("empty.png", "--backend both --model sphere --distance 0.1 --size 9x9");
+    assert_outcome(&done, 1,
+                   "glint render: nothing to compare: no pixel of the object is in the frame\n");
+    forget(&done);
+    assert_int_equal(access(scratch_path("empty.png"), F_OK), -1);
+}
+
+typedef struct failure {
+    const char *options;
+    int status;
+    const char *err;
+} failure;
+
+static void what_cannot_be_rendered_is_named(void **state)
+{
+    (void)state;
+    static const failure failures[] = {
+        {"--light 0,0,0", 2, "light 0,0,0 has no direction\n"},
+        {"--density 257", 2, "257"},
+        {"--model sphere --density 5", 2, "5"},
+        {"--model no-such-file.obj", 1, "no-such-file.obj"},
+        {"--model Makefile", 1, "Makefile"},
+        {"--model no-such-file.obj --density 4", 2, "--density is for teapot and sphere"},
+    };
+    for (size_t i = 0; i < sizeof failures / sizeof failures[0]; i++) {
+        outcome done = render("never.png", failures[i].options);
+        assert_outcome(&done, failures[i].status, NULL);
+        assert_says(done.err, failures[i].err);
+        assert_memory_equal(done.err, "glint render: ", 14);
+        assert_int_equal(strchr(done.err, '\n') - done.err, strlen(done.err) - 1);
+        assert_string_equal(done.out, "");
+        assert_int_equal(access(scratch_path("never.png"), F_OK), -1);
+        forget(&done);
+    }
+}
+
+/* A model that takes long shows whether the target was tried first. */
+static void an_unwritable_target_is_found_before_the_work(void **state)
+{
+    (void)state;
+    struct timespec begin, end;
+    clock_gettime(CLOCK_MONOTONIC, &begin);
+    outcome done = render("no/such/a.png", "--model sphere --density 4096 --size 9000x9000");
+    clock_gettime(CLOCK_MONOTONIC, &end);
+    assert_outcome(&done, 1, NULL);
+    assert_says(done.err, "no/such/a.png: No such file or directory\n");
+    assert_true(end.tv_sec - begin.tv_sec <= 1);
+    forget(&done);
+    done = render("", "");
+    assert_outcome(&done, 1, NULL);
+    assert_says(done.err, ": Is a directory\n");
+    forget(&done);
+    done = run("render --size 100x100 --out /dev/full", "");
+    assert_outcome(&done, 1, "glint render: cannot write /dev/full: No space left on device\n");
+    forget(&done);
+}
+
+static void an_interrupt_leaves_no_file(void **state)
+{
+    (void)state;
+    char out[1024];
+    snprintf(out, sizeof out, "%s", scratch_path("interrupted.png"));
+    char *argv[] = {(char *)(uintptr_t)glint_under_test(),
+                    "render",
+                    "--size",
+                    "8000x8000",
+                    "--backend",
+                    "both",
+                    "--threads",
+                    "1",
+                    "--out",
+                    out,
+                    NULL};
+    pid_t child;
+    posix_spawn_file_actions_t actions;
+    const plumbing none = {0};
+    scratch_write(scratch_path("stdin"), "", 0);
+    scratch_write(scratch_path("stdout"), "", 0);
+    scratch_write(scratch_path("stderr"), "", 0);
+    connect_streams(&actions, &none);
+    const int before = scratch_count();
+    assert_int_equal(posix_spawn(&child, argv[0], &actions, NULL, argv, environ), 0);
+    posix_spawn_file_actions_destroy(&actions);
+    /* Long enough to be at work, far too short to be done. */
+    nanosleep(&(struct timespec){.tv_nsec = 300000000}, NULL);
+    assert_int_equal(kill(child, SIGINT), 0);
+    assert_int_equal(wait_for(child), 1);
+    char *err = scratch_read(scratch_path("stderr"), NULL);
+    assert_says(err, "interrupted\n");
+    free(err);
+    assert_int_equal(scratch_count(), before);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_picture_of_the_size_asked_for),
+        cmocka_unit_test(both_backends_are_equal),
+        cmocka_unit_test(foreign_meshes_are_equal_by_both_backends),
+        cmocka_unit_test(each_option_changes_the_picture),
+        cmocka_unit_test(threads_lanes_and_pipeline_do_not_change_the_picture),
+        cmocka_unit_test(json_gives_the_figures),
+        cmocka_unit_test(comparing_nothing_is_a_failure),
+        cmocka_unit_test(what_cannot_be_rendered_is_named),
+        cmocka_unit_test(an_unwritable_target_is_found_before_the_work),
+        cmocka_unit_test(an_interrupt_leaves_no_file),
+    };
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
+}
