@@ -10,8 +10,9 @@
 /* The function of the edge from one corner to the next: positive on the inner side, twice the area
  * of the triangle that the edge forms with the point. */
 typedef struct edge {
-    int64_t value;          /* at the current sample */
+    int64_t value;          /* at the current sample, less the bias */
     int64_t step_x, step_y; /* one pixel to the right, one down */
+    int64_t bias;           /* 0 or 1, see biased_edge_at() */
 } edge;
 
 /* Pixels of one row, last < first when there are none. */
@@ -46,7 +47,8 @@ static edge biased_edge_at(const glint_triangle *t, int i, int32_t x, int32_t y)
     const bool left = e.step_x > 0;
     const bool top = e.step_x == 0 && e.step_y > 0;
     if (!left && !top) {
-        e.value -= 1;
+        e.bias = 1;
+        e.value -= e.bias;
     }
     return e;
 }
@@ -109,20 +111,39 @@ static span wide_span(const edge e[3], int32_t first, int32_t last)
                       : (span){first + (int32_t)low, first + (int32_t)high};
 }
 
-/* Takes the pixels of the span where the triangle is nearer than what was there; of equally near
- * ones the first in the mesh's order stays. */
-static void test_depth(glint_visibility *band, size_t row, const glint_triangle *t, int32_t y,
-                       span s)
+/* The depth of a triangle as a function of its edge functions. */
+typedef struct depth_plane {
+    double at_corner, per_edge1, per_edge2;
+    float step; /* of one pixel to the right */
+} depth_plane;
+
+static depth_plane depth_plane_of(const glint_triangle *t, const edge e[3])
 {
-    const glint_weights w = glint_triangle_weights(t, s.first, y);
-    const double start = (double)t->inv_w + w.at1 * (double)t->inv_w1 + w.at2 * (double)t->inv_w2;
-    const double step = w.step1 * (double)t->inv_w1 + w.step2 * (double)t->inv_w2;
-    const float from = (float)start;
-    const float by = (float)step;
-    float *depth = &band->depth[row + (size_t)s.first];
-    const glint_triangle **seen = &band->triangle[row + (size_t)s.first];
-    for (int32_t k = 0; k <= s.last - s.first; k++) {
-        const float here = from + (float)k * by;
+    const double per_edge1 = (double)t->inv_w1 * t->inv_area;
+    const double per_edge2 = (double)t->inv_w2 * t->inv_area;
+    return (depth_plane){
+        .at_corner = (double)t->inv_w,
+        .per_edge1 = per_edge1,
+        .per_edge2 = per_edge2,
+        .step = (float)((double)e[2].step_x * per_edge1 + (double)e[0].step_x * per_edge2),
+    };
+}
+
+/* The depth at the pixel that is `right` pixels after the edges' current one. */
+static float depth_at(const depth_plane *d, const edge e[3], int64_t right)
+{
+    const int64_t edge1 = e[2].value + e[2].bias + right * e[2].step_x;
+    const int64_t edge2 = e[0].value + e[0].bias + right * e[0].step_x;
+    return (float)(d->at_corner + (double)edge1 * d->per_edge1 + (double)edge2 * d->per_edge2);
+}
+
+/* Takes `count` pixels from the first on where the triangle is nearer than what was there; of
+ * equally near ones the first in the mesh's order stays. */
+static void test_depth(float *depth, const glint_triangle **seen, int32_t count,
+                       const glint_triangle *t, float from, float step)
+{
+    for (int32_t k = 0; k < count; k++) {
+        const float here = from + (float)k * step;
         if (here > depth[k]) {
             depth[k] = here;
             seen[k] = t;
@@ -134,17 +155,22 @@ static void draw(glint_visibility *band, glint_extent extent, const glint_triang
 {
     const int32_t first_y = t->first_y > band->first_y ? t->first_y : band->first_y;
     const int32_t last_y = t->last_y < band->last_y ? t->last_y : band->last_y;
+    const bool wide = t->last_x - t->first_x >= WIDE;
     edge e[3];
     for (int i = 0; i < 3; i++) {
         e[i] = biased_edge_at(t, i, t->first_x, first_y);
     }
-    const bool wide = t->last_x - t->first_x >= WIDE;
+    const depth_plane plane = depth_plane_of(t, e);
+    size_t row = (size_t)(first_y - band->first_y) * (size_t)extent.width;
     for (int32_t y = first_y; y <= last_y; y++) {
         const span s =
             wide ? wide_span(e, t->first_x, t->last_x) : narrow_span(e, t->first_x, t->last_x);
         if (s.first <= s.last) {
-            test_depth(band, (size_t)(y - band->first_y) * (size_t)extent.width, t, y, s);
+            const size_t at = row + (size_t)s.first;
+            test_depth(&band->depth[at], &band->triangle[at], s.last - s.first + 1, t,
+                       depth_at(&plane, e, s.first - t->first_x), plane.step);
         }
+        row += (size_t)extent.width;
         for (int i = 0; i < 3; i++) {
             e[i].value += e[i].step_y;
         }

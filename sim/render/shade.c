@@ -99,13 +99,25 @@ static size_t gather_row(glint_shader *shader, const glint_visibility *band, int
 /* Rounded half up and saturated; value ≥ 0. */
 static inline uint8_t saturate(float value)
 {
-    const int rounded = (int)(value + 0.5f);
+    const int32_t rounded = (int32_t)(value + 0.5f);
     return (uint8_t)(rounded < 255 ? rounded : 255);
 }
 
+/* The U1.18 code of a cosine, half up, held in 0 … 1 as an integer. */
+static inline uint32_t code_of(float cosine)
+{
+    const int32_t code = (int32_t)(cosine * (float)GLINT_COS_ONE + 0.5f);
+    const int32_t above = code > 0 ? code : 0;
+    const int32_t one = (int32_t)GLINT_COS_ONE;
+    return (uint32_t)(above < one ? above : one);
+}
+
 /* cos γ = N·H/(|N||H|) with H = L + V, both of unit length, and the light that needs no device. V
- * depends on the pixel alone: it is the way back along the ray through it. A normal or an H of no
- * length makes 0/0; a comparison with that is false and the cosine 0. */
+ * depends on the pixel alone: it is the way back along the ray through it. TINY is lost in any sum
+ * but that of a normal or an H without length, whose cosine it makes 0 instead of 0/0. No branches
+ * and no selections of floating-point values, so that compilers vectorise all of it. */
+#define TINY 1e-37f
+
 GLINT_MULTIVERSION
 static void light_row(const glint_lighting *lighting, int32_t y, size_t count,
                       const uint16_t *restrict columns, const float *restrict nx,
@@ -126,16 +138,13 @@ static void light_row(const glint_lighting *lighting, int32_t y, size_t count,
         const float nn = nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i];
         const float nh = nx[i] * hx + ny[i] * hy + nz[i] * hz;
         const float nl = nx[i] * c.light[0] + ny[i] * c.light[1] + nz[i] * c.light[2];
-        const float cos_h = nh / sqrtf(nn * hh);
-        const float cos_l = nl / sqrtf(nn);
-        const float above = cos_h > 0.0f ? cos_h : 0.0f;
-        const float gamma = above < 1.0f ? above : 1.0f;
-        const float diffuse = cos_l > 0.0f ? cos_l : 0.0f;
-        cos_code[i] = (uint32_t)(int32_t)(gamma * (float)GLINT_COS_ONE + 0.5f);
+        const float cos_l = nl / sqrtf(nn + TINY);
+        const float diffuse = 0.5f * (cos_l + fabsf(cos_l)); /* cos_l, or 0 where it is below */
+        cos_code[i] = code_of(nh / sqrtf(nn * hh + TINY));
         red[i] = saturate(c.ambient[0] + c.lambert[0] * diffuse);
         green[i] = saturate(c.ambient[1] + c.lambert[1] * diffuse);
         blue[i] = saturate(c.ambient[2] + c.lambert[2] * diffuse);
-        lit[i] = cos_l > 0.0f ? 255 : 0;
+        lit[i] = nl > 0.0f ? 255 : 0;
     }
 }
 
