@@ -60,9 +60,8 @@ typedef enum glint_signal_kind {
 /* Signals of one lane, in the order the data flows. */
 #define GLINT_SPECULAR_LANE_SIGNALS(X)                                                             \
     X(reg1, 1, REGISTER, 1, GLINT_COS_FRAC_BITS, 0, "cos gamma, saturated to 1")                   \
-    X(adder6, 6, BLOCK, 1, GLINT_COS_FRAC_BITS, 1, "cos gamma - 1")                                \
     X(s2_reg1, 1, STAGE, 1, GLINT_COS_FRAC_BITS, 0, "cos gamma, stage 2")                          \
-    X(s2_adder6, 6, STAGE, 1, GLINT_COS_FRAC_BITS, 1, "cos gamma - 1, stage 2")                    \
+    X(adder6, 6, BLOCK, 1, GLINT_COS_FRAC_BITS, 1, "cos gamma - 1")                                \
     X(mul7, 7, BLOCK, GLINT_T_INT_BITS, GLINT_T_FRAC_BITS, 1, "sigma (cos gamma - 1)")             \
     X(adder8, 8, BLOCK, GLINT_T_INT_BITS, GLINT_T_FRAC_BITS, 1, "t = sigma (cos gamma - 1) + 1")   \
     X(s3_adder8, 8, STAGE, GLINT_T_INT_BITS, GLINT_T_FRAC_BITS, 1, "t, stage 3")                   \

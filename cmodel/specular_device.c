@@ -40,8 +40,6 @@ static void settle_stage1(glint_specular_device *d)
     glint_specular_signals *s = &d->signals;
     s->rom33 = d->rom33[s->reg2];
     s->rom9 = d->rom9[s->reg2];
-    for (int i = 0; i < d->config.lanes; i++)
-        s->lane[i].adder6 = glint_block_adder6((uint32_t)s->lane[i].reg1);
 }
 
 static void pass_stage2(glint_specular_device *d)
@@ -53,10 +51,8 @@ static void pass_stage2(glint_specular_device *d)
     s->s2_reg3 = s->reg3;
     s->s2_reg4 = s->reg4;
     s->s2_reg5 = s->reg5;
-    for (int i = 0; i < d->config.lanes; i++) {
+    for (int i = 0; i < d->config.lanes; i++)
         s->lane[i].s2_reg1 = s->lane[i].reg1;
-        s->lane[i].s2_adder6 = s->lane[i].adder6;
-    }
 }
 
 static void settle_stage2(glint_specular_device *d)
@@ -64,7 +60,8 @@ static void settle_stage2(glint_specular_device *d)
     glint_specular_signals *s = &d->signals;
     for (int i = 0; i < d->config.lanes; i++) {
         glint_specular_lane *lane = &s->lane[i];
-        lane->mul7 = glint_block_mul7((uint32_t)s->s2_rom33, (int32_t)lane->s2_adder6);
+        lane->adder6 = glint_block_adder6((uint32_t)lane->s2_reg1);
+        lane->mul7 = glint_block_mul7((uint32_t)s->s2_rom33, (int32_t)lane->adder6);
         lane->adder8 = glint_block_adder8((int32_t)lane->mul7);
         if (d->config.gate != GLINT_GATE_DRAWN)
             lane->cmp11 = glint_block_cmp11(d->config.gate, (uint32_t)s->s2_rom9,

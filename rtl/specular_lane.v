@@ -43,7 +43,7 @@ module specular_lane #(
 );
     localparam DRAWN = (GATE == `GLINT_GATE_DRAWN);
 
-    // Stage 1: register 1 and adder 6.
+    // Stage 1: register 1.
     localparam [`GLINT_COS_BITS-1:0] COS_ONE = {1'b1, {`GLINT_COS_FRAC_BITS{1'b0}}};
 
     reg [`GLINT_COS_BITS-1:0] reg1;
@@ -51,24 +51,22 @@ module specular_lane #(
         if (reset)               reg1 <= {`GLINT_COS_BITS{1'b0}};
         else if (en && in_valid) reg1 <= (cos > COS_ONE) ? COS_ONE : cos;
 
-    // All ones on the integer digit is -1 there; the fraction passes beside the adder.
-    wire digit6 = reg1[`GLINT_COS_FRAC_BITS] + 1'b1;
-    wire signed [`GLINT_ADDER6_BITS-1:0] adder6 = {digit6, reg1[`GLINT_COS_FRAC_BITS-1:0]};
-
-    wire        [`GLINT_COS_BITS-1:0]    s2_reg1;
-    wire signed [`GLINT_ADDER6_BITS-1:0] s2_adder6;
+    wire [`GLINT_COS_BITS-1:0] s2_reg1;
     stage_register #(.WIDTH(`GLINT_COS_BITS), .PRESENT(PIPELINED)) u_s2_reg1 (
         .clk(clk), .reset(reset), .en(en), .d(reg1), .q(s2_reg1));
-    stage_register #(.WIDTH(`GLINT_ADDER6_BITS), .PRESENT(PIPELINED)) u_s2_adder6 (
-        .clk(clk), .reset(reset), .en(en), .d(adder6), .q(s2_adder6));
 
-    // Stage 2: multiplier 7 and adder 8; comparator 11 unless it waits for the square.
+    // Stage 2: adder 6, multiplier 7 and adder 8; comparator 11 unless it waits for the square.
+    // All ones on the integer digit is -1 there; the fraction passes beside the adder. The adder is
+    // no more than an inverter, so it needs no stage of its own before the multiplier.
+    wire digit6 = s2_reg1[`GLINT_COS_FRAC_BITS] + 1'b1;
+    wire signed [`GLINT_ADDER6_BITS-1:0] adder6 = {digit6, s2_reg1[`GLINT_COS_FRAC_BITS-1:0]};
+
     localparam SUM7_BITS = `GLINT_T_BITS + `GLINT_SIGMA_FRAC_BITS;
     localparam signed [SUM7_BITS-1:0] HALF7 = {{`GLINT_T_BITS{1'b0}}, 1'b1,
                                                {(`GLINT_SIGMA_FRAC_BITS - 1){1'b0}}};
 
     wire signed [`GLINT_SIGMA_BITS:0] sigma7 = {1'b0, s2_rom33};
-    wire signed [SUM7_BITS-1:0]       sum7   = sigma7 * s2_adder6 + HALF7;
+    wire signed [SUM7_BITS-1:0]       sum7   = sigma7 * adder6 + HALF7;
     wire signed [`GLINT_T_BITS-1:0]   mul7;
     wire [`GLINT_SIGMA_FRAC_BITS-1:0] mul7_unused;
     assign {mul7, mul7_unused} = sum7;

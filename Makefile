@@ -1,0 +1,141 @@
+# Glint: `make demo` and `make test` do everything; `make help` lists the rest.
+#
+# BUILD=DIR     where everything that is made goes (build)
+# CC, CXX       the compilers (gcc, g++)
+# SANITIZE=1    the C code with AddressSanitizer and UBSan (see the target sanitize)
+# NO_INSTALL=1  say which Debian packages are missing instead of installing them
+
+BUILD     ?= build
+CC         = gcc
+CXX        = g++
+VERILATOR ?= verilator
+PREFIX    ?= /usr/local
+JOBS      ?= $(shell nproc)
+
+WARNINGS   := -Wall -Wextra -Wpedantic -Wconversion -Werror
+# No contraction: a frame has the same bits on every machine.
+CFLAGS_ALL := -std=c17 -O3 -g -ffp-contract=off -fno-math-errno $(WARNINGS) -MMD -MP \
+              -Icmodel -Isim -I$(BUILD) $(PACKAGE_CFLAGS) $(CFLAGS)
+PACKAGES   := libpng assimp libcjson
+PACKAGE_CFLAGS = $(shell pkg-config --cflags $(PACKAGES) 2>/dev/null)
+PACKAGE_LIBS   = $(shell pkg-config --libs $(PACKAGES) 2>/dev/null)
+LDLIBS      = $(PACKAGE_LIBS) -lz -lm -lpthread
+
+ifdef SANITIZE
+CFLAGS_ALL += -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
+LDFLAGS    += -fsanitize=address,undefined
+endif
+
+.DELETE_ON_ERROR:
+.SECONDARY:
+.PHONY: all demo test bench wave lint clean help install generate build-all sanitize
+
+all: $(BUILD)/glint
+
+# ---- The C model: libglint, and the generator of what rtl/ and sim/rtl/ include --------------------
+
+MODEL_SOURCES := $(filter-out cmodel/gen.c,$(wildcard cmodel/*.c))
+MODEL_OBJECTS := $(MODEL_SOURCES:%.c=$(BUILD)/%.o)
+
+$(BUILD)/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS_ALL) -c $< -o $@
+
+$(BUILD)/libglint.a: $(MODEL_OBJECTS)
+	rm -f $@
+	ar rcs $@ $^
+
+$(BUILD)/glint-gen: $(BUILD)/cmodel/gen.o $(BUILD)/libglint.a
+	$(CC) $(LDFLAGS) -o $@ $^ -lm
+
+# What is generated is committed; `make generate` makes it anew, and a test compares.
+GENERATED := rtl/glint_formats.vh:formats rtl/sigma_rom.v:sigma-rom rtl/limit_rom.v:limit-rom \
+             sim/rtl/specular_signals.vlt:signals
+
+generate: $(BUILD)/glint-gen
+	$(foreach pair,$(GENERATED),$(BUILD)/glint-gen $(subst :, ,$(pair)) &&) true
+
+# ---- The Verilog under Verilator: one build for each setting ---------------------------------------
+
+VERILATED    ?= $(BUILD)/verilated
+VERILATOR_ROOT_DIR = $(shell $(VERILATOR) --getenv VERILATOR_ROOT 2>/dev/null)
+RTL          := $(wildcard rtl/*.v rtl/*.vh)
+GATES        := cosine sign drawn
+PIPELINES    := drawn pipelined
+LANE_COUNTS  := 1 2 4 8 16
+MODELS       := $(foreach g,$(GATES),$(foreach p,$(PIPELINES),$(foreach l,$(LANE_COUNTS),$g-$p-$l)))
+
+gate_number      = $(if $(filter cosine,$1),0,$(if $(filter sign,$1),1,2))
+pipeline_number  = $(if $(filter drawn,$1),0,1)
+upper            = $(shell echo $1 | tr a-z A-Z)
+field            = $(word $2,$(subst -, ,$1))
+
+SHIM_FLAGS = -std=gnu++17 -O3 -Wall -Wextra -Icmodel -Isim/rtl \
+             -isystem $(VERILATOR_ROOT_DIR)/include -isystem $(VERILATOR_ROOT_DIR)/include/vltstd \
+             -DVM_TRACE=1 -DVM_TRACE_FST=1 -DVM_COVERAGE=0 -DVM_SC=0
+VERILATE   = $(VERILATOR) --cc --trace-fst -O3 --x-assign fast --x-initial fast --noassert \
+             --top specular_device
+# $1: model name; $2: further Verilator arguments that come before rtl/
+verilate_model = $(VERILATE) --prefix V$(subst -,_,$1) --Mdir $(VERILATED)/$1 \
+    -GGATE=$(call gate_number,$(call field,$1,1)) \
+    -GPIPELINED=$(call pipeline_number,$(call field,$1,2)) -GLANES=$(call field,$1,3) \
+    $2 -Irtl sim/rtl/specular_signals.vlt rtl/specular_device.v
+compile_shim = $(CXX) $(SHIM_FLAGS) -isystem $(VERILATED)/$1 -DMODEL=V$(subst -,_,$1) \
+    -DGLINT_MODEL_TABLE=glint_rtl_model_$(subst -,_,$1) \
+    -DGLINT_MODEL_GATE=GLINT_GATE_$(call upper,$(call field,$1,1)) \
+    -DGLINT_MODEL_PIPELINE=GLINT_PIPELINE_$(call upper,$(call field,$1,2)) \
+    -DGLINT_MODEL_LANES=$(call field,$1,3) -c sim/rtl/model_shim.cpp -o $2
+
+SHIM_SOURCES := sim/rtl/model_shim.cpp sim/rtl/rtl_model.h $(wildcard cmodel/*.h)
+
+$(VERILATED)/%/verilated.stamp: $(RTL) sim/rtl/specular_signals.vlt
+	@mkdir -p $(@D)
+	$(call verilate_model,$*)
+	$(MAKE) -s -C $(@D) -f V$(subst -,_,$*).mk OPT_FAST=-O3 V$(subst -,_,$*)__ALL.a >/dev/null
+	@touch $@
+
+$(VERILATED)/shims/%.o: $(VERILATED)/%/verilated.stamp $(SHIM_SOURCES)
+	@mkdir -p $(@D)
+	$(call compile_shim,$*,$@)
+
+# Verilator's own runtime, compiled once for all models.
+RUNTIME := $(patsubst %,$(VERILATED)/runtime/%.o,verilated verilated_fst_c verilated_threads)
+
+$(VERILATED)/runtime/%.o:
+	@mkdir -p $(@D)
+	$(CXX) $(SHIM_FLAGS) -w -c $(VERILATOR_ROOT_DIR)/include/$*.cpp -o $@
+
+$(VERILATED)/libmodels.a: $(MODELS:%=$(VERILATED)/shims/%.o) $(RUNTIME)
+	rm -f $@ $@.mri
+	(echo "create $@"; for o in $^; do echo "addmod $$o"; done; \
+	 for m in $(MODELS); do echo "addlib $(VERILATED)/$$m/V$$(echo $$m | tr - _)__ALL.a"; done; \
+	 echo save; echo end) > $@.mri
+	ar -M < $@.mri
+
+$(BUILD)/rtl_models.h: Makefile
+	@mkdir -p $(@D)
+	(echo "/* Written by the Makefile: one table for each Verilated build. */"; \
+	 echo "#define GLINT_RTL_MODELS(X) \\"; \
+	 for m in $(MODELS); do echo "    X(glint_rtl_model_$$(echo $$m | tr - _)) \\"; done; echo; \
+	 echo "#define GLINT_VERILATOR_VERSION \"$$($(VERILATOR) --version)\"") > $@
+
+# ---- What drives them: libglint-sim and the command ------------------------------------------------
+
+SIM_SOURCES := $(filter-out $(wildcard sim/cli/*.c),$(wildcard sim/*/*.c))
+SIM_OBJECTS := $(SIM_SOURCES:%.c=$(BUILD)/%.o)
+CLI_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard sim/cli/*.c))
+
+$(BUILD)/sim/rtl/rtl.o: $(BUILD)/rtl_models.h
+# The reader of FST files comes with Verilator.
+$(BUILD)/sim/wave/waveform.o: CFLAGS_ALL += -isystem $(VERILATOR_ROOT_DIR)/include
+
+$(BUILD)/libglint-sim.a: $(SIM_OBJECTS)
+	rm -f $@
+	ar rcs $@ $^
+
+LIBRARIES = $(BUILD)/libglint-sim.a $(VERILATED)/libmodels.a $(BUILD)/libglint.a
+
+$(BUILD)/glint: $(CLI_OBJECTS) $(LIBRARIES)
+	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+-include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)

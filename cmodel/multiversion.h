@@ -1,0 +1,27 @@
+/* GLINT_MULTIVERSION before a hot loop has it compiled for plain x86-64, AVX2 and AVX-512; the
+ * widest that the machine can run is chosen when the program is loaded. All give the same bits: the
+ * project is built without contraction or reordering of floating-point operations.
+ *
+ * Sanitizers are not ready yet when the choice is made, so their builds have the plain loop only. */
+#ifndef GLINT_MULTIVERSION_H
+#define GLINT_MULTIVERSION_H
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) ||                         \
+    __has_feature(memory_sanitizer)
+#define GLINT_SANITIZED 1
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define GLINT_SANITIZED 1
+#endif
+
+#if !defined(__x86_64__) || !defined(__gnu_linux__) || defined(GLINT_SANITIZED)
+#define GLINT_MULTIVERSION
+#elif defined(__clang__)
+#define GLINT_MULTIVERSION __attribute__((target_clones("avx512bw", "avx2", "default")))
+#else
+#define GLINT_MULTIVERSION __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
+#endif
+
+#endif

@@ -1,0 +1,150 @@
+#include "lockstep/lockstep.h"
+
+#include <string.h>
+
+#include "lockstep/stimulus.h"
+
+typedef struct pair {
+    const glint_specular_config *config;
+    glint_specular_device *model;
+    glint_rtl *rtl;
+    glint_stimulus stimulus;
+    glint_specular_inputs inputs;
+    int signal_count;
+} pair;
+
+static glint_status create_rtl(const glint_lockstep_options *options, glint_rtl **rtl,
+                               glint_error *err)
+{
+    if (options->model != NULL)
+        return glint_rtl_create_from(options->model, &options->config, rtl, err);
+    return glint_rtl_create(&options->config, rtl, err);
+}
+
+static glint_status create_pair(pair *pair, const glint_lockstep_options *options,
+                                glint_error *err)
+{
+    memset(pair, 0, sizeof *pair);
+    pair->config = &options->config;
+    glint_stimulus_init(&pair->stimulus, options->seed, options->config.lanes);
+    glint_status status = glint_specular_device_create(&options->config, &pair->model);
+    if (status != GLINT_OK)
+        return glint_fail(err, status, "cannot create the C model of these settings");
+    pair->signal_count = glint_specular_signal_count(&options->config);
+    return create_rtl(options, &pair->rtl, err);
+}
+
+static void destroy_pair(pair *pair)
+{
+    glint_specular_device_destroy(pair->model);
+    glint_rtl_destroy(pair->rtl);
+}
+
+static void clock_pair(pair *pair)
+{
+    glint_stimulus_next(&pair->stimulus, &pair->inputs);
+    glint_specular_device_clock(pair->model, &pair->inputs);
+    glint_rtl_clock(pair->rtl, &pair->inputs);
+}
+
+static void add_to_totals(glint_lockstep_result *result, const glint_signal_info *signal)
+{
+    const int room = (int)(sizeof result->totals / sizeof result->totals[0]);
+    int i = 0;
+    while (i < result->totals_count && strcmp(result->totals[i].name, signal->name) != 0)
+        i++;
+    if (i == room)
+        return;
+    if (i == result->totals_count) {
+        result->totals[i].name = signal->name;
+        result->totals[i].block = signal->block;
+        result->totals_count++;
+    }
+    result->totals[i].mismatches++;
+}
+
+static void keep_mismatch(glint_lockstep_result *result, const pair *pair, int index,
+                          uint64_t model, uint64_t rtl)
+{
+    glint_signal_info signal = glint_specular_signal_info(pair->config, index);
+    if (result->mismatches++ == 0)
+        result->first_clock = result->clocks;
+    if (result->kept < GLINT_MISMATCHES_KEPT)
+        result->mismatch[result->kept++] =
+            (glint_mismatch){result->clocks, signal, model, rtl};
+    add_to_totals(result, &signal);
+}
+
+static void compare_pair(const pair *pair, glint_lockstep_result *result)
+{
+    const glint_specular_signals *signals = glint_specular_device_signals(pair->model);
+    for (int i = 0; i < pair->signal_count; i++) {
+        uint64_t model = glint_specular_signal_bits(pair->config, signals, i);
+        uint64_t rtl = glint_rtl_signal_bits(pair->rtl, i);
+        if (model != rtl)
+            keep_mismatch(result, pair, i, model, rtl);
+    }
+    result->comparisons += (uint64_t)pair->signal_count;
+}
+
+/* The pins up to the first mismatch; afterwards they are left as they are. */
+static void keep_history(glint_lockstep_result *result, const glint_specular_inputs *inputs)
+{
+    if (result->mismatches != 0)
+        return;
+    if (result->history_count == GLINT_HISTORY)
+        memmove(&result->history[0], &result->history[1],
+                (GLINT_HISTORY - 1) * sizeof result->history[0]);
+    else
+        result->history_count++;
+    result->history[result->history_count - 1] = *inputs;
+}
+
+static bool stopped(const glint_lockstep_options *options)
+{
+    return options->stop != NULL && *options->stop;
+}
+
+glint_status glint_lockstep_run(const glint_lockstep_options *options,
+                                glint_lockstep_result *result, glint_error *err)
+{
+    pair pair;
+    memset(result, 0, sizeof *result);
+    if (options->clocks == 0)
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "0 clocks would compare nothing");
+    glint_status status = create_pair(&pair, options, err);
+    while (status == GLINT_OK && result->clocks < options->clocks) {
+        clock_pair(&pair);
+        result->clocks++;
+        keep_history(result, &pair.inputs);
+        compare_pair(&pair, result);
+        if (result->clocks % 1024 == 0) {
+            if (options->progress != NULL)
+                options->progress(options->progress_context, result->clocks, options->clocks);
+            if (stopped(options))
+                status = glint_fail(err, GLINT_INTERRUPTED, "interrupted");
+        }
+    }
+    destroy_pair(&pair);
+    return status;
+}
+
+glint_status glint_lockstep_trace(const glint_lockstep_options *options, const char *path,
+                                  uint64_t first, uint64_t last, glint_error *err)
+{
+    glint_rtl *rtl = NULL;
+    glint_stimulus stimulus;
+    glint_specular_inputs inputs;
+    glint_stimulus_init(&stimulus, options->seed, options->config.lanes);
+    glint_status status = create_rtl(options, &rtl, err);
+    for (uint64_t clock = 1; status == GLINT_OK && clock <= last; clock++) {
+        if (clock == first)
+            status = glint_rtl_trace_open(rtl, path, err);
+        glint_stimulus_next(&stimulus, &inputs);
+        glint_rtl_clock(rtl, &inputs);
+        if (clock % 1024 == 0 && stopped(options))
+            status = glint_fail(err, GLINT_INTERRUPTED, "interrupted");
+    }
+    glint_rtl_destroy(rtl);
+    return status;
+}

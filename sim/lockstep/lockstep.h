@@ -1,0 +1,58 @@
+/* The C model and the Verilog side by side: the same random pins, one clock after the other, and
+ * after each clock every register and every named internal value compared, bit for bit. */
+#ifndef GLINT_SIM_LOCKSTEP_H
+#define GLINT_SIM_LOCKSTEP_H
+
+#include <stdbool.h>
+
+#include "glint_specular_device.h"
+#include "rtl/rtl.h"
+
+#define GLINT_MISMATCHES_KEPT 16
+#define GLINT_HISTORY         8 /* clocks of input pins kept with the first mismatch */
+
+typedef struct glint_lockstep_options {
+    glint_specular_config config;
+    uint64_t clocks; /* how many; 0 compares nothing, and is refused */
+    uint64_t seed;
+    const glint_rtl_model *model; /* NULL: the build for config; else a test's own */
+    const volatile bool *stop;    /* may be NULL */
+    void (*progress)(void *context, uint64_t done, uint64_t total); /* may be NULL */
+    void *progress_context;
+} glint_lockstep_options;
+
+/* One signal that differed after one clock. */
+typedef struct glint_mismatch {
+    uint64_t clock; /* 1 is the first after the reset of creation */
+    glint_signal_info signal;
+    uint64_t model, rtl; /* bits */
+} glint_mismatch;
+
+typedef struct glint_lockstep_result {
+    uint64_t clocks;      /* compared */
+    uint64_t comparisons; /* signals compared, all clocks together */
+    uint64_t mismatches;
+    uint64_t first_clock; /* of the first mismatch */
+    int kept;
+    glint_mismatch mismatch[GLINT_MISMATCHES_KEPT];
+    int history_count; /* pins of the last clocks up to the first mismatch, oldest first */
+    glint_specular_inputs history[GLINT_HISTORY];
+    int totals_count; /* mismatches by signal name, those above 0, in the order the data flows */
+    struct {
+        const char *name;
+        int block;
+        uint64_t mismatches;
+    } totals[64];
+} glint_lockstep_result;
+
+/* Runs it. GLINT_OK whatever it finds: the finding is in result. GLINT_INTERRUPTED when stopped:
+ * result then holds what was compared up to there. */
+glint_status glint_lockstep_run(const glint_lockstep_options *options,
+                                glint_lockstep_result *result, glint_error *err);
+
+/* Runs the circuit alone through the same pins again and writes its waveform for the clocks
+ * first…last. */
+glint_status glint_lockstep_trace(const glint_lockstep_options *options, const char *path,
+                                  uint64_t first, uint64_t last, glint_error *err);
+
+#endif

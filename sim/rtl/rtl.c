@@ -1,0 +1,165 @@
+/* Chooses the Verilated build for the settings asked for, and reads its signals by name. */
+#include "rtl/rtl.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rtl/rtl_model.h"
+
+/* A signal's place in the circuit, found once. */
+typedef struct signal_place {
+    const void *data;
+    int size;
+    uint64_t mask;
+} signal_place;
+
+struct glint_rtl {
+    const glint_rtl_model *model;
+    void *instance;
+    signal_place *places;
+};
+
+/* The builds: GLINT_RTL_MODELS(X) is X(table) for each, written by the Makefile. */
+#include "rtl_models.h"
+
+#define DECLARE_TABLE(table) extern const glint_rtl_model table;
+GLINT_RTL_MODELS(DECLARE_TABLE)
+
+#define POINT_AT_TABLE(table) &table,
+static const glint_rtl_model *const models[] = {GLINT_RTL_MODELS(POINT_AT_TABLE)};
+
+static const glint_rtl_model *find_model(const glint_specular_config *config)
+{
+    for (size_t i = 0; i < sizeof models / sizeof models[0]; i++) {
+        const glint_specular_config *built = &models[i]->config;
+        if (built->gate == config->gate && built->pipeline == config->pipeline &&
+            built->lanes == config->lanes)
+            return models[i];
+    }
+    return NULL;
+}
+
+static glint_status find_places(glint_rtl *rtl, glint_error *err)
+{
+    const glint_specular_config *config = &rtl->model->config;
+    int count = glint_specular_signal_count(config);
+    rtl->places = calloc((size_t)count, sizeof *rtl->places);
+    if (rtl->places == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the circuit's signals");
+    for (int i = 0; i < count; i++) {
+        glint_signal_info info = glint_specular_signal_info(config, i);
+        signal_place *place = &rtl->places[i];
+        if (!rtl->model->find(rtl->instance, info.lane, info.name, &place->data, &place->size))
+            return glint_fail(err, GLINT_DEVICE_FAULT, "the circuit has no signal %s (lane %d)",
+                              info.name, info.lane);
+        place->mask = (UINT64_C(1) << (info.int_bits + info.frac_bits)) - 1u;
+    }
+    return GLINT_OK;
+}
+
+glint_status glint_rtl_create_from(const glint_rtl_model *model,
+                                   const glint_specular_config *config, glint_rtl **rtl,
+                                   glint_error *err)
+{
+    *rtl = NULL;
+    if (model == NULL)
+        return glint_fail(err, GLINT_BAD_ARGUMENT,
+                          "no circuit was built for gate %d, pipeline %d, %d lanes",
+                          (int)config->gate, (int)config->pipeline, config->lanes);
+    glint_rtl *created = calloc(1, sizeof *created);
+    if (created == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit");
+    created->model = model;
+    created->instance = model->create();
+    glint_status status = created->instance == NULL
+                              ? glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit")
+                              : find_places(created, err);
+    if (status != GLINT_OK) {
+        glint_rtl_destroy(created);
+        return status;
+    }
+    *rtl = created;
+    return GLINT_OK;
+}
+
+glint_status glint_rtl_create(const glint_specular_config *config, glint_rtl **rtl,
+                              glint_error *err)
+{
+    return glint_rtl_create_from(find_model(config), config, rtl, err);
+}
+
+void glint_rtl_destroy(glint_rtl *rtl)
+{
+    if (rtl == NULL)
+        return;
+    if (rtl->instance != NULL)
+        rtl->model->destroy(rtl->instance);
+    free(rtl->places);
+    free(rtl);
+}
+
+void glint_rtl_clock(glint_rtl *rtl, const glint_specular_inputs *inputs)
+{
+    rtl->model->clock(rtl->instance, inputs);
+}
+
+uint64_t glint_rtl_signal_bits(const glint_rtl *rtl, int index)
+{
+    const signal_place *place = &rtl->places[index];
+    switch (place->size) {
+    case 1:
+        return *(const uint8_t *)place->data & place->mask;
+    case 2:
+        return *(const uint16_t *)place->data & place->mask;
+    case 4:
+        return *(const uint32_t *)place->data & place->mask;
+    default:
+        return *(const uint64_t *)place->data & place->mask;
+    }
+}
+
+uint64_t glint_rtl_clocks(const glint_rtl *rtl)
+{
+    return rtl->model->clocks(rtl->instance);
+}
+
+glint_status glint_rtl_batch(glint_rtl *rtl, const glint_material *material,
+                             const uint32_t *cos_code, size_t count, uint32_t *w_code, uint8_t *r,
+                             uint8_t *g, uint8_t *b, glint_error *err)
+{
+    const glint_rtl_batch_io io = {cos_code, count, w_code, r, g, b};
+    if (material->n > GLINT_N_MAX)
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "n = %u is not in 0…%u", material->n,
+                          GLINT_N_MAX);
+    size_t done = rtl->model->batch(rtl->instance, material, &io);
+    if (done != count)
+        return glint_fail(err, GLINT_DEVICE_FAULT, "the circuit returned %zu of %zu results", done,
+                          count);
+    return GLINT_OK;
+}
+
+glint_status glint_rtl_trace_open(glint_rtl *rtl, const char *path, glint_error *err)
+{
+    errno = 0;
+    if (!rtl->model->trace_open(rtl->instance, path))
+        return glint_fail(err, GLINT_IO_ERROR, "%s: cannot write a waveform: %s", path,
+                          errno != 0 ? strerror(errno) : "unknown cause");
+    return GLINT_OK;
+}
+
+void glint_rtl_trace_close(glint_rtl *rtl)
+{
+    rtl->model->trace_close(rtl->instance);
+}
+
+const glint_specular_config *glint_rtl_built(int index)
+{
+    const int count = (int)(sizeof models / sizeof models[0]);
+    return index >= 0 && index < count ? &models[index]->config : NULL;
+}
+
+const char *glint_rtl_verilator_version(void)
+{
+    return GLINT_VERILATOR_VERSION;
+}

@@ -1,0 +1,219 @@
+#include "wave/save_file.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "file/new_file.h"
+
+/* Trace flags of GTKWave's save files. */
+#define SHOW_HEX         0x22u       /* right-justified */
+#define SHOW_DECIMAL     0x24u
+#define SHOW_BINARY      0x28u
+#define SHOW_SIGNED      0x420u
+#define SHOW_FIXED_POINT 0x40000000u /* with [fpshift_count] */
+#define GROUP_BEGIN      0x800200u
+#define GROUP_CLOSED     0x400000u
+#define GROUP_END        0x1000200u
+
+#define COLOR_NORMAL 0
+#define COLOR_STAGE  5 /* blue */
+#define COLOR_OUTPUT 3 /* yellow */
+
+/* Pixels of GTKWave's wave area at the size written below, for the zoom that shows the window. */
+#define WINDOW_WIDTH  1600
+#define WINDOW_HEIGHT 1000
+#define WAVE_WIDTH    1150
+
+typedef struct group {
+    const char *title;
+    int blocks[4]; /* numbers of the figure, ended by 0 */
+} group;
+
+/* The figure's blocks as the data flows through them. */
+static const group groups[] = {
+    {"Register 1: cos gamma", {1}},
+    {"Register 2: n", {2}},
+    {"ROM 33: sigma", {33}},
+    {"Adder 6: cos gamma - 1", {6}},
+    {"Multiplier 7: sigma (cos gamma - 1)", {7}},
+    {"Adder 8: t", {8}},
+    {"Multiplier 10: t squared", {10}},
+    {"ROM 9: limit", {9}},
+    {"Comparator 11: inside the highlight", {11}},
+    {"Key block 12: W", {12}},
+    {"Registers 3, 4, 5: R, G, B", {3, 4, 5}},
+    {"Multipliers 13, 14, 15: W R, W G, W B", {13, 14, 15}},
+};
+
+static void begin_group(FILE *out, const char *title, bool closed)
+{
+    fprintf(out, "@%x\n-%s\n", closed ? GROUP_BEGIN | GROUP_CLOSED : GROUP_BEGIN, title);
+}
+
+static void end_group(FILE *out, const char *title)
+{
+    fprintf(out, "@%x\n-%s\n", GROUP_END, title);
+}
+
+static void write_trace(FILE *out, const char *scope, const char *name, int width, unsigned flags,
+                        int color, int frac_bits)
+{
+    fprintf(out, "@%x\n", frac_bits > 0 ? flags | SHOW_FIXED_POINT : flags);
+    if (color != COLOR_NORMAL)
+        fprintf(out, "[color] %d\n", color);
+    if (frac_bits > 0)
+        fprintf(out, "[fpshift_count] %d\n", frac_bits);
+    if (width > 1)
+        fprintf(out, "%s%s[%d:0]\n", scope, name, width - 1);
+    else
+        fprintf(out, "%s%s\n", scope, name);
+}
+
+static int color_of(glint_signal_kind kind)
+{
+    return kind == GLINT_SIGNAL_STAGE    ? COLOR_STAGE
+           : kind == GLINT_SIGNAL_OUTPUT ? COLOR_OUTPUT
+                                         : COLOR_NORMAL;
+}
+
+static void write_signal(FILE *out, const glint_signal_info *signal)
+{
+    char scope[64] = "TOP.specular_device.";
+    int width = signal->int_bits + signal->frac_bits;
+    unsigned flags = width == 1 ? SHOW_BINARY : signal->is_signed ? SHOW_SIGNED : SHOW_DECIMAL;
+    if (signal->lane >= 0)
+        (void)snprintf(scope, sizeof scope, "TOP.specular_device.lane[%d].u.", signal->lane);
+    if (signal->block == 0 && width > 1)
+        flags = SHOW_BINARY; /* valid bits, one a lane */
+    write_trace(out, scope, signal->name, width, flags, color_of(signal->kind), signal->frac_bits);
+}
+
+/* With pipeline drawn a stage is a wire and says nothing new; the saturated square differs from the
+ * square with gate drawn only. */
+static bool is_shown(const glint_specular_config *config, const glint_signal_info *signal)
+{
+    if (signal->kind == GLINT_SIGNAL_STAGE && config->pipeline == GLINT_PIPELINE_DRAWN)
+        return strcmp(signal->name, "s1_valid") == 0;
+    if (strcmp(signal->name, "sat10") == 0)
+        return config->gate == GLINT_GATE_DRAWN;
+    return true;
+}
+
+static bool is_in_group(const group *group, const glint_signal_info *signal)
+{
+    for (int i = 0; i < 4 && group->blocks[i] != 0; i++)
+        if (group->blocks[i] == signal->block)
+            return true;
+    return false;
+}
+
+static void write_inputs(FILE *out, const glint_specular_config *config)
+{
+    const char *top = "TOP.specular_device.";
+    begin_group(out, "Clock and control", false);
+    write_trace(out, top, "clk", 1, SHOW_BINARY, COLOR_NORMAL, 0);
+    write_trace(out, top, "reset", 1, SHOW_BINARY, COLOR_NORMAL, 0);
+    write_trace(out, top, "en", 1, SHOW_BINARY, COLOR_NORMAL, 0);
+    end_group(out, "Clock and control");
+    begin_group(out, "Inputs 17 (n), 18 (n_we), 32 (cos), colours", false);
+    write_trace(out, top, "n_we", 1, SHOW_BINARY, COLOR_NORMAL, 0);
+    write_trace(out, top, "n", GLINT_N_BITS, SHOW_DECIMAL, COLOR_NORMAL, 0);
+    write_trace(out, top, "rgb_we", 1, SHOW_BINARY, COLOR_NORMAL, 0);
+    write_trace(out, top, "r", GLINT_COLOR_BITS, SHOW_DECIMAL, COLOR_NORMAL, 0);
+    write_trace(out, top, "g", GLINT_COLOR_BITS, SHOW_DECIMAL, COLOR_NORMAL, 0);
+    write_trace(out, top, "b", GLINT_COLOR_BITS, SHOW_DECIMAL, COLOR_NORMAL, 0);
+    write_trace(out, top, "in_valid", config->lanes, SHOW_BINARY, COLOR_NORMAL, 0);
+    /* Several lanes share the pins, so their bits are no single number. */
+    write_trace(out, top, "cos", config->lanes * GLINT_COS_BITS,
+                config->lanes == 1 ? SHOW_DECIMAL : SHOW_HEX, COLOR_NORMAL,
+                config->lanes == 1 ? GLINT_COS_FRAC_BITS : 0);
+    end_group(out, "Inputs 17 (n), 18 (n_we), 32 (cos), colours");
+}
+
+/* The signals for which chosen(group) holds, of the device and of lane 0. */
+static void write_group(FILE *out, const glint_specular_config *config, const group *group)
+{
+    begin_group(out, group->title, false);
+    for (int i = 0; i < glint_specular_signal_count(config); i++) {
+        glint_signal_info signal = glint_specular_signal_info(config, i);
+        if (signal.lane <= 0 && signal.kind != GLINT_SIGNAL_OUTPUT &&
+            is_in_group(group, &signal) && is_shown(config, &signal))
+            write_signal(out, &signal);
+    }
+    end_group(out, group->title);
+}
+
+static void write_outputs(FILE *out, const glint_specular_config *config)
+{
+    begin_group(out, "Outputs", false);
+    for (int i = 0; i < glint_specular_signal_count(config); i++) {
+        glint_signal_info signal = glint_specular_signal_info(config, i);
+        if (signal.lane <= 0 && signal.kind == GLINT_SIGNAL_OUTPUT)
+            write_signal(out, &signal);
+    }
+    end_group(out, "Outputs");
+}
+
+static void write_valid_bits(FILE *out, const glint_specular_config *config)
+{
+    begin_group(out, "Valid bits, stage by stage", false);
+    for (int i = 0; i < glint_specular_signal_count(config); i++) {
+        glint_signal_info signal = glint_specular_signal_info(config, i);
+        if (signal.block == 0 && signal.kind == GLINT_SIGNAL_STAGE && is_shown(config, &signal))
+            write_signal(out, &signal);
+    }
+    end_group(out, "Valid bits, stage by stage");
+}
+
+/* The other lanes do the same as lane 0: closed, to be opened by who wants to look. */
+static void write_lane(FILE *out, const glint_specular_config *config, int lane)
+{
+    char title[16];
+    (void)snprintf(title, sizeof title, "Lane %d", lane);
+    begin_group(out, title, true);
+    for (int i = 0; i < glint_specular_signal_count(config); i++) {
+        glint_signal_info signal = glint_specular_signal_info(config, i);
+        if (signal.lane == lane && is_shown(config, &signal))
+            write_signal(out, &signal);
+    }
+    end_group(out, title);
+}
+
+static void write_header(FILE *out, const glint_wave_view *view)
+{
+    const char *slash = strrchr(view->waveform, '/');
+    double clocks_per_screen = (double)(view->last_time - view->first_time);
+    /* GTKWave's zoom: a pixel is 2^−zoom time units. */
+    double zoom = -log2(clocks_per_screen / WAVE_WIDTH);
+    fprintf(out, "[*] Specular-colour device, gate %s, pipeline %s, %d lane%s\n",
+            glint_gate_name(view->config->gate), glint_pipeline_name(view->config->pipeline),
+            view->config->lanes, view->config->lanes == 1 ? "" : "s");
+    fprintf(out, "[dumpfile] \"%s\"\n", slash != NULL ? slash + 1 : view->waveform);
+    fprintf(out, "[timestart] %" PRIu64 "\n", view->first_time);
+    fprintf(out, "[size] %d %d\n[pos] -1 -1\n", WINDOW_WIDTH, WINDOW_HEIGHT);
+    fprintf(out, "*%f %" PRId64, zoom, view->marker_time);
+    for (int i = 0; i < 26; i++) /* the named markers a…z: none */
+        fprintf(out, " -1");
+    fprintf(out, "\n[sst_width] 0\n[signals_width] 320\n[sst_expanded] 0\n");
+}
+
+glint_status glint_wave_save_file(const glint_wave_view *view, const char *path, glint_error *err)
+{
+    glint_new_file *file;
+    glint_status status = glint_new_file_open(path, &file, err);
+    if (status != GLINT_OK)
+        return status;
+    FILE *out = glint_new_file_stream(file);
+    write_header(out, view);
+    write_inputs(out, view->config);
+    for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++)
+        write_group(out, view->config, &groups[i]);
+    write_outputs(out, view->config);
+    write_valid_bits(out, view->config);
+    for (int lane = 1; lane < view->config->lanes; lane++)
+        write_lane(out, view->config, lane);
+    return glint_new_file_commit(file, err);
+}
