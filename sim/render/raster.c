@@ -111,39 +111,41 @@ static span wide_span(const edge e[3], int32_t first, int32_t last)
                       : (span){first + (int32_t)low, first + (int32_t)high};
 }
 
-/* The depth of a triangle as a function of its edge functions. */
+/* The depth of a triangle as a function of its edge functions. In double precision, as a triangle
+ * that is cut at the near plane has depths a thousand times apart. */
 typedef struct depth_plane {
     double at_corner, per_edge1, per_edge2;
-    float step; /* of one pixel to the right */
+    double step; /* of one pixel to the right */
 } depth_plane;
 
 static depth_plane depth_plane_of(const glint_triangle *t, const edge e[3])
 {
-    const double per_edge1 = (double)t->inv_w1 * t->inv_area;
-    const double per_edge2 = (double)t->inv_w2 * t->inv_area;
+    const double at_corner = (double)t->inv_w[0];
+    const double per_edge1 = ((double)t->inv_w[1] - at_corner) * t->inv_area;
+    const double per_edge2 = ((double)t->inv_w[2] - at_corner) * t->inv_area;
     return (depth_plane){
-        .at_corner = (double)t->inv_w,
+        .at_corner = at_corner,
         .per_edge1 = per_edge1,
         .per_edge2 = per_edge2,
-        .step = (float)((double)e[2].step_x * per_edge1 + (double)e[0].step_x * per_edge2),
+        .step = (double)e[2].step_x * per_edge1 + (double)e[0].step_x * per_edge2,
     };
 }
 
 /* The depth at the pixel that is `right` pixels after the edges' current one. */
-static float depth_at(const depth_plane *d, const edge e[3], int64_t right)
+static double depth_at(const depth_plane *d, const edge e[3], int64_t right)
 {
     const int64_t edge1 = e[2].value + e[2].bias + right * e[2].step_x;
     const int64_t edge2 = e[0].value + e[0].bias + right * e[0].step_x;
-    return (float)(d->at_corner + (double)edge1 * d->per_edge1 + (double)edge2 * d->per_edge2);
+    return d->at_corner + (double)edge1 * d->per_edge1 + (double)edge2 * d->per_edge2;
 }
 
 /* Takes `count` pixels from the first on where the triangle is nearer than what was there; of
  * equally near ones the first in the mesh's order stays. */
 static void test_depth(float *depth, const glint_triangle **seen, int32_t count,
-                       const glint_triangle *t, float from, float step)
+                       const glint_triangle *t, double from, double step)
 {
     for (int32_t k = 0; k < count; k++) {
-        const float here = from + (float)k * step;
+        const float here = (float)(from + k * step);
         if (here > depth[k]) {
             depth[k] = here;
             seen[k] = t;

@@ -101,19 +101,18 @@ static bool add_triangle(glint_triangle_list *list, glint_extent extent,
     if (area <= 0) {
         return true;
     }
-    glint_triangle t = {.x = {a->x, c->x, b->x}, .y = {a->y, c->y, b->y}};
+    glint_triangle t = {
+        .x = {a->x, c->x, b->x},
+        .y = {a->y, c->y, b->y},
+        .inv_w = {a->inv_w, c->inv_w, b->inv_w},
+        .n = {{a->n[0], a->n[1], a->n[2]},
+              {c->n[0], c->n[1], c->n[2]},
+              {b->n[0], b->n[1], b->n[2]}},
+    };
     if (!find_box(&t, extent)) {
         return true;
     }
     t.inv_area = 1.0 / (double)area;
-    t.inv_w = a->inv_w;
-    t.inv_w1 = c->inv_w - a->inv_w;
-    t.inv_w2 = b->inv_w - a->inv_w;
-    for (int axis = 0; axis < 3; axis++) {
-        t.n[axis] = a->n[axis];
-        t.n1[axis] = c->n[axis] - a->n[axis];
-        t.n2[axis] = b->n[axis] - a->n[axis];
-    }
     if (!make_room(list)) {
         return false;
     }

@@ -27,13 +27,11 @@ typedef struct glint_screen_vertex {
 } glint_screen_vertex;
 
 /* A triangle that faces the camera and whose box holds a sample. Corners clockwise as seen (y
- * down), so that the edge functions are positive inside. Depth and normal are those of corner 0 and
- * what is added on the way to corners 1 and 2. */
+ * down), so that the edge functions are positive inside. */
 typedef struct glint_triangle {
     int32_t x[3], y[3];
     int32_t first_x, last_x, first_y, last_y; /* pixels whose samples its box holds */
-    float inv_w, inv_w1, inv_w2;
-    float n[3], n1[3], n2[3];
+    float inv_w[3], n[3][3];                  /* of each corner, as in glint_screen_vertex */
     double inv_area; /* 1 / twice the area, in units of the edge functions */
 } glint_triangle;
 

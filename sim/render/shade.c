@@ -50,23 +50,18 @@ void glint_shader_destroy(glint_shader *shader)
     free(shader->lit);
 }
 
-/* The normals of `count` pixels of one row that show the same triangle, from pixel (x, y) on. Their
- * sum N/w is linear on the screen and has the direction of N, so no division is needed. */
-static void interpolate(const glint_triangle *t, int32_t x, int32_t y, int32_t count, float *nx,
-                        float *ny, float *nz)
+/* One component of the normals of a run of pixels. In double precision until the sum is done: a
+ * triangle that is cut at the near plane has values a thousand times apart at its corners. */
+static void interpolate(const glint_triangle *t, const glint_weights *w, int axis, int32_t count,
+                        float *n)
 {
-    const glint_weights w = glint_triangle_weights(t, x, y);
-    float from[3], by[3];
-    for (int i = 0; i < 3; i++) {
-        const double n1 = (double)t->n1[i];
-        const double n2 = (double)t->n2[i];
-        from[i] = (float)((double)t->n[i] + w.at1 * n1 + w.at2 * n2);
-        by[i] = (float)(w.step1 * n1 + w.step2 * n2);
-    }
+    const double at0 = (double)t->n[0][axis];
+    const double to1 = (double)t->n[1][axis] - at0;
+    const double to2 = (double)t->n[2][axis] - at0;
+    const double from = at0 + w->at1 * to1 + w->at2 * to2;
+    const double step = w->step1 * to1 + w->step2 * to2;
     for (int32_t k = 0; k < count; k++) {
-        nx[k] = from[0] + (float)k * by[0];
-        ny[k] = from[1] + (float)k * by[1];
-        nz[k] = from[2] + (float)k * by[2];
+        n[k] = (float)(from + k * step);
     }
 }
 
@@ -89,8 +84,11 @@ static size_t gather_row(glint_shader *shader, const glint_visibility *band, int
             columns[count + (size_t)(x - start)] = (uint16_t)x;
             x++;
         }
-        interpolate(t, start, y, x - start, &shader->n[0][count], &shader->n[1][count],
-                    &shader->n[2][count]);
+        /* N/w is linear on the screen and has the direction of N: no division is needed. */
+        const glint_weights w = glint_triangle_weights(t, start, y);
+        for (int axis = 0; axis < 3; axis++) {
+            interpolate(t, &w, axis, x - start, &shader->n[axis][count]);
+        }
         count += (size_t)(x - start);
     }
     return count;
