@@ -41,7 +41,7 @@ static int parse(int argc, char **argv, compare_options *chosen)
     return glint_options_parse(&line, argc, argv);
 }
 
-/* What the thesis, section 3.3, reads from an NMSE. */
+/* What the thesis, section 3.4, reads from an NMSE. */
 static const char *verdict(double nmse)
 {
     return nmse == 0.0       ? "equal"
