@@ -1,0 +1,305 @@
+/* `glint verify`: the C model and the Verilog in lockstep. */
+#define _POSIX_C_SOURCE 200809L
+
+#include <inttypes.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "lockstep/failure.h"
+#include "lockstep/lockstep.h"
+
+#define SETTINGS_MAX 64
+#define THREADS_MAX  64
+
+enum {
+    ALL_GATES = GLINT_GATE_COUNT,
+    ALL_PIPELINES = GLINT_PIPELINE_COUNT
+};
+
+typedef struct verify_options {
+    int gate, pipeline;
+    int64_t lanes, clocks, seed, threads;
+    const char *out;
+    bool json;
+} verify_options;
+
+/* One setting's run and what came of it. */
+typedef struct setting {
+    glint_lockstep_options options;
+    glint_lockstep_result result;
+    glint_status status;
+    glint_error err;
+    _Atomic uint64_t done;
+} setting;
+
+typedef struct verification {
+    setting settings[SETTINGS_MAX];
+    int count;
+    _Atomic int next;     /* the first setting that no thread has taken */
+    _Atomic int finished; /* threads */
+} verification;
+
+static const char *const gate_choices[] = {"cosine", "sign", "drawn", "all", NULL};
+static const char *const pipeline_choices[] = {"drawn", "pipelined", "all", NULL};
+
+static int parse(int argc, char **argv, verify_options *chosen)
+{
+    const glint_option options[] = {
+        {.name = "clocks",
+         .help = "how many for each setting",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->clocks, 1, INT64_C(1000000000000)}},
+        {.name = "seed",
+         .help = "of the random inputs; without it one is taken from the time",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->seed, 0, INT64_MAX}},
+        {.name = "gate",
+         .help = "what bounds the highlight",
+         .kind = GLINT_OPTION_CHOICE,
+         .choice = {&chosen->gate, gate_choices}},
+        {.name = "pipeline",
+         .help = "where the registers are",
+         .kind = GLINT_OPTION_CHOICE,
+         .choice = {&chosen->pipeline, pipeline_choices}},
+        {.name = "lanes",
+         .help = "cosines a clock: 1, 2, 4, 8 or 16; 0: each of them",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->lanes, 0, GLINT_LANES_MAX}},
+        {.name = "threads",
+         .help = "settings verified at a time",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->threads, 1, THREADS_MAX}},
+        {.name = "out",
+         .placeholder = "DIR",
+         .help = "where the waveform of a mismatch goes; made if needed",
+         .kind = GLINT_OPTION_STRING,
+         .string = &chosen->out},
+        {.name = "json", .help = "the result as JSON", .kind = GLINT_OPTION_FLAG,
+         .flag = &chosen->json},
+    };
+    const glint_command_line line = {
+        .command = "verify",
+        .summary = "Drives the C model and the Verilog with the same random inputs and compares "
+                   "every register and every named internal value after every clock.",
+        .details = "Exit status: 0 no mismatch, 1 mismatch or failure, 2 malformed command line.",
+        .options = options,
+        .option_count = sizeof options / sizeof options[0],
+    };
+    return glint_options_parse(&line, argc, argv);
+}
+
+static bool is_chosen(const verify_options *chosen, const glint_specular_config *config)
+{
+    return (chosen->gate == ALL_GATES || chosen->gate == (int)config->gate) &&
+           (chosen->pipeline == ALL_PIPELINES || chosen->pipeline == (int)config->pipeline) &&
+           (chosen->lanes == 0 || chosen->lanes == config->lanes);
+}
+
+static void count_done(void *context, uint64_t done, uint64_t total)
+{
+    (void)total;
+    *(_Atomic uint64_t *)context = done;
+}
+
+static void choose_settings(const verify_options *chosen, verification *all)
+{
+    const glint_specular_config *config;
+    for (int i = 0; all->count < SETTINGS_MAX && (config = glint_rtl_built(i)) != NULL; i++) {
+        if (!is_chosen(chosen, config))
+            continue;
+        setting *setting = &all->settings[all->count++];
+        setting->options = (glint_lockstep_options){.config = *config,
+                                                    .clocks = (uint64_t)chosen->clocks,
+                                                    .seed = (uint64_t)chosen->seed,
+                                                    .stop = glint_stop_flag(),
+                                                    .progress = count_done,
+                                                    .progress_context = &setting->done};
+    }
+}
+
+static void *verify_settings(void *context)
+{
+    verification *all = context;
+    int i;
+    while ((i = all->next++) < all->count) {
+        setting *setting = &all->settings[i];
+        setting->status =
+            glint_lockstep_run(&setting->options, &setting->result, &setting->err);
+        setting->done = setting->result.clocks;
+    }
+    all->finished++;
+    return NULL;
+}
+
+static void show_progress(const verification *all, int threads, uint64_t clocks_each)
+{
+    glint_progress progress;
+    glint_progress_begin(&progress, "verify", "clocks");
+    while (all->finished < threads) {
+        uint64_t done = 0;
+        for (int i = 0; i < all->count; i++)
+            done += all->settings[i].done;
+        glint_progress_update(&progress, done, clocks_each * (uint64_t)all->count);
+        nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
+    }
+    glint_progress_end(&progress);
+}
+
+/* Runs all settings on the threads asked for; with none to be had, on this one. */
+static void run_all(verification *all, const verify_options *chosen)
+{
+    pthread_t threads[THREADS_MAX];
+    int started = 0;
+    while (started < chosen->threads && started < all->count &&
+           pthread_create(&threads[started], NULL, verify_settings, all) == 0)
+        started++;
+    if (started == 0)
+        (void)verify_settings(all);
+    else
+        show_progress(all, started, (uint64_t)chosen->clocks);
+    for (int i = 0; i < started; i++)
+        pthread_join(threads[i], NULL);
+}
+
+typedef struct sums {
+    uint64_t mismatches, comparisons, clocks;
+    int settings; /* that compared anything */
+    bool interrupted;
+} sums;
+
+static sums add_up(const verification *all)
+{
+    sums sums = {0};
+    for (int i = 0; i < all->count; i++) {
+        const setting *setting = &all->settings[i];
+        sums.mismatches += setting->result.mismatches;
+        sums.comparisons += setting->result.comparisons;
+        sums.clocks += setting->result.clocks;
+        sums.settings += setting->result.comparisons != 0;
+        sums.interrupted |= setting->status == GLINT_INTERRUPTED;
+    }
+    return sums;
+}
+
+/* The text, the waveform and the replay command of a setting that failed. */
+static void report_failure(const verify_options *chosen, setting *setting, FILE *out)
+{
+    const glint_specular_config *config = &setting->options.config;
+    glint_failure_files files;
+    glint_lockstep_report(out, &setting->options, &setting->result);
+    if (glint_lockstep_failure_wave(&setting->options, &setting->result, chosen->out, &files,
+                                    &setting->err) == GLINT_OK)
+        fprintf(out, "look:   gtkwave %s %s\n", files.waveform, files.save_file);
+    else
+        (void)glint_complain_error("verify", &setting->err);
+    fprintf(out,
+            "replay: glint verify --gate %s --pipeline %s --lanes %d --seed %" PRIu64
+            " --clocks %" PRIu64 "\n",
+            glint_gate_name(config->gate), glint_pipeline_name(config->pipeline), config->lanes,
+            setting->options.seed, setting->options.clocks);
+}
+
+static int report_all(const verify_options *chosen, verification *all, FILE *out)
+{
+    int status = GLINT_EXIT_OK;
+    for (int i = 0; i < all->count; i++) {
+        setting *setting = &all->settings[i];
+        if (setting->result.mismatches != 0) {
+            report_failure(chosen, setting, out);
+            status = GLINT_EXIT_FAILURE;
+        } else if (setting->status != GLINT_OK && setting->status != GLINT_INTERRUPTED) {
+            status = glint_complain_error("verify", &setting->err);
+        }
+    }
+    return status;
+}
+
+static bool print_json(const verify_options *chosen, const verification *all, const sums *sums,
+                       double seconds)
+{
+    char seed[32]; /* a JSON number would lose the low bits of a large seed */
+    cJSON *json = cJSON_CreateObject();
+    (void)snprintf(seed, sizeof seed, "%" PRId64, chosen->seed);
+    cJSON_AddNumberToObject(json, "mismatches", (double)sums->mismatches);
+    cJSON_AddNumberToObject(json, "comparisons", (double)sums->comparisons);
+    cJSON_AddNumberToObject(json, "clocks", (double)sums->clocks);
+    cJSON_AddStringToObject(json, "seed", seed);
+    cJSON_AddBoolToObject(json, "interrupted", sums->interrupted);
+    cJSON_AddNumberToObject(json, "seconds", seconds);
+    cJSON *list = cJSON_AddArrayToObject(json, "settings");
+    for (int i = 0; i < all->count; i++) {
+        const setting *setting = &all->settings[i];
+        cJSON *entry = cJSON_CreateObject();
+        cJSON_AddStringToObject(entry, "gate", glint_gate_name(setting->options.config.gate));
+        cJSON_AddStringToObject(entry, "pipeline",
+                                glint_pipeline_name(setting->options.config.pipeline));
+        cJSON_AddNumberToObject(entry, "lanes", setting->options.config.lanes);
+        cJSON_AddNumberToObject(entry, "clocks", (double)setting->result.clocks);
+        cJSON_AddNumberToObject(entry, "comparisons", (double)setting->result.comparisons);
+        cJSON_AddNumberToObject(entry, "mismatches", (double)setting->result.mismatches);
+        cJSON_AddItemToArray(list, entry);
+    }
+    return glint_output_json(json);
+}
+
+static void print_text(const verify_options *chosen, const sums *sums, double seconds)
+{
+    printf("%" PRIu64 " mismatches of %" PRIu64 " comparisons: every register and named value, "
+           "%" PRIu64 " clocks, %d settings, seed %" PRId64 ", %.1f s%s\n",
+           sums->mismatches, sums->comparisons, sums->clocks, sums->settings, chosen->seed,
+           seconds, sums->interrupted ? " (interrupted)" : "");
+}
+
+static int verify(const verify_options *chosen)
+{
+    verification *all = calloc(1, sizeof *all);
+    if (all == NULL)
+        return glint_complain("verify", GLINT_EXIT_FAILURE, "out of memory");
+    choose_settings(chosen, all);
+    if (all->count == 0) {
+        free(all);
+        return glint_complain("verify", GLINT_EXIT_USAGE,
+                              "--lanes: no circuit with %d lanes; take 1, 2, 4, 8, 16, or 0",
+                              (int)chosen->lanes);
+    }
+    double start = glint_seconds();
+    run_all(all, chosen);
+    double seconds = glint_seconds() - start;
+    sums sums = add_up(all);
+    /* The report of a failure is for people; with --json it must not mix with the result. */
+    int status = report_all(chosen, all, chosen->json ? stderr : stdout);
+    if (!chosen->json)
+        print_text(chosen, &sums, seconds);
+    else if (!print_json(chosen, all, &sums, seconds))
+        status = glint_complain("verify", GLINT_EXIT_FAILURE, "out of memory");
+    if (sums.interrupted || sums.comparisons == 0)
+        status = GLINT_EXIT_FAILURE;
+    free(all);
+    return status;
+}
+
+int glint_cmd_verify(int argc, char **argv)
+{
+    verify_options chosen = {.gate = ALL_GATES,
+                             .pipeline = ALL_PIPELINES,
+                             .lanes = 0,
+                             .clocks = 100000,
+                             .seed = (int64_t)time(NULL),
+                             .threads = sysconf(_SC_NPROCESSORS_ONLN),
+                             .out = "glint-failure",
+                             .json = false};
+    if (chosen.threads < 1)
+        chosen.threads = 1;
+    if (chosen.threads > THREADS_MAX)
+        chosen.threads = THREADS_MAX;
+    int status = parse(argc, argv, &chosen);
+    if (status != GLINT_OPTIONS_RUN)
+        return status;
+    return glint_output_finish("verify", verify(&chosen));
+}
