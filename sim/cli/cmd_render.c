@@ -103,16 +103,14 @@ static glint_status render_all(const glint_render_options *chosen, const glint_m
 {
     glint_scene scene = chosen->scene;
     scene.mesh = mesh;
-    const glint_backend_kind kinds[2] = {chosen->both ? GLINT_BACKEND_C : chosen->backend.kind,
-                                         GLINT_BACKEND_RTL};
+    const glint_backend_kind first = chosen->both ? GLINT_BACKEND_C : chosen->backend.kind;
     result->frame_count = chosen->both ? 2 : 1;
-    for (int i = 0; i < result->frame_count; i++) {
-        const glint_status status = render_frame(chosen, kinds[i], &scene, &result->frame[i], err);
-        if (status != GLINT_OK) {
-            return status;
-        }
+    glint_status status = render_frame(chosen, first, &scene, &result->frame[0], err);
+    if (status != GLINT_OK || !chosen->both) {
+        return status;
     }
-    return chosen->both ? compare_frames(result, err) : GLINT_OK;
+    status = render_frame(chosen, GLINT_BACKEND_RTL, &scene, &result->frame[1], err);
+    return status == GLINT_OK ? compare_frames(result, err) : status;
 }
 
 static glint_status write_difference(const glint_render_result *result, const outputs *files,
