@@ -139,3 +139,56 @@ $(BUILD)/glint: $(CLI_OBJECTS) $(LIBRARIES)
 	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
+
+# ---- Tests -----------------------------------------------------------------------------------------
+
+# tests/<thing>/test_*.c, each a program of its own. Circuits that are wrong on purpose, for the tests
+# of the bench itself: tests/lockstep/wrong/<what>/ holds the module that replaces the one in rtl/.
+TEST_SOURCES  := $(wildcard tests/*/test_*.c)
+TEST_PROGRAMS := $(TEST_SOURCES:%.c=$(BUILD)/%)
+WRONG         := $(notdir $(wildcard tests/lockstep/wrong/*))
+WRONG_MODEL   := cosine-pipelined-1
+
+$(VERILATED)/wrong/%/shim.o: tests/lockstep/wrong/% $(RTL) sim/rtl/specular_signals.vlt $(SHIM_SOURCES)
+	@mkdir -p $(@D)
+	$(VERILATE) --prefix Vwrong_$* --Mdir $(@D) -Itests/lockstep/wrong/$* -Irtl \
+	    sim/rtl/specular_signals.vlt rtl/specular_device.v
+	$(MAKE) -s -C $(@D) -f Vwrong_$*.mk OPT_FAST=-O1 Vwrong_$*__ALL.a >/dev/null
+	$(CXX) $(SHIM_FLAGS) -isystem $(@D) -DMODEL=Vwrong_$* -DGLINT_MODEL_TABLE=glint_wrong_$* \
+	    -DGLINT_MODEL_GATE=GLINT_GATE_COSINE -DGLINT_MODEL_PIPELINE=GLINT_PIPELINE_PIPELINED \
+	    -DGLINT_MODEL_LANES=1 -c sim/rtl/model_shim.cpp -o $@
+
+WRONG_OBJECTS = $(foreach w,$(WRONG),$(VERILATED)/wrong/$w/shim.o)
+WRONG_ARCHIVES = $(foreach w,$(WRONG),$(VERILATED)/wrong/$w/Vwrong_$w__ALL.a)
+
+# What several tests share: tests/<thing>/*.c that are no programs themselves.
+TEST_HELPERS := $(filter-out $(TEST_SOURCES),$(wildcard tests/*/*.c))
+TEST_HELPER_OBJECTS := $(TEST_HELPERS:%.c=$(BUILD)/%.o)
+
+$(BUILD)/libtest.a: $(TEST_HELPER_OBJECTS)
+	rm -f $@
+	ar rcs $@ $^
+
+$(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/libtest.a $(WRONG_OBJECTS) $(LIBRARIES)
+	$(CXX) $(LDFLAGS) -o $@ $< $(BUILD)/libtest.a $(WRONG_OBJECTS) $(WRONG_ARCHIVES) $(LIBRARIES) \
+	    -lcmocka $(LDLIBS)
+
+build-tests: $(TEST_PROGRAMS) $(BUILD)/glint $(BUILD)/glint-gen
+.PHONY: build-tests run-tests
+
+run-tests: build-tests
+	GLINT=$(BUILD)/glint GLINT_BUILD=$(BUILD) tests/run.sh $(BUILD)/test-logs $(TEST_PROGRAMS)
+
+test:
+	sim/deps.sh test
+	+$(MAKE) -j$(JOBS) build-tests
+	+$(MAKE) run-tests
+
+# The C code under AddressSanitizer and UBSan; the circuits are those of the plain build.
+sanitize:
+	sim/deps.sh test
+	+$(MAKE) -j$(JOBS) SANITIZE=1 BUILD=$(BUILD)/sanitize VERILATED=$(VERILATED) build-tests
+	+$(MAKE) SANITIZE=1 BUILD=$(BUILD)/sanitize VERILATED=$(VERILATED) run-tests
+
+clean:
+	rm -rf $(BUILD)

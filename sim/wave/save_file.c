@@ -19,13 +19,15 @@
 #define GROUP_END        0x1000200u
 
 #define COLOR_NORMAL 0
-#define COLOR_STAGE  5 /* blue */
+#define COLOR_STAGE  2 /* orange */
 #define COLOR_OUTPUT 3 /* yellow */
 
 /* Pixels of GTKWave's wave area at the size written below, for the zoom that shows the window. */
 #define WINDOW_WIDTH  1600
 #define WINDOW_HEIGHT 1000
+#define SIGNALS_WIDTH 400
 #define WAVE_WIDTH    1150
+#define ZOOM_FRAME    200
 
 typedef struct group {
     const char *title;
@@ -185,9 +187,9 @@ static void write_lane(FILE *out, const glint_specular_config *config, int lane)
 static void write_header(FILE *out, const glint_wave_view *view)
 {
     const char *slash = strrchr(view->waveform, '/');
-    double clocks_per_screen = (double)(view->last_time - view->first_time);
-    /* GTKWave's zoom: a pixel is 2^−zoom time units. */
-    double zoom = -log2(clocks_per_screen / WAVE_WIDTH);
+    double shown = (double)(view->last_time - view->first_time);
+    /* GTKWave's zoom: a frame of so many pixels shows 2^−zoom time units. */
+    double zoom = -log2(shown * ZOOM_FRAME / WAVE_WIDTH);
     fprintf(out, "[*] Specular-colour device, gate %s, pipeline %s, %d lane%s\n",
             glint_gate_name(view->config->gate), glint_pipeline_name(view->config->pipeline),
             view->config->lanes, view->config->lanes == 1 ? "" : "s");
@@ -197,7 +199,7 @@ static void write_header(FILE *out, const glint_wave_view *view)
     fprintf(out, "*%f %" PRId64, zoom, view->marker_time);
     for (int i = 0; i < 26; i++) /* the named markers a…z: none */
         fprintf(out, " -1");
-    fprintf(out, "\n[sst_width] 0\n[signals_width] 320\n[sst_expanded] 0\n");
+    fprintf(out, "\n[sst_width] 0\n[signals_width] %d\n[sst_expanded] 0\n", SIGNALS_WIDTH);
 }
 
 glint_status glint_wave_save_file(const glint_wave_view *view, const char *path, glint_error *err)
