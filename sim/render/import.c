@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "render/mesh_build.h"
 
@@ -25,16 +26,20 @@
 /* Nodes deeper than this are taken for damage: the walk over them is recursive. */
 #define DEPTH_MAX 256
 
+/* Where normals have to be made, faces that meet at more than this stay apart: a cube keeps its
+ * edges, a coarse animal still looks round. */
+#define CREASE_DEGREES 66.0f
+
 /* What the walk over the nodes carries along. */
-typedef struct import {
+typedef struct reading {
     const char *path;
     const struct aiScene *scene;
     glint_mesh *mesh;
     size_t vertices, triangles; /* counted first, to make room */
     glint_error *err;
-} import;
+} reading;
 
-static glint_status bad(const import *in, const char *why)
+static glint_status bad(const reading *in, const char *why)
 {
     return glint_fail(in->err, GLINT_BAD_INPUT, "%s: %s", in->path, why);
 }
@@ -105,7 +110,7 @@ static glint_vec3 unit_or_zero(glint_vec3 v)
     return glint_vec3_scale(v, 1.0 / length);
 }
 
-static glint_status add_vertices(import *in, const struct aiMesh *source, const transform *t,
+static glint_status add_vertices(reading *in, const struct aiMesh *source, const transform *t,
                                  double side)
 {
     const transform n = for_normals(t);
@@ -113,7 +118,7 @@ static glint_status add_vertices(import *in, const struct aiMesh *source, const 
         const glint_vec3 p =
             glint_vec3_add(linear_part(t, vec3_of(&source->mVertices[i])), t->shift);
         if (!usable_point(p)) {
-            return bad(in, "a coordinate is not a number or is beyond all measure");
+            return bad(in, "a node moves a vertex beyond all measure");
         }
         glint_vec3 normal = {0.0, 0.0, 0.0};
         if (source->mNormals != NULL) {
@@ -125,7 +130,7 @@ static glint_status add_vertices(import *in, const struct aiMesh *source, const 
 }
 
 /* A transform that mirrors turns triangles over: two corners are exchanged to turn them back. */
-static glint_status add_triangles(import *in, const struct aiMesh *source, uint32_t base,
+static glint_status add_triangles(reading *in, const struct aiMesh *source, uint32_t base,
                                   bool mirrored)
 {
     for (unsigned i = 0; i < source->mNumFaces; i++) {
@@ -147,7 +152,7 @@ static glint_status add_triangles(import *in, const struct aiMesh *source, uint3
     return GLINT_OK;
 }
 
-static glint_status add_mesh(import *in, const struct aiMesh *source, const transform *t)
+static glint_status add_mesh(reading *in, const struct aiMesh *source, const transform *t)
 {
     const double determinant = glint_vec3_dot(t->x, glint_vec3_cross(t->y, t->z));
     const bool mirrored = determinant < 0.0;
@@ -156,7 +161,7 @@ static glint_status add_mesh(import *in, const struct aiMesh *source, const tran
     return status == GLINT_OK ? add_triangles(in, source, base, mirrored) : status;
 }
 
-static glint_status count_mesh(import *in, const struct aiMesh *source)
+static glint_status count_mesh(reading *in, const struct aiMesh *source)
 {
     in->vertices += source->mNumVertices;
     in->triangles += source->mNumFaces;
@@ -169,7 +174,7 @@ static glint_status count_mesh(import *in, const struct aiMesh *source)
 
 /* Visits every mesh of every node under its transform: to count it while there is no mesh to add it
  * to, to add it after. */
-static glint_status walk(import *in, const struct aiNode *node, const transform *outer, int depth)
+static glint_status walk(reading *in, const struct aiNode *node, const transform *outer, int depth)
 {
     if (depth > DEPTH_MAX) {
         return bad(in, "nodes are nested too deep");
@@ -220,7 +225,7 @@ static void add_face_normal(const glint_mesh *mesh, const uint32_t *corner, cons
 
 /* Gives vertices whose normal is missing that of the faces about them. One that no face gives a
  * direction to is of no visible triangle: any unit vector will do. */
-static glint_status mend_normals(import *in)
+static glint_status mend_normals(reading *in)
 {
     glint_mesh *mesh = in->mesh;
     bool *missing = calloc(mesh->vertex_count, sizeof *missing);
@@ -248,7 +253,7 @@ static glint_status mend_normals(import *in)
     return GLINT_OK;
 }
 
-static glint_status convert(import *in)
+static glint_status convert(reading *in)
 {
     const transform identity = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, 0.0, 0.0}};
     if (in->scene->mRootNode == NULL) {
@@ -275,7 +280,7 @@ static glint_status convert(import *in)
 static glint_status check_file(const char *path, glint_error *err)
 {
     struct stat file;
-    if (stat(path, &file) != 0) {
+    if (stat(path, &file) != 0 || access(path, R_OK) != 0) {
         return glint_fail(err, GLINT_IO_ERROR, "%s: %s", path, strerror(errno));
     }
     if (!S_ISREG(file.st_mode)) {
@@ -298,7 +303,7 @@ static glint_status refused(const char *path, glint_error *err)
                       why[0] != '\0' ? why : "no reason given");
 }
 
-static const struct aiScene *read_scene(const char *path)
+static const struct aiScene *read_scene(const char *path, unsigned steps)
 {
     struct aiPropertyStore *settings = aiCreatePropertyStore();
     if (settings == NULL) {
@@ -307,25 +312,59 @@ static const struct aiScene *read_scene(const char *path)
     /* Faces that are not triangles after all are sorted apart, then dropped. */
     aiSetImportPropertyInteger(settings, AI_CONFIG_PP_SBP_REMOVE,
                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType |
-                           aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices |
-                           aiProcess_ValidateDataStructure;
+    aiSetImportPropertyFloat(settings, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, CREASE_DEGREES);
     const struct aiScene *scene = aiImportFileExWithProperties(path, steps, NULL, settings);
     aiReleasePropertyStore(settings);
     return scene;
 }
 
-glint_status glint_mesh_load(const char *path, glint_mesh **mesh, glint_error *err)
+static glint_status check_coordinates(const char *path, const struct aiScene *scene,
+                                      glint_error *err)
 {
-    glint_status status = check_file(path, err);
-    if (status != GLINT_OK) {
-        return status;
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        const struct aiMesh *mesh = scene->mMeshes[i];
+        for (unsigned k = 0; k < mesh->mNumVertices; k++) {
+            if (!usable_point(vec3_of(&mesh->mVertices[k]))) {
+                return glint_fail(err, GLINT_BAD_INPUT,
+                                  "%s: vertex %u of mesh %u has a coordinate that is not a number "
+                                  "or beyond %g",
+                                  path, k, i, COORDINATE_MAX);
+            }
+        }
     }
-    const struct aiScene *scene = read_scene(path);
+    return GLINT_OK;
+}
+
+/* The file is first read as it is and looked through: when assimp joins equal vertices, a NaN
+ * equals everything to it, and the damage would be lost in the joining. It is then read anew with
+ * all steps, as a scene whose later processing fails is released twice (assimp 5.2). */
+static glint_status check_content(const char *path, glint_error *err)
+{
+    const struct aiScene *scene = read_scene(path, aiProcess_ValidateDataStructure);
     if (scene == NULL) {
         return refused(path, err);
     }
-import in = {.path = path, .scene = scene, .err = err };
+    const glint_status status = check_coordinates(path, scene, err);
+    aiReleaseImport(scene);
+    return status;
+}
+
+glint_status glint_mesh_load(const char *path, glint_mesh **mesh, glint_error *err)
+{
+    glint_status status = check_file(path, err);
+    if (status == GLINT_OK) {
+        status = check_content(path, err);
+    }
+    if (status != GLINT_OK) {
+        return status;
+    }
+    const struct aiScene *scene = read_scene(
+        path, aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_SortByPType |
+                  aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices);
+    if (scene == NULL) {
+        return refused(path, err);
+    }
+    reading in = {.path = path, .scene = scene, .err = err};
     status = convert(&in);
     aiReleaseImport(scene);
     if (status != GLINT_OK) {

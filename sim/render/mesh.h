@@ -37,8 +37,11 @@ glint_status glint_mesh_teapot(int density, glint_mesh **mesh, glint_error *err)
 glint_status glint_mesh_sphere(int density, glint_mesh **mesh, glint_error *err);
 
 /* Reads a mesh file through assimp (.3ds .obj .ply .stl …): all meshes under their node
- * transforms, triangulated, smooth normals made where the file has none. Refuses with
- * GLINT_BAD_INPUT a file without triangles, with a non-finite coordinate, or a bad index. */
+ * transforms, triangulated; points and lines are left out. Normals are the file's; where it has
+ * none they are made, smooth but for edges sharper than 66 degrees, and where one is unusable it is
+ * taken from the faces about it. GLINT_IO_ERROR for a path that cannot be read; GLINT_BAD_INPUT for
+ * what is no mesh file, has no triangles, more than 32 million of them, a coordinate that is not a
+ * number or beyond 1e18, or an index of a vertex that is not there. */
 glint_status glint_mesh_load(const char *path, glint_mesh **mesh, glint_error *err);
 
 #endif
