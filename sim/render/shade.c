@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/multiversion.h"
+#include "multiversion.h"
 
 glint_lighting glint_lighting_of(const glint_scene *scene, const glint_camera *camera)
 {
