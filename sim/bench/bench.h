@@ -1,0 +1,57 @@
+/* How many fragments, clocks and frames a second: all in one run, so that ratios mean something on a
+ * machine that others use too. Every candidate is run in turn, round after round; a rate is the
+ * median of the rounds, a ratio the median of the ratios within a round. */
+#ifndef GLINT_SIM_BENCH_H
+#define GLINT_SIM_BENCH_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "backend/backend.h"
+
+#define GLINT_BENCH_N      60   /* exponent of all kernels */
+#define GLINT_BENCH_POINTS 8192 /* cosines of a pass, evenly random in GLINT_BENCH_LOWEST…1 */
+#define GLINT_BENCH_LOWEST 0.5  /* below, powf would leave its usual path: the power underflows */
+
+typedef enum glint_bench_candidate {
+    GLINT_BENCH_POWF,
+    GLINT_BENCH_POW,
+    GLINT_BENCH_SCHLICK_SCALAR,
+    GLINT_BENCH_SCHLICK,
+    GLINT_BENCH_C_BATCH,
+    GLINT_BENCH_RTL_1,
+    GLINT_BENCH_RTL_2,
+    GLINT_BENCH_RTL_4,
+    GLINT_BENCH_RTL_8,
+    GLINT_BENCH_RTL_16,
+    GLINT_BENCH_CANDIDATES
+} glint_bench_candidate;
+
+typedef struct glint_bench_rates {
+    double points[GLINT_BENCH_CANDIDATES];  /* points a second, on one thread */
+    double to_powf[GLINT_BENCH_CANDIDATES]; /* the same divided by powf's */
+    int lanes[GLINT_BENCH_CANDIDATES];      /* of the RTL candidates, else 0 */
+} glint_bench_rates;
+
+/* Name of a candidate, as in the report and in JSON. */
+const char *glint_bench_name(glint_bench_candidate candidate);
+
+/* Measures all candidates for about `seconds` each (0.01…60). */
+glint_status glint_bench_kernels(double seconds, const volatile bool *stop,
+                                 glint_bench_rates *rates, glint_error *err);
+
+typedef struct glint_bench_frame {
+    const char *model; /* "teapot" or "sphere" */
+    int width, height;
+    glint_backend_kind backend;
+    uint64_t fragments; /* of one frame */
+    double frames;      /* a second */
+} glint_bench_frame;
+
+#define GLINT_BENCH_FRAMES 12 /* 2 models × 2 sizes × 3 backends */
+
+/* Measures whole frames on `threads` threads, for about `seconds` each. */
+glint_status glint_bench_frames(int threads, double seconds, const volatile bool *stop,
+                                glint_bench_frame frames[GLINT_BENCH_FRAMES], glint_error *err);
+
+#endif

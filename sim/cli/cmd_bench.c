@@ -1,0 +1,163 @@
+/* `glint bench`: fragments, clocks and frames a second, with ratios, in one run. */
+#define _POSIX_C_SOURCE 200809L
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include "bench/bench.h"
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "render/render.h"
+
+typedef struct bench_options {
+    double seconds;
+    int64_t threads;
+    bool json;
+} bench_options;
+
+static int parse(int argc, char **argv, bench_options *chosen)
+{
+    const glint_option options[] = {
+        {.name = "seconds",
+         .placeholder = "S",
+         .help = "how long to measure each candidate",
+         .kind = GLINT_OPTION_REAL,
+         .real = {&chosen->seconds, 0.01, 60.0}},
+        {.name = "threads",
+         .help = "for the frames; the kernels run on one",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->threads, 1, GLINT_THREADS_MAX}},
+        {.name = "json", .help = "the figures as JSON", .kind = GLINT_OPTION_FLAG,
+         .flag = &chosen->json},
+    };
+    const glint_command_line line = {
+        .command = "bench",
+        .summary = "Measures the C model, the Verilated circuit at each lane count, powf, pow and "
+                   "Schlick's formula side by side, then whole frames by each backend.",
+        .options = options,
+        .option_count = sizeof options / sizeof options[0],
+    };
+    return glint_options_parse(&line, argc, argv);
+}
+
+/* The lane count that shades most points a second. */
+static int best_rtl(const glint_bench_rates *rates)
+{
+    int best = GLINT_BENCH_RTL_1;
+    for (int i = GLINT_BENCH_RTL_1; i < GLINT_BENCH_CANDIDATES; i++)
+        if (rates->points[i] > rates->points[best])
+            best = i;
+    return best;
+}
+
+static void print_kernels(const glint_bench_rates *rates)
+{
+    printf("points: n = %d, cosines %.1f to 1, one thread; million points a second, ratio to "
+           "powf\n",
+           GLINT_BENCH_N, GLINT_BENCH_LOWEST);
+    for (int i = 0; i < GLINT_BENCH_CANDIDATES; i++) {
+        printf("  %-16s %9.1f %8.2f", glint_bench_name((glint_bench_candidate)i),
+               rates->points[i] * 1e-6, rates->to_powf[i]);
+        if (rates->lanes[i] != 0)
+            printf("   %6.1f million clocks a second", rates->points[i] * 1e-6 / rates->lanes[i]);
+        printf("\n");
+    }
+    printf("C batch to powf %.1f, best RTL (%d lanes) to powf %.2f\n",
+           rates->to_powf[GLINT_BENCH_C_BATCH], rates->lanes[best_rtl(rates)],
+           rates->to_powf[best_rtl(rates)]);
+}
+
+static void print_frames(const glint_bench_frame *frames, int threads)
+{
+    printf("frames: %d thread%s, every fragment through the backend\n", threads,
+           threads == 1 ? "" : "s");
+    for (int i = 0; i < GLINT_BENCH_FRAMES; i++)
+        printf("  %-7s %4dx%-5d %-5s %8.1f frames/s, %8" PRIu64 " fragments, %6.1f million "
+               "fragments/s\n",
+               frames[i].model, frames[i].width, frames[i].height,
+               glint_backend_names[frames[i].backend], frames[i].frames, frames[i].fragments,
+               frames[i].frames * (double)frames[i].fragments * 1e-6);
+}
+
+static void add_kernels(cJSON *json, const glint_bench_rates *rates)
+{
+    cJSON *list = cJSON_AddArrayToObject(json, "points");
+    for (int i = 0; i < GLINT_BENCH_CANDIDATES; i++) {
+        cJSON *entry = cJSON_CreateObject();
+        cJSON_AddStringToObject(entry, "name", glint_bench_name((glint_bench_candidate)i));
+        cJSON_AddNumberToObject(entry, "million_points_per_second", rates->points[i] * 1e-6);
+        cJSON_AddNumberToObject(entry, "ratio_to_powf", rates->to_powf[i]);
+        if (rates->lanes[i] != 0) {
+            cJSON_AddNumberToObject(entry, "lanes", rates->lanes[i]);
+            cJSON_AddNumberToObject(entry, "million_clocks_per_second",
+                                    rates->points[i] * 1e-6 / rates->lanes[i]);
+        }
+        cJSON_AddItemToArray(list, entry);
+    }
+    cJSON *ratios = cJSON_AddObjectToObject(json, "ratios");
+    cJSON_AddNumberToObject(ratios, "c_batch_to_powf", rates->to_powf[GLINT_BENCH_C_BATCH]);
+    cJSON_AddNumberToObject(ratios, "best_rtl_to_powf", rates->to_powf[best_rtl(rates)]);
+    cJSON_AddNumberToObject(ratios, "best_rtl_lanes", rates->lanes[best_rtl(rates)]);
+}
+
+static void add_frames(cJSON *json, const glint_bench_frame *frames)
+{
+    cJSON *list = cJSON_AddArrayToObject(json, "frames");
+    for (int i = 0; i < GLINT_BENCH_FRAMES; i++) {
+        cJSON *entry = cJSON_CreateObject();
+        cJSON_AddStringToObject(entry, "model", frames[i].model);
+        cJSON_AddNumberToObject(entry, "width", frames[i].width);
+        cJSON_AddNumberToObject(entry, "height", frames[i].height);
+        cJSON_AddStringToObject(entry, "backend", glint_backend_names[frames[i].backend]);
+        cJSON_AddNumberToObject(entry, "fragments", (double)frames[i].fragments);
+        cJSON_AddNumberToObject(entry, "frames_per_second", frames[i].frames);
+        cJSON_AddItemToArray(list, entry);
+    }
+}
+
+static bool print_json(const glint_bench_rates *rates, const glint_bench_frame *frames,
+                       int threads)
+{
+    cJSON *json = cJSON_CreateObject();
+    cJSON_AddNumberToObject(json, "n", GLINT_BENCH_N);
+    cJSON_AddNumberToObject(json, "threads", threads);
+    add_kernels(json, rates);
+    add_frames(json, frames);
+    return glint_output_json(json);
+}
+
+static int bench(const bench_options *chosen)
+{
+    glint_bench_rates rates;
+    glint_bench_frame frames[GLINT_BENCH_FRAMES];
+    glint_error err;
+    const int threads = (int)chosen->threads;
+    if (glint_bench_kernels(chosen->seconds, glint_stop_flag(), &rates, &err) != GLINT_OK)
+        return glint_complain_error("bench", &err);
+    if (!chosen->json) {
+        print_kernels(&rates);
+        fflush(stdout);
+    }
+    if (glint_bench_frames(threads, chosen->seconds, glint_stop_flag(), frames, &err) != GLINT_OK)
+        return glint_complain_error("bench", &err);
+    if (!chosen->json)
+        print_frames(frames, threads);
+    else if (!print_json(&rates, frames, threads))
+        return glint_complain("bench", GLINT_EXIT_FAILURE, "out of memory");
+    return GLINT_EXIT_OK;
+}
+
+int glint_cmd_bench(int argc, char **argv)
+{
+    bench_options chosen = {.seconds = 0.5, .threads = sysconf(_SC_NPROCESSORS_ONLN)};
+    if (chosen.threads < 1)
+        chosen.threads = 1;
+    if (chosen.threads > GLINT_THREADS_MAX)
+        chosen.threads = GLINT_THREADS_MAX;
+    int status = parse(argc, argv, &chosen);
+    if (status != GLINT_OPTIONS_RUN)
+        return status;
+    return glint_output_finish("bench", bench(&chosen));
+}
