@@ -50,18 +50,24 @@ void glint_shader_destroy(glint_shader *shader)
     free(shader->lit);
 }
 
-/* One component of the normals of a run of pixels. In double precision until the sum is done: a
- * triangle that is cut at the near plane has values a thousand times apart at its corners. */
-static void interpolate(const glint_triangle *t, const glint_weights *w, int axis, int32_t count,
-                        float *n)
+/* The normals of a run of pixels. In double precision until the sum is done: a triangle that is
+ * cut at the near plane has values a thousand times apart at its corners. N/w is linear on the
+ * screen and has the direction of N, so no division is needed. */
+static void interpolate(const glint_triangle *t, const glint_weights *w, int32_t count,
+                        float *restrict nx, float *restrict ny, float *restrict nz)
 {
-    const double at0 = (double)t->n[0][axis];
-    const double to1 = (double)t->n[1][axis] - at0;
-    const double to2 = (double)t->n[2][axis] - at0;
-    const double from = at0 + w->at1 * to1 + w->at2 * to2;
-    const double step = w->step1 * to1 + w->step2 * to2;
+    double from[3], step[3];
+    for (int axis = 0; axis < 3; axis++) {
+        const double at0 = (double)t->n[0][axis];
+        const double to1 = (double)t->n[1][axis] - at0;
+        const double to2 = (double)t->n[2][axis] - at0;
+        from[axis] = at0 + w->at1 * to1 + w->at2 * to2;
+        step[axis] = w->step1 * to1 + w->step2 * to2;
+    }
     for (int32_t k = 0; k < count; k++) {
-        n[k] = (float)(from + k * step);
+        nx[k] = (float)(from[0] + k * step[0]);
+        ny[k] = (float)(from[1] + k * step[1]);
+        nz[k] = (float)(from[2] + k * step[2]);
     }
 }
 
@@ -84,11 +90,9 @@ static size_t gather_row(glint_shader *shader, const glint_visibility *band, int
             columns[count + (size_t)(x - start)] = (uint16_t)x;
             x++;
         }
-        /* N/w is linear on the screen and has the direction of N: no division is needed. */
         const glint_weights w = glint_triangle_weights(t, start, y);
-        for (int axis = 0; axis < 3; axis++) {
-            interpolate(t, &w, axis, x - start, &shader->n[axis][count]);
-        }
+        interpolate(t, &w, x - start, &shader->n[0][count], &shader->n[1][count],
+                    &shader->n[2][count]);
         count += (size_t)(x - start);
     }
     return count;

@@ -391,6 +391,31 @@ static void the_nearer_is_seen(void **state)
     }
 }
 
+/* Of two that are equally near the one that comes first in the mesh stays. */
+static void the_first_of_equals_is_seen(void **state)
+{
+    (void)state;
+    const glint_vec3 facing = {0.0, 0.0, 1.0};
+    const glint_vec3 leaning = {0.6, 0.0, 0.8};
+    for (int order = 0; order < 2; order++) {
+        plain_mesh *m = new_mesh();
+        add_square(m, 1.0, 0.0, order == 0 ? facing : leaning);
+        add_square(m, 1.0, 0.0, order == 0 ? leaning : facing);
+        const glint_scene scene = straight_scene(m, 3.0f);
+        studio s = open_studio(100, 100, 2);
+        shoot(&s, &scene);
+        for (int x = 30; x < 70; x++) {
+            uint32_t code;
+            assert_true(fragment(&s, x, 50, &code));
+            const glint_vec3 along = ray(s.image, &scene, x, 50);
+            const double expected = analytic_cosine(&scene, along, order == 0 ? facing : leaning);
+            assert_true(fabs(expected * GLINT_COS_ONE - code) < 1.0);
+        }
+        close_studio(&s);
+        free(m);
+    }
+}
+
 /* Two squares that cross on the line x = 0: left of it one is nearer, right of it the other. */
 static void crossing_triangles_part_where_they_meet(void **state)
 {
@@ -711,6 +736,7 @@ int main(void)
         cmocka_unit_test(a_floor_through_the_near_plane),
         cmocka_unit_test(a_camera_inside),
         cmocka_unit_test(the_nearer_is_seen),
+        cmocka_unit_test(the_first_of_equals_is_seen),
         cmocka_unit_test(crossing_triangles_part_where_they_meet),
         cmocka_unit_test(a_square_seen_from_behind_is_not),
         cmocka_unit_test(the_picture_is_base_and_highlight),

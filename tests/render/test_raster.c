@@ -250,6 +250,34 @@ static void huge_triangles_are_clipped_to_the_guard(void **state)
     }
 }
 
+/* What is left of a huge triangle after clipping has its edge where it was: a slanted line through
+ * the frame, from far to the upper left to far to the lower right. */
+static void a_clipped_edge_stays_in_place(void **state)
+{
+    (void)state;
+    const double far = 40.0 * GLINT_GUARD;
+    const struct {
+        double x, y; /* direction of the edge */
+    } edges[] = {{1.0, 0.01}, {1.0, 0.75}, {0.02, 1.0}, {-1.0, 0.5}, {-1.0, -0.3}, {0.1, -1.0}};
+    for (size_t i = 0; i < sizeof edges / sizeof edges[0]; i++) {
+        const double dx = edges[i].x;
+        const double dy = edges[i].y;
+        scene *s = new_scene();
+        const uint32_t a = corner(s, 30.0 - far * dx, 20.0 - far * dy);
+        const uint32_t b = corner(s, 30.0 + far * dx, 20.0 + far * dy);
+        const uint32_t c = corner(s, 30.0 - far * dy, 20.0 + far * dx);
+        triangle(s, a, b, c);
+        count_coverage(s, &screen_camera);
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                const double side = dx * (y + 0.5 - 20.0) - dy * (x + 0.5 - 30.0);
+                assert_true(fabs(side) < 0.1 || s->covered[y][x] == (side > 0.0));
+            }
+        }
+        free(s);
+    }
+}
+
 static void the_back_is_culled(void **state)
 {
     (void)state;
@@ -315,6 +343,7 @@ int main(void)
         cmocka_unit_test(shared_edges_neither_gap_nor_overlap),
         cmocka_unit_test(fans_cover_once),
         cmocka_unit_test(huge_triangles_are_clipped_to_the_guard),
+        cmocka_unit_test(a_clipped_edge_stays_in_place),
         cmocka_unit_test(the_back_is_culled),
         cmocka_unit_test(what_holds_no_sample_is_not_drawn),
         cmocka_unit_test(a_wide_triangle_covers_its_inside),
