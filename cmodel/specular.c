@@ -47,5 +47,8 @@ uint32_t glint_cos_code(double cos_gamma)
         return 0;
     if (cos_gamma >= 1.0)
         return GLINT_COS_ONE;
-    return (uint32_t)floor(cos_gamma * GLINT_COS_ONE + 0.5);
+    /* Adding 0.5 first would round the largest number below 0.5 up to 1. */
+    double code = cos_gamma * GLINT_COS_ONE;
+    double whole = floor(code);
+    return (uint32_t)whole + (code - whole >= 0.5);
 }
