@@ -63,7 +63,12 @@ RTL          := $(wildcard rtl/*.v rtl/*.vh)
 GATES        := cosine sign drawn
 PIPELINES    := drawn pipelined
 LANE_COUNTS  := 1 2 4 8 16
-MODELS       := $(foreach g,$(GATES),$(foreach p,$(PIPELINES),$(foreach l,$(LANE_COUNTS),$g-$p-$l)))
+# Every setting with its signals readable, for lockstep and waveforms; and, for speed, the settings
+# that frames and bench use once more without (sim/rtl/rtl.h).
+OBSERVED     := $(foreach g,$(GATES),$(foreach p,$(PIPELINES),$(foreach l,$(LANE_COUNTS),$g-$p-$l)))
+FAST         := $(LANE_COUNTS:%=cosine-pipelined-%-fast) \
+                $(foreach x,cosine-drawn sign-drawn sign-pipelined drawn-drawn drawn-pipelined,$x-16-fast)
+MODELS       := $(OBSERVED) $(FAST)
 
 gate_number      = $(if $(filter cosine,$1),0,$(if $(filter sign,$1),1,2))
 pipeline_number  = $(if $(filter drawn,$1),0,1)
@@ -75,23 +80,25 @@ SHIM_FLAGS = -std=gnu++17 -O3 -Wall -Wextra -Icmodel -Isim/rtl \
              -DVM_TRACE=1 -DVM_TRACE_FST=1 -DVM_COVERAGE=0 -DVM_SC=0
 VERILATE   = $(VERILATOR) --cc --trace-fst -O3 --x-assign fast --x-initial fast --noassert \
              --top specular_device
-# $1: model name; $2: further Verilator arguments that come before rtl/
+# $1: model name, gate-pipeline-lanes or gate-pipeline-lanes-fast
 verilate_model = $(VERILATE) --prefix V$(subst -,_,$1) --Mdir $(VERILATED)/$1 \
     -GGATE=$(call gate_number,$(call field,$1,1)) \
     -GPIPELINED=$(call pipeline_number,$(call field,$1,2)) -GLANES=$(call field,$1,3) \
-    $2 -Irtl sim/rtl/specular_signals.vlt rtl/specular_device.v
+    -Irtl $(if $(call field,$1,4),,sim/rtl/specular_signals.vlt) rtl/specular_device.v
 compile_shim = $(CXX) $(SHIM_FLAGS) -isystem $(VERILATED)/$1 -DMODEL=V$(subst -,_,$1) \
     -DGLINT_MODEL_TABLE=glint_rtl_model_$(subst -,_,$1) \
     -DGLINT_MODEL_GATE=GLINT_GATE_$(call upper,$(call field,$1,1)) \
     -DGLINT_MODEL_PIPELINE=GLINT_PIPELINE_$(call upper,$(call field,$1,2)) \
-    -DGLINT_MODEL_LANES=$(call field,$1,3) -c sim/rtl/model_shim.cpp -o $2
+    -DGLINT_MODEL_LANES=$(call field,$1,3) \
+    -DGLINT_MODEL_OBSERVED=$(if $(call field,$1,4),false,true) -c sim/rtl/model_shim.cpp -o $2
 
 SHIM_SOURCES := sim/rtl/model_shim.cpp sim/rtl/rtl_model.h $(wildcard cmodel/*.h)
 
 $(VERILATED)/%/verilated.stamp: $(RTL) sim/rtl/specular_signals.vlt
 	@mkdir -p $(@D)
 	$(call verilate_model,$*)
-	$(MAKE) -s -C $(@D) -f V$(subst -,_,$*).mk OPT_FAST=-O3 V$(subst -,_,$*)__ALL.a >/dev/null
+	$(MAKE) -s -C $(@D) -f V$(subst -,_,$*).mk \
+	    OPT_FAST=$(if $(call field,$*,4),-O3,-O1) V$(subst -,_,$*)__ALL.a >/dev/null
 	@touch $@
 
 $(VERILATED)/shims/%.o: $(VERILATED)/%/verilated.stamp $(SHIM_SOURCES)
@@ -156,7 +163,7 @@ $(VERILATED)/wrong/%/shim.o: tests/lockstep/wrong/% $(RTL) sim/rtl/specular_sign
 	$(MAKE) -s -C $(@D) -f Vwrong_$*.mk OPT_FAST=-O1 Vwrong_$*__ALL.a >/dev/null
 	$(CXX) $(SHIM_FLAGS) -isystem $(@D) -DMODEL=Vwrong_$* -DGLINT_MODEL_TABLE=glint_wrong_$* \
 	    -DGLINT_MODEL_GATE=GLINT_GATE_COSINE -DGLINT_MODEL_PIPELINE=GLINT_PIPELINE_PIPELINED \
-	    -DGLINT_MODEL_LANES=1 -c sim/rtl/model_shim.cpp -o $@
+	    -DGLINT_MODEL_LANES=1 -DGLINT_MODEL_OBSERVED=true -c sim/rtl/model_shim.cpp -o $@
 
 WRONG_OBJECTS = $(foreach w,$(WRONG),$(VERILATED)/wrong/$w/shim.o)
 WRONG_ARCHIVES = $(foreach w,$(WRONG),$(VERILATED)/wrong/$w/Vwrong_$w__ALL.a)

@@ -38,7 +38,7 @@ module specular_device #(
     input  wire [`GLINT_COLOR_BITS-1:0]       b,
     input  wire [LANES-1:0]                   in_valid,
     input  wire [LANES*`GLINT_COS_BITS-1:0]   cos,      // information input 32
-    output wire [LANES-1:0]                   out_valid,
+    output reg  [LANES-1:0]                   out_valid,
     output wire [LANES*`GLINT_W_BITS-1:0]     out_w,
     output wire [LANES*`GLINT_COLOR_BITS-1:0] out_r,
     output wire [LANES*`GLINT_COLOR_BITS-1:0] out_g,
@@ -80,49 +80,66 @@ module specular_device #(
     endgenerate
 
     // The valid bits and the material travel beside the lanes, stage by stage.
-    wire [LANES-1:0] s1_valid;
-    wire [LANES-1:0] s2_valid;
-    wire [LANES-1:0] s3_valid;
-    wire [LANES-1:0] s4_valid;
-    stage_register #(.WIDTH(LANES)) u_s1_valid (
-        .clk(clk), .reset(reset), .en(en), .d(in_valid), .q(s1_valid));
-    stage_register #(.WIDTH(LANES), .PRESENT(PIPELINED)) u_s2_valid (
-        .clk(clk), .reset(reset), .en(en), .d(s1_valid), .q(s2_valid));
-    stage_register #(.WIDTH(LANES), .PRESENT(PIPELINED)) u_s3_valid (
-        .clk(clk), .reset(reset), .en(en), .d(s2_valid), .q(s3_valid));
-    stage_register #(.WIDTH(LANES), .PRESENT(PIPELINED)) u_s4_valid (
-        .clk(clk), .reset(reset), .en(en), .d(s3_valid), .q(s4_valid));
-    stage_register #(.WIDTH(LANES), .PRESENT(PIPELINED)) u_out_valid (
-        .clk(clk), .reset(reset), .en(en), .d(s4_valid), .q(out_valid));
+    reg [LANES-1:0]             s1_valid;
+    reg [LANES-1:0]             s2_valid;
+    reg [LANES-1:0]             s3_valid;
+    reg [LANES-1:0]             s4_valid;
+    reg [`GLINT_SIGMA_BITS-1:0] s2_rom33;
+    reg [`GLINT_COS_BITS-1:0]   s2_rom9;
+    reg [`GLINT_COS_BITS-1:0]   s3_rom9;
+    reg [`GLINT_COLOR_BITS-1:0] s2_reg3;
+    reg [`GLINT_COLOR_BITS-1:0] s2_reg4;
+    reg [`GLINT_COLOR_BITS-1:0] s2_reg5;
+    reg [`GLINT_COLOR_BITS-1:0] s3_reg3;
+    reg [`GLINT_COLOR_BITS-1:0] s3_reg4;
+    reg [`GLINT_COLOR_BITS-1:0] s3_reg5;
+    reg [`GLINT_COLOR_BITS-1:0] s4_reg3;
+    reg [`GLINT_COLOR_BITS-1:0] s4_reg4;
+    reg [`GLINT_COLOR_BITS-1:0] s4_reg5;
 
-    wire [`GLINT_SIGMA_BITS-1:0] s2_rom33;
-    wire [`GLINT_COS_BITS-1:0]   s2_rom9;
-    wire [`GLINT_COS_BITS-1:0]   s3_rom9;
-    stage_register #(.WIDTH(`GLINT_SIGMA_BITS), .PRESENT(PIPELINED)) u_s2_rom33 (
-        .clk(clk), .reset(reset), .en(en), .d(rom33), .q(s2_rom33));
-    stage_register #(.WIDTH(`GLINT_COS_BITS), .PRESENT(PIPELINED)) u_s2_rom9 (
-        .clk(clk), .reset(reset), .en(en), .d(rom9), .q(s2_rom9));
-    stage_register #(.WIDTH(`GLINT_COS_BITS), .PRESENT(PIPELINED)) u_s3_rom9 (
-        .clk(clk), .reset(reset), .en(en), .d(s2_rom9), .q(s3_rom9));
+    always @(posedge clk)
+        if (reset)   s1_valid <= {LANES{1'b0}};
+        else if (en) s1_valid <= in_valid;
 
-    wire [`GLINT_COLOR_BITS-1:0] s2_reg3;
-    wire [`GLINT_COLOR_BITS-1:0] s2_reg4;
-    wire [`GLINT_COLOR_BITS-1:0] s2_reg5;
-    wire [`GLINT_COLOR_BITS-1:0] s3_reg3;
-    wire [`GLINT_COLOR_BITS-1:0] s3_reg4;
-    wire [`GLINT_COLOR_BITS-1:0] s3_reg5;
-    wire [`GLINT_COLOR_BITS-1:0] s4_reg3;
-    wire [`GLINT_COLOR_BITS-1:0] s4_reg4;
-    wire [`GLINT_COLOR_BITS-1:0] s4_reg5;
-    stage_register #(.WIDTH(3 * `GLINT_COLOR_BITS), .PRESENT(PIPELINED)) u_s2_rgb (
-        .clk(clk), .reset(reset), .en(en),
-        .d({reg3, reg4, reg5}), .q({s2_reg3, s2_reg4, s2_reg5}));
-    stage_register #(.WIDTH(3 * `GLINT_COLOR_BITS), .PRESENT(PIPELINED)) u_s3_rgb (
-        .clk(clk), .reset(reset), .en(en),
-        .d({s2_reg3, s2_reg4, s2_reg5}), .q({s3_reg3, s3_reg4, s3_reg5}));
-    stage_register #(.WIDTH(3 * `GLINT_COLOR_BITS), .PRESENT(PIPELINED)) u_s4_rgb (
-        .clk(clk), .reset(reset), .en(en),
-        .d({s3_reg3, s3_reg4, s3_reg5}), .q({s4_reg3, s4_reg4, s4_reg5}));
+    generate
+        if (PIPELINED != 0) begin : g_stages
+            always @(posedge clk)
+                if (reset) begin
+                    s2_valid  <= {LANES{1'b0}};
+                    s3_valid  <= {LANES{1'b0}};
+                    s4_valid  <= {LANES{1'b0}};
+                    out_valid <= {LANES{1'b0}};
+                    s2_rom33  <= {`GLINT_SIGMA_BITS{1'b0}};
+                    s2_rom9   <= {`GLINT_COS_BITS{1'b0}};
+                    s3_rom9   <= {`GLINT_COS_BITS{1'b0}};
+                    {s2_reg3, s2_reg4, s2_reg5} <= {(3 * `GLINT_COLOR_BITS){1'b0}};
+                    {s3_reg3, s3_reg4, s3_reg5} <= {(3 * `GLINT_COLOR_BITS){1'b0}};
+                    {s4_reg3, s4_reg4, s4_reg5} <= {(3 * `GLINT_COLOR_BITS){1'b0}};
+                end else if (en) begin
+                    s2_valid  <= s1_valid;
+                    s3_valid  <= s2_valid;
+                    s4_valid  <= s3_valid;
+                    out_valid <= s4_valid;
+                    s2_rom33  <= rom33;
+                    s2_rom9   <= rom9;
+                    s3_rom9   <= s2_rom9;
+                    {s2_reg3, s2_reg4, s2_reg5} <= {reg3, reg4, reg5};
+                    {s3_reg3, s3_reg4, s3_reg5} <= {s2_reg3, s2_reg4, s2_reg5};
+                    {s4_reg3, s4_reg4, s4_reg5} <= {s3_reg3, s3_reg4, s3_reg5};
+                end
+        end else begin : g_stages
+            always @* s2_valid  = s1_valid;
+            always @* s3_valid  = s2_valid;
+            always @* s4_valid  = s3_valid;
+            always @* out_valid = s4_valid;
+            always @* s2_rom33  = rom33;
+            always @* s2_rom9   = rom9;
+            always @* s3_rom9   = s2_rom9;
+            always @* {s2_reg3, s2_reg4, s2_reg5} = {reg3, reg4, reg5};
+            always @* {s3_reg3, s3_reg4, s3_reg5} = {s2_reg3, s2_reg4, s2_reg5};
+            always @* {s4_reg3, s4_reg4, s4_reg5} = {s3_reg3, s3_reg4, s3_reg5};
+        end
+    endgenerate
 
     genvar i;
     generate

@@ -36,10 +36,10 @@ module specular_lane #(
     input  wire [`GLINT_COLOR_BITS-1:0] s4_reg4,
     input  wire [`GLINT_COLOR_BITS-1:0] s4_reg5,
 
-    output wire [`GLINT_W_BITS-1:0]     out_w,
-    output wire [`GLINT_COLOR_BITS-1:0] out_r,
-    output wire [`GLINT_COLOR_BITS-1:0] out_g,
-    output wire [`GLINT_COLOR_BITS-1:0] out_b
+    output reg  [`GLINT_W_BITS-1:0]     out_w,
+    output reg  [`GLINT_COLOR_BITS-1:0] out_r,
+    output reg  [`GLINT_COLOR_BITS-1:0] out_g,
+    output reg  [`GLINT_COLOR_BITS-1:0] out_b
 );
     localparam DRAWN = (GATE == `GLINT_GATE_DRAWN);
 
@@ -51,13 +51,10 @@ module specular_lane #(
         if (reset)               reg1 <= {`GLINT_COS_BITS{1'b0}};
         else if (en && in_valid) reg1 <= (cos > COS_ONE) ? COS_ONE : cos;
 
-    wire [`GLINT_COS_BITS-1:0] s2_reg1;
-    stage_register #(.WIDTH(`GLINT_COS_BITS), .PRESENT(PIPELINED)) u_s2_reg1 (
-        .clk(clk), .reset(reset), .en(en), .d(reg1), .q(s2_reg1));
-
     // Stage 2: adder 6, multiplier 7 and adder 8; comparator 11 unless it waits for the square.
     // All ones on the integer digit is -1 there; the fraction passes beside the adder. The adder is
     // no more than an inverter, so it needs no stage of its own before the multiplier.
+    reg  [`GLINT_COS_BITS-1:0] s2_reg1;
     wire digit6 = s2_reg1[`GLINT_COS_FRAC_BITS] + 1'b1;
     wire signed [`GLINT_ADDER6_BITS-1:0] adder6 = {digit6, s2_reg1[`GLINT_COS_FRAC_BITS-1:0]};
 
@@ -77,17 +74,13 @@ module specular_lane #(
         mul7[`GLINT_T_FRAC_BITS-1:0]};
 
     wire cmp11;
-    wire s3_cmp11;
-    wire signed [`GLINT_T_BITS-1:0] s3_adder8;
-    stage_register #(.WIDTH(`GLINT_T_BITS), .PRESENT(PIPELINED)) u_s3_adder8 (
-        .clk(clk), .reset(reset), .en(en), .d(adder8), .q(s3_adder8));
-    stage_register #(.WIDTH(1), .PRESENT(PIPELINED)) u_s3_cmp11 (
-        .clk(clk), .reset(reset), .en(en), .d(cmp11 && !DRAWN), .q(s3_cmp11));
 
     // Stage 3: multiplier 10 and key block 12.
     localparam MUL10_BITS = DRAWN ? `GLINT_W_DRAWN_BITS : `GLINT_W_BITS;
-    wire [MUL10_BITS-1:0]    mul10;
-    wire [`GLINT_W_BITS-1:0] sat10;
+    reg signed [`GLINT_T_BITS-1:0] s3_adder8;
+    reg                            s3_cmp11;
+    wire [MUL10_BITS-1:0]          mul10;
+    wire [`GLINT_W_BITS-1:0]       sat10;
 
     generate
         if (GATE == `GLINT_GATE_DRAWN) begin : g_square
@@ -129,11 +122,8 @@ module specular_lane #(
     wire                     pass12 = DRAWN ? cmp11 : s3_cmp11;
     wire [`GLINT_W_BITS-1:0] keys12 = pass12 ? sat10 : {`GLINT_W_BITS{1'b0}};
 
-    wire [`GLINT_W_BITS-1:0] s4_keys12;
-    stage_register #(.WIDTH(`GLINT_W_BITS), .PRESENT(PIPELINED)) u_s4_keys12 (
-        .clk(clk), .reset(reset), .en(en), .d(keys12), .q(s4_keys12));
-
     // Stage 4: multipliers 13, 14, 15.
+    reg  [`GLINT_W_BITS-1:0]     s4_keys12;
     wire [`GLINT_COLOR_BITS-1:0] mul13;
     wire [`GLINT_COLOR_BITS-1:0] mul14;
     wire [`GLINT_COLOR_BITS-1:0] mul15;
@@ -141,14 +131,40 @@ module specular_lane #(
     color_multiplier u_mul14 (.w(s4_keys12), .color(s4_reg4), .product(mul14));
     color_multiplier u_mul15 (.w(s4_keys12), .color(s4_reg5), .product(mul15));
 
-    stage_register #(.WIDTH(`GLINT_W_BITS), .PRESENT(PIPELINED)) u_out_w (
-        .clk(clk), .reset(reset), .en(en), .d(s4_keys12), .q(out_w));
-    stage_register #(.WIDTH(`GLINT_COLOR_BITS), .PRESENT(PIPELINED)) u_out_r (
-        .clk(clk), .reset(reset), .en(en), .d(mul13), .q(out_r));
-    stage_register #(.WIDTH(`GLINT_COLOR_BITS), .PRESENT(PIPELINED)) u_out_g (
-        .clk(clk), .reset(reset), .en(en), .d(mul14), .q(out_g));
-    stage_register #(.WIDTH(`GLINT_COLOR_BITS), .PRESENT(PIPELINED)) u_out_b (
-        .clk(clk), .reset(reset), .en(en), .d(mul15), .q(out_b));
+    // What stands between the stages: registers, or wires where the device is as drawn.
+    generate
+        if (PIPELINED != 0) begin : g_stages
+            always @(posedge clk)
+                if (reset) begin
+                    s2_reg1   <= {`GLINT_COS_BITS{1'b0}};
+                    s3_adder8 <= {`GLINT_T_BITS{1'b0}};
+                    s3_cmp11  <= 1'b0;
+                    s4_keys12 <= {`GLINT_W_BITS{1'b0}};
+                    out_w     <= {`GLINT_W_BITS{1'b0}};
+                    out_r     <= {`GLINT_COLOR_BITS{1'b0}};
+                    out_g     <= {`GLINT_COLOR_BITS{1'b0}};
+                    out_b     <= {`GLINT_COLOR_BITS{1'b0}};
+                end else if (en) begin
+                    s2_reg1   <= reg1;
+                    s3_adder8 <= adder8;
+                    s3_cmp11  <= cmp11 && !DRAWN;
+                    s4_keys12 <= keys12;
+                    out_w     <= s4_keys12;
+                    out_r     <= mul13;
+                    out_g     <= mul14;
+                    out_b     <= mul15;
+                end
+        end else begin : g_stages
+            always @* s2_reg1   = reg1;
+            always @* s3_adder8 = adder8;
+            always @* s3_cmp11  = cmp11 && !DRAWN;
+            always @* s4_keys12 = keys12;
+            always @* out_w     = s4_keys12;
+            always @* out_r     = mul13;
+            always @* out_g     = mul14;
+            always @* out_b     = mul15;
+        end
+    endgenerate
 endmodule
 
 `default_nettype wire

@@ -11,15 +11,15 @@ struct glint_backend {
     glint_rtl *rtl; /* kind rtl only */
 };
 
-/* The fastest lane count in the bench: beyond it a clock costs more than its lanes bring. */
-#define FAST_LANES 4
+/* The fastest lane count in the bench. */
+#define FAST_LANES 16
 
 static glint_status create_circuit(glint_backend *backend, glint_error *err)
 {
     const glint_specular_config config = {
         backend->config.gate, backend->config.pipeline,
         backend->config.lanes != 0 ? backend->config.lanes : FAST_LANES};
-    return glint_rtl_create(&config, &backend->rtl, err);
+    return glint_rtl_create_fast(&config, &backend->rtl, err);
 }
 
 glint_status glint_backend_create(const glint_backend_config *config, glint_backend **backend,

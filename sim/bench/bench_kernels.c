@@ -56,7 +56,7 @@ static glint_status create_circuits(workload *w, glint_error *err)
         const glint_specular_config config = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED,
                                               candidates[i].lanes};
         if (config.lanes != 0)
-            status = glint_rtl_create(&config, &w->rtl[i], err);
+            status = glint_rtl_create_fast(&config, &w->rtl[i], err);
     }
     return status;
 }

@@ -1,7 +1,8 @@
 // The shim over one Verilated build of specular_device: the only C++ of the project.
 //
 // Compiled once for each build, with MODEL (the class), GLINT_MODEL_TABLE (the name of the table to
-// define) and its settings (GLINT_MODEL_GATE, _PIPELINE, _LANES) given by the Makefile.
+// define), its settings (GLINT_MODEL_GATE, _PIPELINE, _LANES) and whether its signals are readable
+// (GLINT_MODEL_OBSERVED) given by the Makefile.
 #include "rtl_model.h"
 
 #include <cstring>
@@ -188,20 +189,21 @@ uint64_t clocks(const void *instance)
     return static_cast<const Instance *>(instance)->clocks;
 }
 
+// A port of bytes lies in memory as an array of them.
+static_assert(GLINT_COLOR_BITS == 8 && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
+              "take_all() copies the colour ports byte by byte");
+
 // Takes what left the circuit at the last edge into the caller's arrays, lane after lane.
 struct Collector {
     const glint_rtl_batch_io &io;
     size_t done = 0;
 
-    // All lanes valid and room for them: the usual clock, in straight loops.
+    // All lanes valid and room for them: the usual clock.
     void take_all(const MODEL &m)
     {
-        for (int i = 0; i < LANES; i++)
-            io.r[done + i] = static_cast<uint8_t>(read_port<GLINT_COLOR_BITS>(m.out_r, i));
-        for (int i = 0; i < LANES; i++)
-            io.g[done + i] = static_cast<uint8_t>(read_port<GLINT_COLOR_BITS>(m.out_g, i));
-        for (int i = 0; i < LANES; i++)
-            io.b[done + i] = static_cast<uint8_t>(read_port<GLINT_COLOR_BITS>(m.out_b, i));
+        std::memcpy(io.r + done, &m.out_r, LANES);
+        std::memcpy(io.g + done, &m.out_g, LANES);
+        std::memcpy(io.b + done, &m.out_b, LANES);
         for (int i = 0; io.w_code != nullptr && i < LANES; i++)
             io.w_code[done + i] = read_port<GLINT_W_BITS>(m.out_w, i);
         done += LANES;
@@ -287,6 +289,7 @@ bool trace_open(void *instance, const char *path)
 extern "C" const glint_rtl_model GLINT_MODEL_TABLE;
 const glint_rtl_model GLINT_MODEL_TABLE = {
     {GLINT_MODEL_GATE, GLINT_MODEL_PIPELINE, LANES},
+    GLINT_MODEL_OBSERVED,
     create,
     destroy,
     clock_pins,

@@ -2,6 +2,7 @@
 #include "rtl/rtl.h"
 
 #include <errno.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -29,12 +30,12 @@ GLINT_RTL_MODELS(DECLARE_TABLE)
 #define POINT_AT_TABLE(table) &table,
 static const glint_rtl_model *const models[] = {GLINT_RTL_MODELS(POINT_AT_TABLE)};
 
-static const glint_rtl_model *find_model(const glint_specular_config *config)
+static const glint_rtl_model *find_model(const glint_specular_config *config, bool observed)
 {
     for (size_t i = 0; i < sizeof models / sizeof models[0]; i++) {
         const glint_specular_config *built = &models[i]->config;
         if (built->gate == config->gate && built->pipeline == config->pipeline &&
-            built->lanes == config->lanes)
+            built->lanes == config->lanes && models[i]->observed == observed)
             return models[i];
     }
     return NULL;
@@ -73,8 +74,9 @@ glint_status glint_rtl_create_from(const glint_rtl_model *model,
     created->model = model;
     created->instance = model->create();
     glint_status status = created->instance == NULL
-                              ? glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit")
-                              : find_places(created, err);
+                          ? glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit")
+                          : model->observed ? find_places(created, err)
+                                            : GLINT_OK;
     if (status != GLINT_OK) {
         glint_rtl_destroy(created);
         return status;
@@ -86,7 +88,16 @@ glint_status glint_rtl_create_from(const glint_rtl_model *model,
 glint_status glint_rtl_create(const glint_specular_config *config, glint_rtl **rtl,
                               glint_error *err)
 {
-    return glint_rtl_create_from(find_model(config), config, rtl, err);
+    return glint_rtl_create_from(find_model(config, true), config, rtl, err);
+}
+
+glint_status glint_rtl_create_fast(const glint_specular_config *config, glint_rtl **rtl,
+                                   glint_error *err)
+{
+    const glint_rtl_model *fast = find_model(config, false);
+    if (fast == NULL)
+        return glint_rtl_create(config, rtl, err);
+    return glint_rtl_create_from(fast, config, rtl, err);
 }
 
 void glint_rtl_destroy(glint_rtl *rtl)
@@ -155,8 +166,10 @@ void glint_rtl_trace_close(glint_rtl *rtl)
 
 const glint_specular_config *glint_rtl_built(int index)
 {
-    const int count = (int)(sizeof models / sizeof models[0]);
-    return index >= 0 && index < count ? &models[index]->config : NULL;
+    for (size_t i = 0; i < sizeof models / sizeof models[0]; i++)
+        if (models[i]->observed && index-- == 0)
+            return &models[i]->config;
+    return NULL;
 }
 
 const char *glint_rtl_verilator_version(void)

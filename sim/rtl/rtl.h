@@ -1,8 +1,11 @@
 /* The Verilated specular device behind a plain C interface.
  *
  * One glint_rtl is one instance of rtl/specular_device.v with a context of its own: instances share
- * nothing and may run in different threads. Which settings were built is a matter of the Makefile
- * (every gate, both pipelines, 1 to 16 lanes). */
+ * nothing and may run in different threads.
+ *
+ * The Makefile Verilates every setting (each gate, both pipelines, 1 to 16 lanes) with all named
+ * signals kept readable: what lockstep and waveforms need. Keeping them costs about a third of the
+ * speed, so the settings that frames are rendered with are Verilated a second time without. */
 #ifndef GLINT_SIM_RTL_H
 #define GLINT_SIM_RTL_H
 
@@ -15,6 +18,11 @@ typedef struct glint_rtl_model glint_rtl_model; /* a Verilated build: rtl_model.
  * built. */
 glint_status glint_rtl_create(const glint_specular_config *config, glint_rtl **rtl,
                               glint_error *err);
+
+/* The same circuit for glint_rtl_batch() at full speed: the build without readable signals where
+ * there is one for config, else the other. glint_rtl_signal_bits() is not for it. */
+glint_status glint_rtl_create_fast(const glint_specular_config *config, glint_rtl **rtl,
+                                   glint_error *err);
 
 /* The settings of build `index` (0…), NULL past the last: what glint_rtl_create() can make. */
 const glint_specular_config *glint_rtl_built(int index);
