@@ -9,11 +9,14 @@
 #include "file/new_file.h"
 
 /* Trace flags of GTKWave's save files. */
-#define SHOW_HEX         0x22u       /* right-justified */
+#define SHOW_HEX         0x22u /* right-justified */
 #define SHOW_DECIMAL     0x24u
 #define SHOW_BINARY      0x28u
 #define SHOW_SIGNED      0x420u
 #define SHOW_FIXED_POINT 0x40000000u /* with [fpshift_count] */
+#define SHOW_CURVE       0x88000u    /* analog steps, scaled to the whole file */
+#define CURVE_HEIGHT     0x20000u    /* an empty row that the curve above grows into */
+#define HEADING          0x200u
 #define GROUP_BEGIN      0x800200u
 #define GROUP_CLOSED     0x400000u
 #define GROUP_END        0x1000200u
@@ -26,33 +29,38 @@
 #define WINDOW_WIDTH  1600
 #define WINDOW_HEIGHT 1000
 #define SIGNALS_WIDTH 400
-#define WAVE_WIDTH    1150
+#define WAVE_WIDTH    1130
 #define ZOOM_FRAME    200
+#define CURVE_ROWS    3 /* beside the curve's own */
 
 typedef struct group {
     const char *title;
     int blocks[4]; /* numbers of the figure, ended by 0 */
 } group;
 
-/* The figure's blocks as the data flows through them. */
+/* The figure's blocks as the data flows through them. A heading takes one row where a group that
+ * can be folded takes two: the whole circuit is to be seen at once. */
 static const group groups[] = {
     {"Register 1: cos gamma", {1}},
-    {"Register 2: n", {2}},
-    {"ROM 33: sigma", {33}},
-    {"Adder 6: cos gamma - 1", {6}},
-    {"Multiplier 7: sigma (cos gamma - 1)", {7}},
-    {"Adder 8: t", {8}},
-    {"Multiplier 10: t squared", {10}},
-    {"ROM 9: limit", {9}},
-    {"Comparator 11: inside the highlight", {11}},
-    {"Key block 12: W", {12}},
+    {"Register 2, ROM 33: n, sigma", {2, 33}},
+    {"Blocks 6, 7, 8: sigma (cos - 1) + 1", {6, 7, 8}},
+    {"ROM 9, comparator 11: inside?", {9, 11}},
+    {"Multiplier 10, key block 12: W", {10, 12}},
     {"Registers 3, 4, 5: R, G, B", {3, 4, 5}},
     {"Multipliers 13, 14, 15: W R, W G, W B", {13, 14, 15}},
 };
 
-static void begin_group(FILE *out, const char *title, bool closed)
+/* The signals drawn as curves too: the highlight's shape, inside the device and at its output. */
+static const char *const curves[] = {"keys12", "out_r"};
+
+static void write_heading(FILE *out, const char *title)
 {
-    fprintf(out, "@%x\n-%s\n", closed ? GROUP_BEGIN | GROUP_CLOSED : GROUP_BEGIN, title);
+    fprintf(out, "@%x\n-%s\n", HEADING, title);
+}
+
+static void begin_closed_group(FILE *out, const char *title)
+{
+    fprintf(out, "@%x\n-%s\n", GROUP_BEGIN | GROUP_CLOSED, title);
 }
 
 static void end_group(FILE *out, const char *title)
@@ -81,25 +89,45 @@ static int color_of(glint_signal_kind kind)
                                          : COLOR_NORMAL;
 }
 
+static bool has_curve(const glint_signal_info *signal)
+{
+    for (size_t i = 0; i < sizeof curves / sizeof curves[0]; i++)
+        if (strcmp(signal->name, curves[i]) == 0)
+            return true;
+    return false;
+}
+
+static unsigned flags_of(const glint_signal_info *signal)
+{
+    int width = signal->int_bits + signal->frac_bits;
+    if (width == 1 || signal->block == 0) /* valid bits: one a lane */
+        return SHOW_BINARY;
+    return signal->is_signed ? SHOW_SIGNED : SHOW_DECIMAL;
+}
+
 static void write_signal(FILE *out, const glint_signal_info *signal)
 {
     char scope[64] = "TOP.specular_device.";
     int width = signal->int_bits + signal->frac_bits;
-    unsigned flags = width == 1 ? SHOW_BINARY : signal->is_signed ? SHOW_SIGNED : SHOW_DECIMAL;
+    unsigned flags = flags_of(signal);
     if (signal->lane >= 0)
         (void)snprintf(scope, sizeof scope, "TOP.specular_device.lane[%d].u.", signal->lane);
-    if (signal->block == 0 && width > 1)
-        flags = SHOW_BINARY; /* valid bits, one a lane */
     write_trace(out, scope, signal->name, width, flags, color_of(signal->kind), signal->frac_bits);
+    if (!has_curve(signal))
+        return;
+    write_trace(out, scope, signal->name, width, flags | SHOW_CURVE, color_of(signal->kind),
+                signal->frac_bits);
+    for (int i = 0; i < CURVE_ROWS; i++)
+        fprintf(out, "@%x\n-\n", CURVE_HEIGHT);
 }
 
-/* With pipeline drawn a stage is a wire and says nothing new; the saturated square differs from the
- * square with gate drawn only. */
+/* With pipeline drawn a stage is a wire and says nothing new. The saturated square differs from the
+ * square, and the limit is needed in stage 3, with gate drawn only. */
 static bool is_shown(const glint_specular_config *config, const glint_signal_info *signal)
 {
     if (signal->kind == GLINT_SIGNAL_STAGE && config->pipeline == GLINT_PIPELINE_DRAWN)
         return strcmp(signal->name, "s1_valid") == 0;
-    if (strcmp(signal->name, "sat10") == 0)
+    if (strcmp(signal->name, "sat10") == 0 || strcmp(signal->name, "s3_rom9") == 0)
         return config->gate == GLINT_GATE_DRAWN;
     return true;
 }
@@ -115,73 +143,100 @@ static bool is_in_group(const group *group, const glint_signal_info *signal)
 static void write_inputs(FILE *out, const glint_specular_config *config)
 {
     const char *top = "TOP.specular_device.";
-    begin_group(out, "Clock and control", false);
+    write_heading(out, "Clock and control");
     write_trace(out, top, "clk", 1, SHOW_BINARY, COLOR_NORMAL, 0);
     write_trace(out, top, "reset", 1, SHOW_BINARY, COLOR_NORMAL, 0);
     write_trace(out, top, "en", 1, SHOW_BINARY, COLOR_NORMAL, 0);
-    end_group(out, "Clock and control");
-    begin_group(out, "Inputs 17 (n), 18 (n_we), 32 (cos), colours", false);
+    write_heading(out, "Inputs 32 (cos), 18, 17 (n), colours");
+    write_trace(out, top, "in_valid", config->lanes, SHOW_BINARY, COLOR_NORMAL, 0);
+    /* Several lanes share the pins, so their bits are no single number. */
+    write_trace(out, top, "cos", config->lanes * GLINT_COS_BITS,
+                config->lanes == 1 ? SHOW_DECIMAL : SHOW_HEX, COLOR_NORMAL,
+                config->lanes == 1 ? GLINT_COS_FRAC_BITS : 0);
     write_trace(out, top, "n_we", 1, SHOW_BINARY, COLOR_NORMAL, 0);
     write_trace(out, top, "n", GLINT_N_BITS, SHOW_DECIMAL, COLOR_NORMAL, 0);
     write_trace(out, top, "rgb_we", 1, SHOW_BINARY, COLOR_NORMAL, 0);
     write_trace(out, top, "r", GLINT_COLOR_BITS, SHOW_DECIMAL, COLOR_NORMAL, 0);
     write_trace(out, top, "g", GLINT_COLOR_BITS, SHOW_DECIMAL, COLOR_NORMAL, 0);
     write_trace(out, top, "b", GLINT_COLOR_BITS, SHOW_DECIMAL, COLOR_NORMAL, 0);
-    write_trace(out, top, "in_valid", config->lanes, SHOW_BINARY, COLOR_NORMAL, 0);
-    /* Several lanes share the pins, so their bits are no single number. */
-    write_trace(out, top, "cos", config->lanes * GLINT_COS_BITS,
-                config->lanes == 1 ? SHOW_DECIMAL : SHOW_HEX, COLOR_NORMAL,
-                config->lanes == 1 ? GLINT_COS_FRAC_BITS : 0);
-    end_group(out, "Inputs 17 (n), 18 (n_we), 32 (cos), colours");
 }
 
-/* The signals for which chosen(group) holds, of the device and of lane 0. */
-static void write_group(FILE *out, const glint_specular_config *config, const group *group)
+typedef bool is_wanted(const glint_signal_info *signal, const void *context);
+
+/* The signals of the device and of lane 0 that are wanted, in the order the data flows. */
+static void write_signals(FILE *out, const glint_specular_config *config, is_wanted *wanted,
+                          const void *context)
 {
-    begin_group(out, group->title, false);
     for (int i = 0; i < glint_specular_signal_count(config); i++) {
         glint_signal_info signal = glint_specular_signal_info(config, i);
-        if (signal.lane <= 0 && signal.kind != GLINT_SIGNAL_OUTPUT &&
-            is_in_group(group, &signal) && is_shown(config, &signal))
+        if (signal.lane <= 0 && is_shown(config, &signal) && wanted(&signal, context))
             write_signal(out, &signal);
     }
-    end_group(out, group->title);
 }
 
-static void write_outputs(FILE *out, const glint_specular_config *config)
+/* R, G, B on their way to stage 4: three copies of each, the same but later. */
+static bool is_color_copy(const glint_signal_info *signal, const void *context)
 {
-    begin_group(out, "Outputs", false);
-    for (int i = 0; i < glint_specular_signal_count(config); i++) {
-        glint_signal_info signal = glint_specular_signal_info(config, i);
-        if (signal.lane <= 0 && signal.kind == GLINT_SIGNAL_OUTPUT)
-            write_signal(out, &signal);
-    }
-    end_group(out, "Outputs");
+    (void)context;
+    return signal->kind == GLINT_SIGNAL_STAGE && signal->block >= 3 && signal->block <= 5;
 }
 
-static void write_valid_bits(FILE *out, const glint_specular_config *config)
+static bool is_of_group(const glint_signal_info *signal, const void *context)
 {
-    begin_group(out, "Valid bits, stage by stage", false);
-    for (int i = 0; i < glint_specular_signal_count(config); i++) {
-        glint_signal_info signal = glint_specular_signal_info(config, i);
-        if (signal.block == 0 && signal.kind == GLINT_SIGNAL_STAGE && is_shown(config, &signal))
-            write_signal(out, &signal);
-    }
-    end_group(out, "Valid bits, stage by stage");
+    return signal->kind != GLINT_SIGNAL_OUTPUT && !is_color_copy(signal, NULL) &&
+           is_in_group(context, signal);
 }
 
-/* The other lanes do the same as lane 0: closed, to be opened by who wants to look. */
+static bool is_output(const glint_signal_info *signal, const void *context)
+{
+    (void)context;
+    return signal->kind == GLINT_SIGNAL_OUTPUT;
+}
+
+static bool is_valid_bit(const glint_signal_info *signal, const void *context)
+{
+    (void)context;
+    return signal->block == 0 && signal->kind == GLINT_SIGNAL_STAGE;
+}
+
+/* Closed, to be opened by who wants to look. */
+static void write_color_copies(FILE *out, const glint_specular_config *config)
+{
+    if (config->pipeline == GLINT_PIPELINE_DRAWN)
+        return;
+    begin_closed_group(out, "R, G, B in stages 2, 3, 4");
+    write_signals(out, config, is_color_copy, NULL);
+    end_group(out, "R, G, B in stages 2, 3, 4");
+}
+
+/* The other lanes do the same as lane 0: closed as well. */
 static void write_lane(FILE *out, const glint_specular_config *config, int lane)
 {
     char title[16];
     (void)snprintf(title, sizeof title, "Lane %d", lane);
-    begin_group(out, title, true);
+    begin_closed_group(out, title);
     for (int i = 0; i < glint_specular_signal_count(config); i++) {
         glint_signal_info signal = glint_specular_signal_info(config, i);
         if (signal.lane == lane && is_shown(config, &signal))
             write_signal(out, &signal);
     }
     end_group(out, title);
+}
+
+static void write_body(FILE *out, const glint_specular_config *config)
+{
+    write_inputs(out, config);
+    for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++) {
+        write_heading(out, groups[i].title);
+        write_signals(out, config, is_of_group, &groups[i]);
+    }
+    write_heading(out, "Outputs");
+    write_signals(out, config, is_output, NULL);
+    write_heading(out, "Valid bits, stage by stage");
+    write_signals(out, config, is_valid_bit, NULL);
+    write_color_copies(out, config);
+    for (int lane = 1; lane < config->lanes; lane++)
+        write_lane(out, config, lane);
 }
 
 static void write_header(FILE *out, const glint_wave_view *view)
@@ -210,12 +265,6 @@ glint_status glint_wave_save_file(const glint_wave_view *view, const char *path,
         return status;
     FILE *out = glint_new_file_stream(file);
     write_header(out, view);
-    write_inputs(out, view->config);
-    for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++)
-        write_group(out, view->config, &groups[i]);
-    write_outputs(out, view->config);
-    write_valid_bits(out, view->config);
-    for (int lane = 1; lane < view->config->lanes; lane++)
-        write_lane(out, view->config, lane);
+    write_body(out, view->config);
     return glint_new_file_commit(file, err);
 }

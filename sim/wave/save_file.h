@@ -1,6 +1,6 @@
 /* A GTKWave save file for a waveform of the specular device: signals grouped by the figure's blocks
- * in the order the data flows, fixed-point values shown as real numbers, pipeline registers and
- * outputs in colours of their own. */
+ * in the order the data flows, fixed-point values shown as real numbers, W and R as curves too,
+ * pipeline registers and outputs in colours of their own. */
 #ifndef GLINT_SIM_SAVE_FILE_H
 #define GLINT_SIM_SAVE_FILE_H
 
