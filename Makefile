@@ -197,5 +197,95 @@ sanitize:
 	+$(MAKE) -j$(JOBS) SANITIZE=1 BUILD=$(BUILD)/sanitize VERILATED=$(VERILATED) build-tests
 	+$(MAKE) SANITIZE=1 BUILD=$(BUILD)/sanitize VERILATED=$(VERILATED) run-tests
 
+# ---- Lint ------------------------------------------------------------------------------------------
+
+SETTINGS   := $(foreach g,0 1 2,$(foreach p,0 1,$g-$p))
+C_SOURCES  := $(wildcard cmodel/*.c sim/*/*.c tests/*/*.c)
+# $1: gate, $2: pipelined
+yosys_check = read_verilog -Irtl $(wildcard rtl/*.v) ; \
+              chparam -set GATE $1 -set PIPELINED $2 specular_device ; \
+              hierarchy -check -top specular_device ; proc ; select -assert-none t:$$dlatch ; \
+              synth -top specular_device ; check -assert
+lint_setting = -GGATE=$(call field,$1,1) -GPIPELINED=$(call field,$1,2)
+
+.PHONY: lint-verilog lint-c $(SETTINGS:%=lint-%)
+lint:
+	sim/deps.sh lint
+	+$(MAKE) -j$(JOBS) lint-verilog lint-c
+
+lint-verilog: $(SETTINGS:%=lint-%)
+
+# Each gate and pipeline: Verilator with 1 and 16 lanes, Icarus, and Yosys down to gates, where a
+# warning, a latch or a problem found by its checks is an error.
+$(SETTINGS:%=lint-%): lint-%:
+	$(VERILATOR) --lint-only -Wall $(call lint_setting,$*) -GLANES=1 -Irtl rtl/specular_device.v
+	$(VERILATOR) --lint-only -Wall $(call lint_setting,$*) -GLANES=16 -Irtl rtl/specular_device.v
+	warnings=$$(iverilog -g2005 -Wall -Irtl -o /dev/null -s specular_device \
+	    -Pspecular_device.GATE=$(call field,$*,1) -Pspecular_device.PIPELINED=$(call field,$*,2) \
+	    $(wildcard rtl/*.v) 2>&1) && [ -z "$$warnings" ] || { echo "$$warnings"; exit 1; }
+	yosys -q -e . -p '$(call yosys_check,$(call field,$*,1),$(call field,$*,2))'
+
+# The other compiler: the build itself is with CC.
+lint-c: $(BUILD)/rtl_models.h
+	clang -std=c17 -O3 -fsyntax-only $(WARNINGS) -Icmodel -Isim -I$(BUILD) $(PACKAGE_CFLAGS) \
+	    -isystem $(VERILATOR_ROOT_DIR)/include $(C_SOURCES)
+
+# ---- What a user calls -----------------------------------------------------------------------------
+
+demo:
+	sim/deps.sh demo
+	+$(MAKE) -j$(JOBS) $(BUILD)/glint
+	@mkdir -p $(BUILD)/demo
+	$(BUILD)/glint render --model teapot --size 1280x960 --backend both --out $(BUILD)/demo/teapot.png
+	$(BUILD)/glint verify --clocks 20000
+	$(BUILD)/glint wave --out $(BUILD)/demo
+	@echo
+	@echo "the picture:   $(BUILD)/demo/teapot.png"
+	@echo "the waveform:  gtkwave $(BUILD)/demo/specular_cosine_pipelined.fst" \
+	    "$(BUILD)/demo/specular_cosine_pipelined.gtkw"
+	@command -v gtkwave >/dev/null || echo "(GTKWave is not installed: apt-get install gtkwave)"
+	@echo "what it shows: docs/waveforms.md"
+
+bench:
+	sim/deps.sh bench
+	+$(MAKE) -j$(JOBS) $(BUILD)/glint
+	$(BUILD)/glint bench
+
+wave:
+	sim/deps.sh wave
+	+$(MAKE) -j$(JOBS) $(BUILD)/glint
+	$(BUILD)/glint wave --out $(BUILD)/wave
+
+VERSION = $(shell sed -n 's/.*GLINT_VERSION "\(.*\)"/\1/p' sim/cli/version.h)
+DEST    = $(DESTDIR)$(PREFIX)
+
+# The library with its headers and pkg-config file, the command, and the Verilog.
+install:
+	sim/deps.sh install
+	+$(MAKE) -j$(JOBS) $(BUILD)/glint
+	install -d $(DEST)/bin $(DEST)/lib/pkgconfig $(DEST)/include/glint $(DEST)/share/glint/rtl
+	install $(BUILD)/glint $(DEST)/bin/
+	install -m 644 $(BUILD)/libglint.a $(DEST)/lib/
+	install -m 644 $(wildcard cmodel/glint*.h) $(DEST)/include/glint/
+	install -m 644 $(RTL) $(DEST)/share/glint/rtl/
+	printf '%s\n' 'prefix=$(PREFIX)' 'rtldir=$${prefix}/share/glint/rtl' '' 'Name: glint' \
+	    'Description: bit-exact model of a specular-colour device' 'Version: $(VERSION)' \
+	    'Cflags: -I$${prefix}/include/glint' 'Libs: -L$${prefix}/lib -lglint -lm' \
+	    > $(DEST)/lib/pkgconfig/libglint.pc
+
+help:
+	@echo "make demo      install what is missing, build, render the teapot by C and by Verilog, compare,"
+	@echo "               verify, write waveforms, say where to look"
+	@echo "make test      install what is missing, build, run every test"
+	@echo "make           build the command $(BUILD)/glint"
+	@echo "make bench     fragments, clocks and frames a second"
+	@echo "make wave      the waveforms with their GTKWave save files"
+	@echo "make lint      Verilator, Icarus, Yosys and both C compilers over everything"
+	@echo "make sanitize  the tests under AddressSanitizer and UBSan"
+	@echo "make generate  write the generated Verilog anew from cmodel/"
+	@echo "make install PREFIX=DIR   library, headers, pkg-config file, command, Verilog"
+	@echo "make clean     remove $(BUILD)/"
+	@echo "Variables: BUILD=DIR, CC=, CXX=, JOBS=N, NO_INSTALL=1 (only say which packages are missing)"
+
 clean:
 	rm -rf $(BUILD)
