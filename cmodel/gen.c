@@ -91,7 +91,8 @@ static void write_limit_rom(FILE *out)
 {
     static const rom limit = {
         "limit_rom",
-        "limit_rom: ROM 9 of figure 3.1 for gate cosine, n -> the smallest cosine, U1.18, for which\n"
+        "limit_rom: ROM 9 of figure 3.1 for gate cosine, n -> the smallest cosine, U1.18, for "
+        "which\n"
         "// t, computed from the quantised sigma, is not negative; combinational.",
         "limit",
         "GLINT_COS_BITS",

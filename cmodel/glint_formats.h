@@ -33,11 +33,11 @@
 
 /* Multiplier 10, key block 12: W = t², rounded half up, U1.18 for the gates `cosine` and `sign`.
  * For the gate `drawn` the square keeps its integer bits, U17.18, and saturates to 1.0 after. */
-#define GLINT_W_FRAC_BITS     18
-#define GLINT_W_BITS          (1 + GLINT_W_FRAC_BITS)
-#define GLINT_W_ONE           (1u << GLINT_W_FRAC_BITS)
+#define GLINT_W_FRAC_BITS      18
+#define GLINT_W_BITS           (1 + GLINT_W_FRAC_BITS)
+#define GLINT_W_ONE            (1u << GLINT_W_FRAC_BITS)
 #define GLINT_W_DRAWN_INT_BITS 17
-#define GLINT_W_DRAWN_BITS    (GLINT_W_DRAWN_INT_BITS + GLINT_W_FRAC_BITS)
+#define GLINT_W_DRAWN_BITS     (GLINT_W_DRAWN_INT_BITS + GLINT_W_FRAC_BITS)
 
 /* Registers 3, 4, 5 and multipliers 13, 14, 15: one colour component, U8.0, rounded half up. */
 #define GLINT_COLOR_BITS 8

@@ -44,16 +44,16 @@ typedef struct glint_material {
 
 /* Every block's value for one point. Formats: glint_formats.h. */
 typedef struct glint_specular_values {
-    uint32_t reg1;   /* cos γ after saturation, U1.18 */
-    uint32_t rom33;  /* σ, U9.13 */
-    uint32_t rom9;   /* gate cosine: limit of the cosine, U1.18; drawn: limit of W, U1.18; sign: 0 */
-    int32_t adder6;  /* cos γ − 1, S1.18 */
-    int32_t mul7;    /* σ(cos γ − 1), S10.18 */
-    int32_t adder8;  /* t, S10.18 */
-    uint64_t mul10;  /* t², U1.18 (of t's low bits), or U17.18 with gate drawn */
-    uint32_t sat10;  /* gate drawn: the square, at most 1.0, U1.18; else the same as mul10 */
-    uint32_t cmp11;  /* 1: the key block passes the square */
-    uint32_t keys12; /* W, U1.18 */
+    uint32_t reg1;  /* cos γ after saturation, U1.18 */
+    uint32_t rom33; /* σ, U9.13 */
+    uint32_t rom9;  /* gate cosine: limit of the cosine, U1.18; drawn: limit of W, U1.18; sign: 0 */
+    int32_t adder6; /* cos γ − 1, S1.18 */
+    int32_t mul7;   /* σ(cos γ − 1), S10.18 */
+    int32_t adder8; /* t, S10.18 */
+    uint64_t mul10; /* t², U1.18 (of t's low bits), or U17.18 with gate drawn */
+    uint32_t sat10; /* gate drawn: the square, at most 1.0, U1.18; else the same as mul10 */
+    uint32_t cmp11; /* 1: the key block passes the square */
+    uint32_t keys12;             /* W, U1.18 */
     uint8_t mul13, mul14, mul15; /* W·R, W·G, W·B */
 } glint_specular_values;
 
@@ -67,8 +67,8 @@ uint32_t glint_rom9(glint_gate gate, uint32_t n);
 
 /* Computes one point: cos_code U1.18, 0…GLINT_COS_CODE_MAX (codes above 1.0 saturate).
  * GLINT_BAD_ARGUMENT when cos_code, material->n or gate is out of range. */
-glint_status glint_specular_eval(glint_gate gate, const glint_material *material,
-                                 uint32_t cos_code, glint_specular_values *values);
+glint_status glint_specular_eval(glint_gate gate, const glint_material *material, uint32_t cos_code,
+                                 glint_specular_values *values);
 
 /* Computes count points with one material, bit-equal to glint_specular_eval().
  * cos_code: count codes U1.18, each 0…GLINT_COS_CODE_MAX. w_code (may be NULL), r, g, b: count

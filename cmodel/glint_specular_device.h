@@ -1,7 +1,8 @@
 /* The specular-colour device clock by clock: every register and every named internal value.
  *
  * The twin of rtl/specular_device.v. One call of glint_specular_device_clock() is one rising edge;
- * afterwards every signal holds what the Verilog signal of the same name holds just after that edge.
+ * afterwards every signal holds what the Verilog signal of the same name holds just after that
+ * edge.
  *
  * Each clock, on an enabled edge: n and (R, G, B) are taken where their strobe is 1, and each lane
  * whose in_valid bit is 1 takes its cosine; a material written together with a cosine applies to
@@ -137,7 +138,8 @@ const glint_specular_signals *glint_specular_device_signals(const glint_specular
  * GLINT_LATENCY_DRAWN or GLINT_LATENCY_PIPELINED. */
 int glint_specular_latency(glint_pipeline pipeline);
 
-/* Number of signals of a device with these settings: the shared ones first, then lane after lane. */
+/* Number of signals of a device with these settings: the shared ones first, then lane after lane.
+ */
 int glint_specular_signal_count(const glint_specular_config *config);
 
 /* Describes signal `index` (0…count−1) under these settings. */

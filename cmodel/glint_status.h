@@ -16,7 +16,8 @@ typedef enum glint_status {
     GLINT_IO_ERROR,     /* the operating system refused: missing file, full disk, permissions */
     GLINT_NO_MEMORY,
     GLINT_DEVICE_FAULT, /* a circuit did not answer as its contract says */
-    GLINT_INTERRUPTED,  /* the caller's stop flag was raised; what was produced so far is discarded */
+    GLINT_INTERRUPTED,  /* the caller's stop flag was raised; what was produced so far is discarded
+                         */
 } glint_status;
 
 typedef struct glint_error {

@@ -2,7 +2,8 @@
  * widest that the machine can run is chosen when the program is loaded. All give the same bits: the
  * project is built without contraction or reordering of floating-point operations.
  *
- * Sanitizers are not ready yet when the choice is made, so their builds have the plain loop only. */
+ * Sanitizers are not ready yet when the choice is made, so their builds have the plain loop only.
+ */
 #ifndef GLINT_MULTIVERSION_H
 #define GLINT_MULTIVERSION_H
 

@@ -1,8 +1,8 @@
 /* Long runs of points with one material, in 32-bit arithmetic that a compiler can vectorise.
  *
- * Where a point is inside the highlight, t lies in 0…1, so the product σ(1 − cos γ) is at most 1 and
- * a rounding step: with 31 fraction bits it fits 32 bits. Outside, the product may wrap; the gate
- * throws it away. The square of the 19-bit t is put together from two halves of 9 bits. */
+ * Where a point is inside the highlight, t lies in 0…1, so the product σ(1 − cos γ) is at most 1
+ * and a rounding step: with 31 fraction bits it fits 32 bits. Outside, the product may wrap; the
+ * gate throws it away. The square of the 19-bit t is put together from two halves of 9 bits. */
 #include "blocks.h"
 #include "glint_specular.h"
 #include "multiversion.h"
@@ -28,8 +28,7 @@ static inline uint32_t shade_w(const run *run, uint32_t cos_code)
     uint32_t high = t >> half_bits;
     uint32_t low = t & ((1u << half_bits) - 1u);
     uint32_t cross = (high * low) << (half_bits + 1);
-    uint32_t square =
-        high * high + ((cross + low * low + (GLINT_W_ONE >> 1)) >> GLINT_W_FRAC_BITS);
+    uint32_t square = high * high + ((cross + low * low + (GLINT_W_ONE >> 1)) >> GLINT_W_FRAC_BITS);
     return cosine >= run->limit ? square : 0u;
 }
 

@@ -16,9 +16,9 @@ struct glint_backend {
 
 static glint_status create_circuit(glint_backend *backend, glint_error *err)
 {
-    const glint_specular_config config = {
-        backend->config.gate, backend->config.pipeline,
-        backend->config.lanes != 0 ? backend->config.lanes : FAST_LANES};
+    const glint_specular_config config = {backend->config.gate, backend->config.pipeline,
+                                          backend->config.lanes != 0 ? backend->config.lanes
+                                                                     : FAST_LANES};
     return glint_rtl_create_fast(&config, &backend->rtl, err);
 }
 
@@ -34,7 +34,8 @@ glint_status glint_backend_create(const glint_backend_config *config, glint_back
     if (created == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for a backend");
     created->config = *config;
-    glint_status status = config->kind == GLINT_BACKEND_RTL ? create_circuit(created, err) : GLINT_OK;
+    glint_status status =
+        config->kind == GLINT_BACKEND_RTL ? create_circuit(created, err) : GLINT_OK;
     if (status != GLINT_OK) {
         free(created);
         return status;

@@ -18,7 +18,8 @@ typedef struct glint_backend_config {
     glint_backend_kind kind;
     glint_gate gate;
     glint_pipeline pipeline;
-    int lanes; /* kind rtl: 1, 2, 4, 8 or 16; 0: the fastest lane count built for gate and pipeline */
+    int lanes; /* kind rtl: 1, 2, 4, 8 or 16; 0: the fastest lane count built for gate and pipeline
+                */
 } glint_backend_config;
 
 typedef struct glint_backend glint_backend;

@@ -1,5 +1,5 @@
-/* How many fragments, clocks and frames a second: all in one run, so that ratios mean something on a
- * machine that others use too. Every candidate is run in turn, round after round; a rate is the
+/* How many fragments, clocks and frames a second: all in one run, so that ratios mean something on
+ * a machine that others use too. Every candidate is run in turn, round after round; a rate is the
  * median of the rounds, a ratio the median of the ratios within a round. */
 #ifndef GLINT_SIM_BENCH_H
 #define GLINT_SIM_BENCH_H

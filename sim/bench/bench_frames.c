@@ -38,9 +38,8 @@ static glint_status bench_frame(const glint_mesh *mesh, int threads, double seco
                                 const volatile bool *stop, glint_bench_frame *frame,
                                 glint_error *err)
 {
-    const glint_backend_config config = {.kind = frame->backend,
-                                         .gate = GLINT_GATE_COSINE,
-                                         .pipeline = GLINT_PIPELINE_PIPELINED};
+    const glint_backend_config config = {
+        .kind = frame->backend, .gate = GLINT_GATE_COSINE, .pipeline = GLINT_PIPELINE_PIPELINED};
     glint_scene scene;
     glint_renderer *renderer = NULL;
     glint_image *image = NULL;
@@ -58,8 +57,8 @@ static glint_status bench_frame(const glint_mesh *mesh, int threads, double seco
 }
 
 static glint_status bench_mesh(const char *model, const glint_mesh *mesh, int threads,
-                               double seconds, const volatile bool *stop,
-                               glint_bench_frame *frames, glint_error *err)
+                               double seconds, const volatile bool *stop, glint_bench_frame *frames,
+                               glint_error *err)
 {
     static const int sizes[2][2] = {{640, 480}, {1920, 1080}};
     glint_status status = GLINT_OK;

@@ -103,8 +103,8 @@ static glint_status run_pass(workload *w, int candidate, glint_error *err)
         glint_kernel_schlick(w->cosine, count, GLINT_BENCH_N, w->result);
         return GLINT_OK;
     case GLINT_BENCH_C_BATCH:
-        return glint_specular_batch(GLINT_GATE_COSINE, &w->material, w->cos_code, count, NULL,
-                                    w->r, w->g, w->b);
+        return glint_specular_batch(GLINT_GATE_COSINE, &w->material, w->cos_code, count, NULL, w->r,
+                                    w->g, w->b);
     default:
         return glint_rtl_batch(w->rtl[candidate], &w->material, w->cos_code, count, NULL, w->r,
                                w->g, w->b, err);

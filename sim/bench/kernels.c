@@ -10,8 +10,7 @@ void glint_kernel_powf(const float *restrict cosine, size_t count, float n, floa
         result[i] = powf(cosine[i], n);
 }
 
-void glint_kernel_pow(const float *restrict cosine, size_t count, double n,
-                      float *restrict result)
+void glint_kernel_pow(const float *restrict cosine, size_t count, double n, float *restrict result)
 {
     for (size_t i = 0; i < count; i++)
         result[i] = (float)pow((double)cosine[i], n);

@@ -9,8 +9,7 @@
 void glint_kernel_powf(const float *restrict cosine, size_t count, float n, float *restrict result);
 
 /* The same by pow(). */
-void glint_kernel_pow(const float *restrict cosine, size_t count, double n,
-                      float *restrict result);
+void glint_kernel_pow(const float *restrict cosine, size_t count, double n, float *restrict result);
 
 /* result[i] = c / (n − n·c + c), as the compiler vectorises it. */
 void glint_kernel_schlick(const float *restrict cosine, size_t count, float n,

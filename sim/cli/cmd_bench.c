@@ -29,7 +29,9 @@ static int parse(int argc, char **argv, bench_options *chosen)
          .help = "for the frames; the kernels run on one",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, GLINT_THREADS_MAX}},
-        {.name = "json", .help = "the figures as JSON", .kind = GLINT_OPTION_FLAG,
+        {.name = "json",
+         .help = "the figures as JSON",
+         .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
     const glint_command_line line = {
@@ -117,8 +119,7 @@ static void add_frames(cJSON *json, const glint_bench_frame *frames)
     }
 }
 
-static bool print_json(const glint_bench_rates *rates, const glint_bench_frame *frames,
-                       int threads)
+static bool print_json(const glint_bench_rates *rates, const glint_bench_frame *frames, int threads)
 {
     cJSON *json = cJSON_CreateObject();
     cJSON_AddNumberToObject(json, "n", GLINT_BENCH_N);

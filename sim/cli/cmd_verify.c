@@ -17,10 +17,7 @@
 #define SETTINGS_MAX 64
 #define THREADS_MAX  64
 
-enum {
-    ALL_GATES = GLINT_GATE_COUNT,
-    ALL_PIPELINES = GLINT_PIPELINE_COUNT
-};
+enum { ALL_GATES = GLINT_GATE_COUNT, ALL_PIPELINES = GLINT_PIPELINE_COUNT };
 
 typedef struct verify_options {
     int gate, pipeline;
@@ -80,7 +77,9 @@ static int parse(int argc, char **argv, verify_options *chosen)
          .help = "where the waveform of a mismatch goes; made if needed",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
-        {.name = "json", .help = "the result as JSON", .kind = GLINT_OPTION_FLAG,
+        {.name = "json",
+         .help = "the result as JSON",
+         .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
     const glint_command_line line = {
@@ -129,8 +128,7 @@ static void *verify_settings(void *context)
     int i;
     while ((i = all->next++) < all->count) {
         setting *setting = &all->settings[i];
-        setting->status =
-            glint_lockstep_run(&setting->options, &setting->result, &setting->err);
+        setting->status = glint_lockstep_run(&setting->options, &setting->result, &setting->err);
         setting->done = setting->result.clocks;
     }
     all->finished++;
@@ -252,8 +250,8 @@ static void print_text(const verify_options *chosen, const sums *sums, double se
 {
     printf("%" PRIu64 " mismatches of %" PRIu64 " comparisons: every register and named value, "
            "%" PRIu64 " clocks, %d settings, seed %" PRId64 ", %.1f s%s\n",
-           sums->mismatches, sums->comparisons, sums->clocks, sums->settings, chosen->seed,
-           seconds, sums->interrupted ? " (interrupted)" : "");
+           sums->mismatches, sums->comparisons, sums->clocks, sums->settings, chosen->seed, seconds,
+           sums->interrupted ? " (interrupted)" : "");
 }
 
 static int verify(const verify_options *chosen)

@@ -9,9 +9,7 @@
 #include "wave/save_file.h"
 #include "wave/waveform.h"
 
-enum {
-    BOTH_PIPELINES = GLINT_PIPELINE_COUNT
-};
+enum { BOTH_PIPELINES = GLINT_PIPELINE_COUNT };
 
 typedef struct wave_options {
     const char *out;
@@ -57,7 +55,9 @@ static int parse(int argc, char **argv, wave_options *chosen)
          .help = "last clock of the window",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->to, 1, GLINT_WAVE_SCENE_CLOCKS}},
-        {.name = "json", .help = "the files as JSON", .kind = GLINT_OPTION_FLAG,
+        {.name = "json",
+         .help = "the files as JSON",
+         .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
     const glint_command_line line = {
@@ -101,18 +101,16 @@ static int write_one(const wave_options *chosen, glint_pipeline pipeline, cJSON 
     const glint_specular_config config = {(glint_gate)chosen->gate, pipeline, (int)chosen->lanes};
     char waveform[4096], save_file[4096];
     glint_error err;
-    int length =
-        snprintf(waveform, sizeof waveform, "%s/specular_%s_%s.%s", chosen->out,
-                 glint_gate_name(config.gate), glint_pipeline_name(pipeline),
-                 format_choices[chosen->format]);
+    int length = snprintf(waveform, sizeof waveform, "%s/specular_%s_%s.%s", chosen->out,
+                          glint_gate_name(config.gate), glint_pipeline_name(pipeline),
+                          format_choices[chosen->format]);
     int length2 = snprintf(save_file, sizeof save_file, "%s/specular_%s_%s.gtkw", chosen->out,
                            glint_gate_name(config.gate), glint_pipeline_name(pipeline));
     if (length < 0 || length2 < 0 || (size_t)length >= sizeof waveform ||
         (size_t)length2 >= sizeof save_file)
         return glint_complain("wave", GLINT_EXIT_FAILURE, "--out: the path is too long");
-    glint_status status =
-        glint_wave_record(&config, (glint_wave_format)chosen->format, (int)chosen->from,
-                          (int)chosen->to, waveform, &err);
+    glint_status status = glint_wave_record(&config, (glint_wave_format)chosen->format,
+                                            (int)chosen->from, (int)chosen->to, waveform, &err);
     if (status == GLINT_OK)
         status = write_view(chosen, &config, waveform, save_file, &err);
     if (status != GLINT_OK)

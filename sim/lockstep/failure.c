@@ -55,10 +55,11 @@ void glint_lockstep_report(FILE *out, const glint_lockstep_options *options,
             result->mismatches, result->comparisons);
     for (int i = 0; i < result->kept; i++)
         print_mismatch(out, &result->mismatch[i]);
-    fprintf(out, "inputs that led to the first:\n");
+    fprintf(out,
+            "inputs that led to the first (registers 2 to 5 held n = %u, %u, %u, %u before):\n",
+            result->material.n, result->material.r, result->material.g, result->material.b);
     for (int i = 0; i < result->history_count; i++)
-        print_pins(out, result->first_clock - (uint64_t)(result->history_count - 1 - i),
-                   &result->history[i], config->lanes);
+        print_pins(out, result->history_clock + (uint64_t)i, &result->history[i], config->lanes);
     fprintf(out, "totals:\n");
     for (int i = 0; i < result->totals_count; i++)
         fprintf(out, "  %-10s block %2d: %" PRIu64 "\n", result->totals[i].name,
@@ -80,9 +81,8 @@ static int format_paths(const glint_lockstep_options *options, const char *direc
 }
 
 glint_status glint_lockstep_failure_wave(const glint_lockstep_options *options,
-                                         const glint_lockstep_result *result,
-                                         const char *directory, glint_failure_files *files,
-                                         glint_error *err)
+                                         const glint_lockstep_result *result, const char *directory,
+                                         glint_failure_files *files, glint_error *err)
 {
     uint64_t failing = result->first_clock;
     uint64_t first = failing > CLOCKS_BEFORE ? failing - CLOCKS_BEFORE : 1;

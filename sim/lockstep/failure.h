@@ -20,8 +20,7 @@ void glint_lockstep_report(FILE *out, const glint_lockstep_options *options,
 /* Replays the run to the first mismatch and writes a waveform of the 32 clocks before it and the 8
  * after it into directory (made if missing), with a save file whose marker stands on it. */
 glint_status glint_lockstep_failure_wave(const glint_lockstep_options *options,
-                                         const glint_lockstep_result *result,
-                                         const char *directory, glint_failure_files *files,
-                                         glint_error *err);
+                                         const glint_lockstep_result *result, const char *directory,
+                                         glint_failure_files *files, glint_error *err);
 
 #endif

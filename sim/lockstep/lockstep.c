@@ -21,8 +21,7 @@ static glint_status create_rtl(const glint_lockstep_options *options, glint_rtl 
     return glint_rtl_create(&options->config, rtl, err);
 }
 
-static glint_status create_pair(pair *pair, const glint_lockstep_options *options,
-                                glint_error *err)
+static glint_status create_pair(pair *pair, const glint_lockstep_options *options, glint_error *err)
 {
     memset(pair, 0, sizeof *pair);
     pair->config = &options->config;
@@ -70,8 +69,7 @@ static void keep_mismatch(glint_lockstep_result *result, const pair *pair, int i
     if (result->mismatches++ == 0)
         result->first_clock = result->clocks;
     if (result->kept < GLINT_MISMATCHES_KEPT)
-        result->mismatch[result->kept++] =
-            (glint_mismatch){result->clocks, signal, model, rtl};
+        result->mismatch[result->kept++] = (glint_mismatch){result->clocks, signal, model, rtl};
     add_to_totals(result, &signal);
 }
 
@@ -87,17 +85,49 @@ static void compare_pair(const pair *pair, glint_lockstep_result *result)
     result->comparisons += (uint64_t)pair->signal_count;
 }
 
+/* Drops the oldest pins, keeping what they wrote into the material. */
+static void forget_pins(glint_lockstep_result *result, int count)
+{
+    for (int i = 0; i < count; i++) {
+        const glint_specular_inputs *in = &result->history[i];
+        if (in->reset)
+            result->material = (glint_material){0};
+        else if (in->en && in->n_we)
+            result->material.n = in->n;
+        if (!in->reset && in->en && in->rgb_we) {
+            result->material.r = in->r;
+            result->material.g = in->g;
+            result->material.b = in->b;
+        }
+    }
+    result->history_count -= count;
+    result->history_clock += (uint64_t)count;
+    memmove(&result->history[0], &result->history[count],
+            (size_t)result->history_count * sizeof result->history[0]);
+}
+
+/* Drops the pins from before the last `latency` + 1 edges that were not stalled: no point that
+ * entered there is still in flight. */
+static void forget_old_pins(glint_lockstep_result *result, int latency)
+{
+    int first = result->history_count, edges = 0;
+    while (first > 0 && edges <= latency) {
+        first--;
+        edges += result->history[first].en != 0 || result->history[first].reset != 0;
+    }
+    forget_pins(result, first);
+}
+
 /* The pins up to the first mismatch; afterwards they are left as they are. */
-static void keep_history(glint_lockstep_result *result, const glint_specular_inputs *inputs)
+static void keep_history(glint_lockstep_result *result, const pair *pair)
 {
     if (result->mismatches != 0)
         return;
     if (result->history_count == GLINT_HISTORY)
-        memmove(&result->history[0], &result->history[1],
-                (GLINT_HISTORY - 1) * sizeof result->history[0]);
-    else
-        result->history_count++;
-    result->history[result->history_count - 1] = *inputs;
+        forget_old_pins(result, glint_specular_latency(pair->config->pipeline));
+    if (result->history_count == GLINT_HISTORY) /* a stall longer than the history */
+        forget_pins(result, 1);
+    result->history[result->history_count++] = pair->inputs;
 }
 
 static bool stopped(const glint_lockstep_options *options)
@@ -110,13 +140,14 @@ glint_status glint_lockstep_run(const glint_lockstep_options *options,
 {
     pair pair;
     memset(result, 0, sizeof *result);
+    result->history_clock = 1;
     if (options->clocks == 0)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "0 clocks would compare nothing");
     glint_status status = create_pair(&pair, options, err);
     while (status == GLINT_OK && result->clocks < options->clocks) {
         clock_pair(&pair);
         result->clocks++;
-        keep_history(result, &pair.inputs);
+        keep_history(result, &pair);
         compare_pair(&pair, result);
         if (result->clocks % 1024 == 0) {
             if (options->progress != NULL)
@@ -125,6 +156,8 @@ glint_status glint_lockstep_run(const glint_lockstep_options *options,
                 status = glint_fail(err, GLINT_INTERRUPTED, "interrupted");
         }
     }
+    if (status == GLINT_OK || status == GLINT_INTERRUPTED)
+        forget_old_pins(result, glint_specular_latency(options->config.pipeline));
     destroy_pair(&pair);
     return status;
 }

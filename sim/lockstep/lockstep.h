@@ -9,7 +9,7 @@
 #include "rtl/rtl.h"
 
 #define GLINT_MISMATCHES_KEPT 16
-#define GLINT_HISTORY         8 /* clocks of input pins kept with the first mismatch */
+#define GLINT_HISTORY         64 /* clocks of input pins kept with the first mismatch */
 
 typedef struct glint_lockstep_options {
     glint_specular_config config;
@@ -35,8 +35,12 @@ typedef struct glint_lockstep_result {
     uint64_t first_clock; /* of the first mismatch */
     int kept;
     glint_mismatch mismatch[GLINT_MISMATCHES_KEPT];
-    int history_count; /* pins of the last clocks up to the first mismatch, oldest first */
+    /* What led to the first mismatch: the pins of the clocks since the oldest point still in flight
+     * entered, oldest first, and the material that registers 2 to 5 held before those clocks. */
+    int history_count;
+    uint64_t history_clock; /* of history[0] */
     glint_specular_inputs history[GLINT_HISTORY];
+    glint_material material;
     int totals_count; /* mismatches by signal name, those above 0, in the order the data flows */
     struct {
         const char *name;

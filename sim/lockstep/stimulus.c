@@ -1,5 +1,6 @@
 /* Time is cut into phases of some dozen clocks, each with its own mood; so a long dense run, a
- * trickle and a storm of material changes all come up, which evenly random pins would never give. */
+ * trickle and a storm of material changes all come up, which evenly random pins would never give.
+ */
 #include "lockstep/stimulus.h"
 
 #include <string.h>

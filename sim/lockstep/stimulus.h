@@ -1,8 +1,9 @@
 /* Random input pins for the specular device, the same for the same seed and number of lanes.
  *
  * What comes up: dense runs and runs with gaps, lanes valid one by one, material written with a
- * point, between points and without any, stalls by the clock enable, resets in mid-flow, and cosines
- * of every kind: anywhere, out of range, exactly 0 and 1, inside the highlight, around its limit. */
+ * point, between points and without any, stalls by the clock enable, resets in mid-flow, and
+ * cosines of every kind: anywhere, out of range, exactly 0 and 1, inside the highlight, around its
+ * limit. */
 #ifndef GLINT_SIM_STIMULUS_H
 #define GLINT_SIM_STIMULUS_H
 
@@ -12,7 +13,7 @@
 typedef struct glint_stimulus {
     glint_random random;
     int lanes;
-    uint32_t n;          /* the exponent that register 2 holds, to aim at its highlight */
+    uint32_t n;           /* the exponent that register 2 holds, to aim at its highlight */
     uint32_t clocks_left; /* of the present phase */
     uint32_t stall_chance, gap_chance, lane_gap_chance, material_chance, reset_chance; /* of 256 */
 } glint_stimulus;

@@ -74,7 +74,7 @@ glint_status glint_rtl_create_from(const glint_rtl_model *model,
     created->model = model;
     created->instance = model->create();
     glint_status status = created->instance == NULL
-                          ? glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit")
+                              ? glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit")
                           : model->observed ? find_places(created, err)
                                             : GLINT_OK;
     if (status != GLINT_OK) {

@@ -51,8 +51,9 @@ glint_status glint_rtl_batch(glint_rtl *rtl, const glint_material *material,
                              const uint32_t *cos_code, size_t count, uint32_t *w_code, uint8_t *r,
                              uint8_t *g, uint8_t *b, glint_error *err);
 
-/* Opens a waveform (FST) that starts with the next clock, at 10 ns a clock: the rising edge of clock
- * k (glint_rtl_clocks() after it) stands at 10·k ns. GLINT_IO_ERROR when path cannot be written. */
+/* Opens a waveform (FST) that starts with the next clock, at 10 ns a clock: the rising edge of
+ * clock k (glint_rtl_clocks() after it) stands at 10·k ns. GLINT_IO_ERROR when path cannot be
+ * written. */
 glint_status glint_rtl_trace_open(glint_rtl *rtl, const char *path, glint_error *err);
 
 /* Closes it; without an open waveform, nothing happens. */

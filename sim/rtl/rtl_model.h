@@ -21,7 +21,7 @@ typedef struct glint_rtl_batch_io {
 
 typedef struct glint_rtl_model {
     glint_specular_config config;
-    bool observed; /* built with every named signal readable by find() */
+    bool observed;         /* built with every named signal readable by find() */
     void *(*create)(void); /* NULL: no memory */
     void (*destroy)(void *instance);
     void (*clock)(void *instance, const glint_specular_inputs *inputs);

@@ -12,9 +12,9 @@ typedef enum glint_wave_format {
     GLINT_WAVE_FORMAT_COUNT
 } glint_wave_format;
 
-/* The demonstration scene: a scan line across a highlight, from outside over its edge and its centre
- * and out again, with a stall in its middle; then another material with the very next point, a gap,
- * a code above 1.0, and a third material between points. */
+/* The demonstration scene: a scan line across a highlight, from outside over its edge and its
+ * centre and out again, with a stall in its middle; then another material with the very next point,
+ * a gap, a code above 1.0, and a third material between points. */
 #define GLINT_WAVE_SCENE_CLOCKS 48
 
 /* The pins of clock `clock` (1…GLINT_WAVE_SCENE_CLOCKS) for a device of `lanes` lanes. */
@@ -23,8 +23,8 @@ void glint_wave_scene(int clock, int lanes, glint_specular_inputs *inputs);
 /* Clock of the scene at whose edge the centre of the highlight enters register 1. */
 int glint_wave_scene_centre(int lanes);
 
-/* Runs the scene on the circuit and writes the waveform of the clocks first…last (1 ≤ first ≤ last ≤
- * GLINT_WAVE_SCENE_CLOCKS) to path, beside and then renamed. */
+/* Runs the scene on the circuit and writes the waveform of the clocks first…last (1 ≤ first ≤ last
+ * ≤ GLINT_WAVE_SCENE_CLOCKS) to path, beside and then renamed. */
 glint_status glint_wave_record(const glint_specular_config *config, glint_wave_format format,
                                int first, int last, const char *path, glint_error *err);
 
