@@ -149,24 +149,32 @@ $(BUILD)/glint: $(CLI_OBJECTS) $(LIBRARIES)
 
 # ---- Tests -----------------------------------------------------------------------------------------
 
-# tests/<thing>/test_*.c, each a program of its own. Circuits that are wrong on purpose, for the tests
-# of the bench itself: tests/lockstep/wrong/<what>/ holds the module that replaces the one in rtl/.
+# tests/<thing>/test_*.c, each a program of its own.
 TEST_SOURCES  := $(wildcard tests/*/test_*.c)
 TEST_PROGRAMS := $(TEST_SOURCES:%.c=$(BUILD)/%)
-WRONG         := $(notdir $(wildcard tests/lockstep/wrong/*))
-WRONG_MODEL   := cosine-pipelined-1
 
-$(VERILATED)/wrong/%/shim.o: tests/lockstep/wrong/% $(RTL) sim/rtl/specular_signals.vlt $(SHIM_SOURCES)
-	@mkdir -p $(@D)
-	$(VERILATE) --prefix Vwrong_$* --Mdir $(@D) -Itests/lockstep/wrong/$* -Irtl \
-	    sim/rtl/specular_signals.vlt rtl/specular_device.v
-	$(MAKE) -s -C $(@D) -f Vwrong_$*.mk OPT_FAST=-O1 Vwrong_$*__ALL.a >/dev/null
-	$(CXX) $(SHIM_FLAGS) -isystem $(@D) -DMODEL=Vwrong_$* -DGLINT_MODEL_TABLE=glint_wrong_$* \
+# Circuits that are wrong on purpose, for the tests of the bench itself: gate cosine, pipelined, one
+# lane. tests/lockstep/wrong/<what>/<module>.sed is the fault, an edit of rtl/<module>.v; one that no
+# longer finds its line is an error. The test declares the table glint_wrong_<what>.
+FAULTS         := $(wildcard tests/lockstep/wrong/*/*.sed)
+wrong_name      = $(notdir $(patsubst %/,%,$(dir $1)))
+WRONG_OBJECTS  := $(foreach f,$(FAULTS),$(VERILATED)/wrong/$(call wrong_name,$f)/shim.o)
+WRONG_ARCHIVES := $(foreach o,$(WRONG_OBJECTS),$(dir $o)Vwrong_$(call wrong_name,$o)__ALL.a)
+
+# $1: what, $2: the file of the fault, $3: the module's file name
+define wrong_circuit
+$(VERILATED)/wrong/$1/shim.o: $2 $(RTL) sim/rtl/specular_signals.vlt $(SHIM_SOURCES)
+	@mkdir -p $$(@D)/rtl
+	sed -f $2 rtl/$3 > $$(@D)/rtl/$3
+	! cmp -s rtl/$3 $$(@D)/rtl/$3 || { echo "$2 changes nothing in rtl/$3"; exit 1; }
+	$$(VERILATE) --prefix Vwrong_$1 --Mdir $$(@D) -I$$(@D)/rtl -Irtl \
+	    sim/rtl/specular_signals.vlt specular_device.v
+	$$(MAKE) -s -C $$(@D) -f Vwrong_$1.mk OPT_FAST=-O1 Vwrong_$1__ALL.a >/dev/null
+	$$(CXX) $$(SHIM_FLAGS) -isystem $$(@D) -DMODEL=Vwrong_$1 -DGLINT_MODEL_TABLE=glint_wrong_$1 \
 	    -DGLINT_MODEL_GATE=GLINT_GATE_COSINE -DGLINT_MODEL_PIPELINE=GLINT_PIPELINE_PIPELINED \
-	    -DGLINT_MODEL_LANES=1 -DGLINT_MODEL_OBSERVED=true -c sim/rtl/model_shim.cpp -o $@
-
-WRONG_OBJECTS = $(foreach w,$(WRONG),$(VERILATED)/wrong/$w/shim.o)
-WRONG_ARCHIVES = $(foreach w,$(WRONG),$(VERILATED)/wrong/$w/Vwrong_$w__ALL.a)
+	    -DGLINT_MODEL_LANES=1 -DGLINT_MODEL_OBSERVED=true -c sim/rtl/model_shim.cpp -o $$@
+endef
+$(foreach f,$(FAULTS),$(eval $(call wrong_circuit,$(call wrong_name,$f),$f,$(notdir $(f:.sed=.v)))))
 
 # What several tests share: tests/<thing>/*.c that are no programs themselves.
 TEST_HELPERS := $(filter-out $(TEST_SOURCES),$(wildcard tests/*/*.c))
