@@ -1,0 +1,195 @@
+#define _XOPEN_SOURCE 700
+
+#include "vcd.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* The word at *text, at most size − 1 characters of it, and *text moved behind it; false at the
+ * end. */
+static bool next_word(const char **text, char *word, size_t size)
+{
+    const char *begin = *text + strspn(*text, " \t\r\n");
+    const size_t length = strcspn(begin, " \t\r\n");
+    *text = begin + length;
+    (void)snprintf(word, size, "%.*s", (int)length, begin);
+    return length != 0;
+}
+
+static char *read_all(const char *path)
+{
+    FILE *stream = fopen(path, "rb");
+    assert_non_null(stream);
+    assert_int_equal(fseek(stream, 0, SEEK_END), 0);
+    const long size = ftell(stream);
+    assert_true(size > 0);
+    rewind(stream);
+    char *text = malloc((size_t)size + 1);
+    assert_non_null(text);
+    assert_int_equal(fread(text, 1, (size_t)size, stream), size);
+    text[size] = '\0';
+    fclose(stream);
+    return text;
+}
+
+static void skip_to_end(const char **text)
+{
+    char word[64];
+    while (next_word(text, word, sizeof word) && strcmp(word, "$end") != 0) {
+    }
+}
+
+static void add_signal(vcd *vcd, const char *scope, const char **text)
+{
+    char type[32];
+    char width[32];
+    char name[64];
+    vcd->signals = realloc(vcd->signals, ((size_t)vcd->signal_count + 1) * sizeof vcd->signals[0]);
+    assert_non_null(vcd->signals);
+    vcd_signal *signal = &vcd->signals[vcd->signal_count++];
+    assert_true(next_word(text, type, sizeof type));
+    assert_true(next_word(text, width, sizeof width));
+    assert_true(next_word(text, signal->code, sizeof signal->code));
+    assert_true(next_word(text, name, sizeof name));
+    signal->width = atoi(width);
+    assert_true(signal->width > 0);
+    const int length = snprintf(signal->name, sizeof signal->name, "%s%s", scope, name);
+    assert_true((size_t)length < sizeof signal->name);
+    skip_to_end(text);
+}
+
+/* "TOP.specular_device." and a scope's name: "TOP.specular_device.g_rom9." */
+static void enter_scope(char *scope, size_t size, const char **text)
+{
+    char type[32];
+    char name[64];
+    const size_t length = strlen(scope);
+    assert_true(next_word(text, type, sizeof type) && next_word(text, name, sizeof name));
+    (void)snprintf(scope + length, size - length, "%s.", name);
+    skip_to_end(text);
+}
+
+static void leave_scope(char *scope, const char **text)
+{
+    size_t length = strlen(scope);
+    assert_true(length > 0);
+    scope[--length] = '\0';
+    while (length > 0 && scope[length - 1] != '.') {
+        scope[--length] = '\0';
+    }
+    skip_to_end(text);
+}
+
+static void read_definitions(vcd *vcd)
+{
+    char word[32];
+    char scope[96] = "";
+    const char *text = vcd->text;
+    while (next_word(&text, word, sizeof word)) {
+        if (strcmp(word, "$var") == 0) {
+            add_signal(vcd, scope, &text);
+        } else if (strcmp(word, "$scope") == 0) {
+            enter_scope(scope, sizeof scope, &text);
+        } else if (strcmp(word, "$upscope") == 0) {
+            leave_scope(scope, &text);
+        } else if (strcmp(word, "$enddefinitions") == 0) {
+            skip_to_end(&text);
+            vcd->changes = text;
+            return;
+        } else {
+            skip_to_end(&text);
+        }
+    }
+    fail_msg("the VCD has no $enddefinitions");
+}
+
+static void read_times(vcd *vcd)
+{
+    const char *mark = strstr(vcd->changes, "\n#");
+    assert_non_null(mark);
+    vcd->first_time = strtoull(mark + 2, NULL, 10);
+    for (; mark != NULL; mark = strstr(mark + 1, "\n#")) {
+        const uint64_t time = strtoull(mark + 2, NULL, 10);
+        assert_true(time >= vcd->last_time);
+        vcd->last_time = time;
+    }
+}
+
+vcd vcd_read(const char *path)
+{
+    vcd vcd = {0};
+    vcd.text = read_all(path);
+    read_definitions(&vcd);
+    read_times(&vcd);
+    return vcd;
+}
+
+void vcd_free(vcd *vcd)
+{
+    free(vcd->text);
+    free(vcd->signals);
+    *vcd = (struct vcd){0};
+}
+
+const vcd_signal *vcd_find(const vcd *vcd, const char *name)
+{
+    for (int i = 0; i < vcd->signal_count; i++) {
+        if (strcmp(vcd->signals[i].name, name) == 0) {
+            return &vcd->signals[i];
+        }
+    }
+    return NULL;
+}
+
+static uint64_t parse_bits(const char *name, const char *bits)
+{
+    uint64_t value = 0;
+    for (; *bits != '\0'; bits++) {
+        if (*bits != '0' && *bits != '1') {
+            fail_msg("%s has the value \"%s\"", name, bits);
+        }
+        value = value << 1 | (uint64_t)(*bits - '0');
+    }
+    return value;
+}
+
+uint64_t vcd_value(const vcd *vcd, const char *name, uint64_t time)
+{
+    const vcd_signal *signal = vcd_find(vcd, name);
+    const char *text = vcd->changes;
+    char word[1024];
+    char code[8];
+    bool known = false;
+    uint64_t value = 0;
+    if (signal == NULL) {
+        fail_msg("the waveform has no signal %s", name);
+        return 0;
+    }
+    while (next_word(&text, word, sizeof word)) {
+        if (word[0] == '#' && strtoull(word + 1, NULL, 10) > time) {
+            break;
+        }
+        if (word[0] == 'b') {
+            assert_true(next_word(&text, code, sizeof code));
+            if (strcmp(code, signal->code) == 0) {
+                value = parse_bits(name, word + 1);
+                known = true;
+            }
+        } else if (strchr("01xz", word[0]) != NULL && strcmp(word + 1, signal->code) == 0) {
+            word[1] = '\0';
+            value = parse_bits(name, word);
+            known = true;
+        }
+    }
+    if (!known) {
+        fail_msg("%s has no value at %llu", name, (unsigned long long)time);
+    }
+    return value;
+}

@@ -1,0 +1,32 @@
+/* Reads a waveform in VCD, for tests: which signals it has and what they are at a time. */
+#ifndef GLINT_TESTS_VCD_H
+#define GLINT_TESTS_VCD_H
+
+#include <stdint.h>
+
+typedef struct vcd_signal {
+    char name[112]; /* with its scopes: "TOP.specular_device.lane[0].u.reg1" */
+    char code[8];   /* what stands for it in the file */
+    int width;
+} vcd_signal;
+
+typedef struct vcd {
+    char *text;
+    const char *changes; /* what follows the definitions */
+    vcd_signal *signals;
+    int signal_count;
+    uint64_t first_time, last_time;
+} vcd;
+
+/* Fails the test when the file is no complete VCD. To be freed by vcd_free(). */
+vcd vcd_read(const char *path);
+void vcd_free(vcd *vcd);
+
+/* The signal of this full name; NULL: there is none. */
+const vcd_signal *vcd_find(const vcd *vcd, const char *name);
+
+/* The 64 low bits of a signal at a time, changes at that time included. Fails the test when the
+ * signal has no value yet or one that is not 0 or 1. */
+uint64_t vcd_value(const vcd *vcd, const char *name, uint64_t time);
+
+#endif
