@@ -50,7 +50,8 @@ $(BUILD)/glint-gen: $(BUILD)/cmodel/gen.o $(BUILD)/libglint.a
 
 # What is generated is committed; `make generate` makes it anew, and a test compares.
 GENERATED := rtl/glint_formats.vh:formats rtl/sigma_rom.v:sigma-rom rtl/limit_rom.v:limit-rom \
-             sim/rtl/specular_signals.vlt:signals
+             rtl/reciprocal_rom.v:reciprocal-rom sim/rtl/specular_signals.vlt:signals \
+             sim/rtl/divider_signals.vlt:divider-signals
 
 generate: $(BUILD)/glint-gen
 	$(foreach pair,$(GENERATED),$(BUILD)/glint-gen $(subst :, ,$(pair)) &&) true
@@ -92,7 +93,8 @@ compile_shim = $(CXX) $(SHIM_FLAGS) -isystem $(VERILATED)/$1 -DMODEL=V$(subst -,
     -DGLINT_MODEL_LANES=$(call field,$1,3) \
     -DGLINT_MODEL_OBSERVED=$(if $(call field,$1,4),false,true) -c sim/rtl/model_shim.cpp -o $2
 
-SHIM_SOURCES := sim/rtl/model_shim.cpp sim/rtl/rtl_model.h $(wildcard cmodel/*.h)
+SHIM_SHARED  := sim/rtl/circuit.hpp $(wildcard cmodel/*.h)
+SHIM_SOURCES := sim/rtl/model_shim.cpp sim/rtl/rtl_model.h $(SHIM_SHARED)
 
 $(VERILATED)/%/verilated.stamp: $(RTL) sim/rtl/specular_signals.vlt
 	@mkdir -p $(@D)
@@ -105,6 +107,31 @@ $(VERILATED)/shims/%.o: $(VERILATED)/%/verilated.stamp $(SHIM_SOURCES)
 	@mkdir -p $(@D)
 	$(call compile_shim,$*,$@)
 
+# The dividers: form-n for each number of shifts n.
+DIVIDER_SHIFTS := 6 7 8 9 10 11 12 13 14 15 16
+DIVIDERS       := $(foreach f,sequential pipelined,$(DIVIDER_SHIFTS:%=$f-%))
+divider_top     = $(if $(filter sequential,$(call field,$1,1)),shift_divider,pipelined_divider)
+divider_class   = Vdivider_$(subst -,_,$1)
+
+$(DIVIDERS:%=$(VERILATED)/divider-%/verilated.stamp): $(VERILATED)/divider-%/verilated.stamp: \
+    $(RTL) sim/rtl/divider_signals.vlt
+	@mkdir -p $(@D)
+	$(VERILATOR) --cc --trace-fst -O3 --x-assign fast --x-initial fast --noassert \
+	    --prefix $(call divider_class,$*) --top $(call divider_top,$*) --Mdir $(@D) \
+	    -GSHIFTS=$(call field,$*,2) -Irtl sim/rtl/divider_signals.vlt rtl/$(call divider_top,$*).v
+	$(MAKE) -s -C $(@D) -f $(call divider_class,$*).mk OPT_FAST=-O2 \
+	    $(call divider_class,$*)__ALL.a >/dev/null
+	@touch $@
+
+$(VERILATED)/shims/divider-%.o: $(VERILATED)/divider-%/verilated.stamp sim/rtl/divider_shim.cpp \
+    sim/rtl/divider_model.h $(SHIM_SHARED)
+	@mkdir -p $(@D)
+	$(CXX) $(SHIM_FLAGS) -isystem $(VERILATED)/divider-$* -DMODEL=$(call divider_class,$*) \
+	    -DGLINT_MODEL_TABLE=glint_divider_model_$(subst -,_,$*) \
+	    -DGLINT_MODEL_SHIFTS=$(call field,$*,2) \
+	    $(if $(filter pipelined,$(call field,$*,1)),-DGLINT_MODEL_PIPELINED) \
+	    -c sim/rtl/divider_shim.cpp -o $@
+
 # Verilator's own runtime, compiled once for all models.
 RUNTIME := $(patsubst %,$(VERILATED)/runtime/%.o,verilated verilated_fst_c verilated_threads)
 
@@ -112,10 +139,13 @@ $(VERILATED)/runtime/%.o:
 	@mkdir -p $(@D)
 	$(CXX) $(SHIM_FLAGS) -w -c $(VERILATOR_ROOT_DIR)/include/$*.cpp -o $@
 
-$(VERILATED)/libmodels.a: $(MODELS:%=$(VERILATED)/shims/%.o) $(RUNTIME)
+$(VERILATED)/libmodels.a: $(MODELS:%=$(VERILATED)/shims/%.o) $(DIVIDERS:%=$(VERILATED)/shims/divider-%.o) \
+    $(RUNTIME)
 	rm -f $@ $@.mri
 	(echo "create $@"; for o in $^; do echo "addmod $$o"; done; \
 	 for m in $(MODELS); do echo "addlib $(VERILATED)/$$m/V$$(echo $$m | tr - _)__ALL.a"; done; \
+	 for d in $(DIVIDERS); do \
+	     echo "addlib $(VERILATED)/divider-$$d/Vdivider_$$(echo $$d | tr - _)__ALL.a"; done; \
 	 echo save; echo end) > $@.mri
 	ar -M < $@.mri
 
@@ -124,6 +154,8 @@ $(BUILD)/rtl_models.h: Makefile
 	(echo "/* Written by the Makefile: one table for each Verilated build. */"; \
 	 echo "#define GLINT_RTL_MODELS(X) \\"; \
 	 for m in $(MODELS); do echo "    X(glint_rtl_model_$$(echo $$m | tr - _)) \\"; done; echo; \
+	 echo "#define GLINT_DIVIDER_MODELS(X) \\"; \
+	 for d in $(DIVIDERS); do echo "    X(glint_divider_model_$$(echo $$d | tr - _)) \\"; done; echo; \
 	 echo "#define GLINT_VERILATOR_VERSION \"$$($(VERILATOR) --version)\"") > $@
 
 # ---- What drives them: libglint-sim and the command ------------------------------------------------
@@ -132,7 +164,7 @@ SIM_SOURCES := $(filter-out $(wildcard sim/cli/*.c),$(wildcard sim/*/*.c))
 SIM_OBJECTS := $(SIM_SOURCES:%.c=$(BUILD)/%.o)
 CLI_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard sim/cli/*.c))
 
-$(BUILD)/sim/rtl/rtl.o: $(BUILD)/rtl_models.h
+$(BUILD)/sim/rtl/rtl.o $(BUILD)/sim/rtl/divider_rtl.o: $(BUILD)/rtl_models.h
 # The reader of FST files comes with Verilator.
 $(BUILD)/sim/wave/waveform.o: CFLAGS_ALL += -isystem $(VERILATOR_ROOT_DIR)/include
 

@@ -2,12 +2,14 @@
  *
  *     glint-gen FILE KIND
  *
- * KIND: formats (rtl/glint_formats.vh), sigma-rom, limit-rom (rtl/…_rom.v), signals (the Verilator
- * configuration that makes the named signals readable). FILE is written beside, then renamed. */
+ * KIND: formats (rtl/glint_formats.vh), sigma-rom, limit-rom, reciprocal-rom (rtl/…_rom.v), signals
+ * (the Verilator configuration that makes the named signals readable). FILE is written beside, then
+ * renamed. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "glint_divider_device.h"
 #include "glint_specular_device.h"
 
 typedef void writer(FILE *out);
@@ -22,7 +24,7 @@ static void write_header(FILE *out, const char *what)
 
 static void write_formats(FILE *out)
 {
-    write_header(out, "glint_formats: widths and binary points of the specular device.");
+    write_header(out, "glint_formats: widths and binary points of the circuits.");
     fprintf(out, "`ifndef GLINT_FORMATS_VH\n`define GLINT_FORMATS_VH\n\n");
     WRITE_CONSTANT(out, GLINT_GATE_COSINE);
     WRITE_CONSTANT(out, GLINT_GATE_SIGN);
@@ -42,6 +44,10 @@ static void write_formats(FILE *out)
     WRITE_CONSTANT(out, GLINT_W_DRAWN_BITS);
     WRITE_CONSTANT(out, GLINT_COLOR_BITS);
     fprintf(out, "`define GLINT_DRAWN_LIMIT %d'd%u\n", GLINT_COS_BITS, GLINT_DRAWN_LIMIT);
+    WRITE_CONSTANT(out, GLINT_DIVIDER_SHIFTS_DEFAULT);
+    WRITE_CONSTANT(out, GLINT_DIVIDER_K_BITS);
+    WRITE_CONSTANT(out, GLINT_DIVIDER_K_MAX);
+    WRITE_CONSTANT(out, GLINT_DIVIDER_DIFFERENCE_BITS);
     fprintf(out, "\n`endif\n");
 }
 
@@ -101,12 +107,62 @@ static void write_limit_rom(FILE *out)
     write_rom(out, &limit);
 }
 
+/* The table for one number of shifts. */
+static void write_reciprocals(FILE *out, int shifts)
+{
+    fprintf(out, "        %sif (SHIFTS == %d) begin : g_table\n",
+            shifts == GLINT_DIVIDER_SHIFTS_MIN ? "" : "end else ", shifts);
+    fprintf(out, "            always @*\n                case (k)\n");
+    for (uint32_t k = 1; k <= GLINT_DIVIDER_K_MAX; k++)
+        fprintf(out, "                    %d'd%-2u: bits = %d'd%u;\n", GLINT_DIVIDER_K_BITS, k,
+                shifts + 1, glint_divider_bits(shifts, k));
+    fprintf(out, "                    default: bits = %d'd0;\n                endcase\n",
+            shifts + 1);
+}
+
+static void write_reciprocal_rom(FILE *out)
+{
+    write_header(out, "reciprocal_rom: the table of figure 2.13, k -> the bits i0 i1 ... in of 1/k "
+                      "(i0 highest),\n// 2^n/k rounded to nearest, n = SHIFTS (6..16); miss: k is "
+                      "0 or beyond the table;\n// combinational.");
+    fprintf(out, "`default_nettype none\n`include \"glint_formats.vh\"\n\n"
+                 "module reciprocal_rom #(\n"
+                 "    parameter SHIFTS = `GLINT_DIVIDER_SHIFTS_DEFAULT\n"
+                 ") (\n"
+                 "    input  wire [`GLINT_DIVIDER_K_BITS-1:0] k,\n"
+                 "    output reg  [SHIFTS:0]                  bits,\n"
+                 "    output wire                             miss\n"
+                 ");\n");
+    fprintf(out, "    assign miss = (k == %d'd0) || (k > `GLINT_DIVIDER_K_MAX);\n\n    generate\n",
+            GLINT_DIVIDER_K_BITS);
+    for (int shifts = GLINT_DIVIDER_SHIFTS_MIN; shifts <= GLINT_DIVIDER_SHIFTS_MAX; shifts++)
+        write_reciprocals(out, shifts);
+    fprintf(out, "        end\n    endgenerate\nendmodule\n\n`default_nettype wire\n");
+}
+
 /* Outputs are ports of the device or, in a lane, of its instance: they are all named here, because
  * a lane's slice of a port has no name of its own at the top. */
 #define PUBLIC_SHARED(name, ...)                                                                   \
     fprintf(out, "public_flat_rd -module \"specular_device\" -var \"%s\"\n", #name);
 #define PUBLIC_LANE(name, ...)                                                                     \
     fprintf(out, "public_flat_rd -module \"specular_lane*\" -var \"%s\"\n", #name);
+
+#define PUBLIC_SEQUENTIAL(name, ...)                                                               \
+    fprintf(out, "public_flat_rd -module \"shift_divider*\" -var \"%s\"\n", #name);
+#define PUBLIC_PIPELINED(name, ...)                                                                \
+    fprintf(out, "public_flat_rd -module \"pipelined_divider*\" -var \"%s\"\n", #name);
+#define PUBLIC_STAGE(name, ...)                                                                    \
+    fprintf(out, "public_flat_rd -module \"divider_stage*\" -var \"%s\"\n", #name);
+
+static void write_divider_signals(FILE *out)
+{
+    write_header(out,
+                 "divider_signals.vlt: the signals of the dividers that lockstep reads by name.");
+    fprintf(out, "`verilator_config\n");
+    GLINT_DIVIDER_SEQUENTIAL_SIGNALS(PUBLIC_SEQUENTIAL)
+    GLINT_DIVIDER_PIPELINED_SIGNALS(PUBLIC_PIPELINED)
+    GLINT_DIVIDER_STAGE_SIGNALS(PUBLIC_STAGE)
+}
 
 static void write_signals(FILE *out)
 {
@@ -122,10 +178,9 @@ static writer *find_writer(const char *kind)
         const char *kind;
         writer *write;
     } writers[] = {
-        {"formats", write_formats},
-        {"sigma-rom", write_sigma_rom},
-        {"limit-rom", write_limit_rom},
-        {"signals", write_signals},
+        {"formats", write_formats},     {"sigma-rom", write_sigma_rom},
+        {"limit-rom", write_limit_rom}, {"reciprocal-rom", write_reciprocal_rom},
+        {"signals", write_signals},     {"divider-signals", write_divider_signals},
     };
     for (size_t i = 0; i < sizeof writers / sizeof writers[0]; i++)
         if (strcmp(writers[i].kind, kind) == 0)
@@ -156,7 +211,8 @@ int main(int argc, char **argv)
 {
     writer *write = argc == 3 ? find_writer(argv[2]) : NULL;
     if (write == NULL) {
-        fprintf(stderr, "usage: glint-gen FILE formats|sigma-rom|limit-rom|signals\n");
+        fprintf(stderr, "usage: glint-gen FILE "
+                        "formats|sigma-rom|limit-rom|reciprocal-rom|signals|divider-signals\n");
         return 2;
     }
     if (write_file(argv[1], write) != 0) {

@@ -12,19 +12,12 @@
 #ifndef GLINT_SPECULAR_DEVICE_H
 #define GLINT_SPECULAR_DEVICE_H
 
+#include "glint_signal.h"
 #include "glint_specular.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* What a signal is, to a reader of the figure. */
-typedef enum glint_signal_kind {
-    GLINT_SIGNAL_REGISTER, /* a numbered register of the figure */
-    GLINT_SIGNAL_BLOCK,    /* the output of a numbered combinational block */
-    GLINT_SIGNAL_STAGE,    /* a pipeline register; with pipeline drawn, the wire in its place */
-    GLINT_SIGNAL_OUTPUT,
-} glint_signal_kind;
 
 /* The one list of the device's signals: X(name, block, kind, int bits, frac bits, signed, meaning).
  * int bits include the sign. A width of GLINT_LANES_WIDTH is one bit a lane; GLINT_MUL10_WIDTH is
@@ -108,17 +101,6 @@ typedef struct glint_specular_config {
     glint_pipeline pipeline;
     int lanes; /* 1, 2, 4, 8 or 16 */
 } glint_specular_config;
-
-/* A signal as a comparer, a waveform or a document needs it. */
-typedef struct glint_signal_info {
-    const char *name;
-    int block; /* number in figure 3.1; 0: not in the figure */
-    glint_signal_kind kind;
-    int int_bits, frac_bits;
-    int is_signed;
-    int lane; /* −1: shared by all lanes */
-    const char *meaning;
-} glint_signal_info;
 
 typedef struct glint_specular_device glint_specular_device;
 

@@ -1,4 +1,4 @@
-// glint_formats: widths and binary points of the specular device.
+// glint_formats: widths and binary points of the circuits.
 //
 // Made by glint-gen from cmodel/; `make generate` makes it anew.
 `ifndef GLINT_FORMATS_VH
@@ -22,5 +22,9 @@
 `define GLINT_W_DRAWN_BITS 35
 `define GLINT_COLOR_BITS 8
 `define GLINT_DRAWN_LIMIT 19'd514
+`define GLINT_DIVIDER_SHIFTS_DEFAULT 12
+`define GLINT_DIVIDER_K_BITS 8
+`define GLINT_DIVIDER_K_MAX 16
+`define GLINT_DIVIDER_DIFFERENCE_BITS 9
 
 `endif

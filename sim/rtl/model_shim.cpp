@@ -3,15 +3,10 @@
 // Compiled once for each build, with MODEL (the class), GLINT_MODEL_TABLE (the name of the table to
 // define), its settings (GLINT_MODEL_GATE, _PIPELINE, _LANES) and whether its signals are readable
 // (GLINT_MODEL_OBSERVED) given by the Makefile.
+#include "circuit.hpp"
 #include "rtl_model.h"
 
 #include <cstring>
-#include <memory>
-#include <new>
-#include <string>
-#include <verilated.h>
-#include <verilated_fst_c.h>
-#include <verilated_syms.h>
 
 #define STRING_OF(x)      #x
 #define HEADER_OF(model)  STRING_OF(model.h)
@@ -23,37 +18,12 @@ constexpr int LANES = GLINT_MODEL_LANES;
 constexpr int LATENCY =
     GLINT_MODEL_PIPELINE == GLINT_PIPELINE_DRAWN ? GLINT_LATENCY_DRAWN : GLINT_LATENCY_PIPELINED;
 constexpr uint32_t ALL_LANES = (1u << LANES) - 1u;
-constexpr uint64_t HALF_PERIOD = 5; // ns, in a waveform
 
-struct Instance {
-    // The model keeps a pointer to its context, so the context is declared (and outlives it) first.
-    VerilatedContext context;
-    MODEL model{&context, "TOP"};
-    std::unique_ptr<VerilatedFstC> trace;
-    uint64_t clocks = 0;
-};
+using Instance = Circuit<MODEL>;
 
 Instance &as_instance(void *instance)
 {
     return *static_cast<Instance *>(instance);
-}
-
-void dump(Instance &in, uint64_t time)
-{
-    if (in.trace)
-        in.trace->dump(time);
-}
-
-// The pins must stand before the rising edge; in a waveform they change with the falling one.
-void rising_edge(Instance &in)
-{
-    in.model.clk = 0;
-    in.model.eval();
-    dump(in, 2 * HALF_PERIOD * in.clocks + HALF_PERIOD);
-    in.clocks++;
-    in.model.clk = 1;
-    in.model.eval();
-    dump(in, 2 * HALF_PERIOD * in.clocks);
 }
 
 // A port of LANES × WIDTH bits is an integer up to 64 bits and an array of 32-bit words above.
@@ -136,14 +106,13 @@ void clock_pins(void *instance, const glint_specular_inputs *pins)
     m.b = pins->b;
     set_mask(m.in_valid, pins->in_valid);
     write_port<GLINT_COS_BITS>(m.cos, pins->cos);
-    rising_edge(in);
+    in.rising_edge();
 }
 
 void *create()
 {
     auto *in = new (std::nothrow) Instance;
     if (in != nullptr) {
-        in->context.traceEverOn(true);
         glint_specular_inputs pins = {};
         pins.reset = 1;
         pins.en = 1;
@@ -154,34 +123,20 @@ void *create()
 
 void trace_close(void *instance)
 {
-    Instance &in = as_instance(instance);
-    if (!in.trace)
-        return;
-    // Half a clock more, so that what the last edge brought is seen.
-    dump(in, 2 * HALF_PERIOD * in.clocks + HALF_PERIOD);
-    in.trace->close();
-    in.trace.reset();
+    as_instance(instance).trace_close();
 }
 
 void destroy(void *instance)
 {
-    trace_close(instance);
-    as_instance(instance).model.final();
     delete &as_instance(instance);
 }
 
 bool find(void *instance, int lane, const char *name, const void **data, int *size)
 {
-    std::string scope = "TOP.specular_device";
+    std::string scope = "specular_device";
     if (lane >= 0)
         scope += ".lane[" + std::to_string(lane) + "].u";
-    const VerilatedScope *found = as_instance(instance).context.scopeFind(scope.c_str());
-    VerilatedVar *var = found != nullptr ? found->varFind(name) : nullptr;
-    if (var == nullptr)
-        return false;
-    *data = var->datap();
-    *size = static_cast<int>(var->entSize());
-    return true;
+    return as_instance(instance).find(scope, name, data, size);
 }
 
 uint64_t clocks(const void *instance)
@@ -248,7 +203,7 @@ size_t batch(void *instance, const glint_material *material, const glint_rtl_bat
     size_t fed = 0;
     for (; fed + LANES <= io->count; fed += LANES) {
         write_port<GLINT_COS_BITS>(m.cos, io->cos_code + fed);
-        rising_edge(in);
+        in.rising_edge();
         m.n_we = m.rgb_we = 0;
         collector.take(m);
     }
@@ -257,13 +212,13 @@ size_t batch(void *instance, const glint_material *material, const glint_rtl_bat
         std::memcpy(rest, io->cos_code + fed, (io->count - fed) * sizeof rest[0]);
         set_mask(m.in_valid, (1u << (io->count - fed)) - 1u);
         write_port<GLINT_COS_BITS>(m.cos, rest);
-        rising_edge(in);
+        in.rising_edge();
         m.n_we = m.rgb_we = 0;
         collector.take(m);
     }
     m.in_valid = 0;
     for (int i = 1; i < LATENCY; i++) {
-        rising_edge(in);
+        in.rising_edge();
         collector.take(m);
     }
     return collector.done;
@@ -271,18 +226,7 @@ size_t batch(void *instance, const glint_material *material, const glint_rtl_bat
 
 bool trace_open(void *instance, const char *path)
 {
-    Instance &in = as_instance(instance);
-    trace_close(instance);
-    in.trace.reset(new VerilatedFstC);
-    in.trace->set_time_unit("1ns");
-    in.trace->set_time_resolution("1ns");
-    in.model.trace(in.trace.get(), 99);
-    in.trace->open(path);
-    if (!in.trace->isOpen()) {
-        in.trace.reset();
-        return false;
-    }
-    return true;
+    return as_instance(instance).trace_open(path);
 }
 } // namespace
 

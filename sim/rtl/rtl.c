@@ -6,19 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rtl/places.h"
 #include "rtl/rtl_model.h"
-
-/* A signal's place in the circuit, found once. */
-typedef struct signal_place {
-    const void *data;
-    int size;
-    uint64_t mask;
-} signal_place;
 
 struct glint_rtl {
     const glint_rtl_model *model;
     void *instance;
-    signal_place *places;
+    glint_signal_place *places;
 };
 
 /* The builds: GLINT_RTL_MODELS(X) is X(table) for each, written by the Makefile. */
@@ -50,11 +44,11 @@ static glint_status find_places(glint_rtl *rtl, glint_error *err)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for the circuit's signals");
     for (int i = 0; i < count; i++) {
         glint_signal_info info = glint_specular_signal_info(config, i);
-        signal_place *place = &rtl->places[i];
+        glint_signal_place *place = &rtl->places[i];
         if (!rtl->model->find(rtl->instance, info.lane, info.name, &place->data, &place->size))
             return glint_fail(err, GLINT_DEVICE_FAULT, "the circuit has no signal %s (lane %d)",
                               info.name, info.lane);
-        place->mask = (UINT64_C(1) << (info.int_bits + info.frac_bits)) - 1u;
+        place->mask = glint_signal_mask(&info);
     }
     return GLINT_OK;
 }
@@ -117,17 +111,7 @@ void glint_rtl_clock(glint_rtl *rtl, const glint_specular_inputs *inputs)
 
 uint64_t glint_rtl_signal_bits(const glint_rtl *rtl, int index)
 {
-    const signal_place *place = &rtl->places[index];
-    switch (place->size) {
-    case 1:
-        return *(const uint8_t *)place->data & place->mask;
-    case 2:
-        return *(const uint16_t *)place->data & place->mask;
-    case 4:
-        return *(const uint32_t *)place->data & place->mask;
-    default:
-        return *(const uint64_t *)place->data & place->mask;
-    }
+    return glint_signal_read(&rtl->places[index]);
 }
 
 uint64_t glint_rtl_clocks(const glint_rtl *rtl)

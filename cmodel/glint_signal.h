@@ -1,0 +1,33 @@
+/* A signal of a circuit as a comparer, a waveform or a document needs it. */
+#ifndef GLINT_SIGNAL_H
+#define GLINT_SIGNAL_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What a signal is, to a reader of the figure. */
+typedef enum glint_signal_kind {
+    GLINT_SIGNAL_REGISTER, /* a numbered register of the figure */
+    GLINT_SIGNAL_BLOCK,    /* the output of a numbered combinational block */
+    GLINT_SIGNAL_STAGE,    /* a pipeline register; with pipeline drawn, the wire in its place */
+    GLINT_SIGNAL_OUTPUT,
+} glint_signal_kind;
+
+/* A signal as a comparer, a waveform or a document needs it. */
+typedef struct glint_signal_info {
+    const char *name;
+    int block; /* number in figure 3.1; 0: the figure gives it none */
+    glint_signal_kind kind;
+    int int_bits, frac_bits;
+    int is_signed;
+    int lane; /* of the specular device, or stage of the pipelined divider; −1: of the whole circuit
+               */
+    const char *meaning;
+} glint_signal_info;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

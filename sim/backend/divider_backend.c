@@ -1,0 +1,87 @@
+/* The three ways to divide behind one interface. */
+#include "backend/divider_backend.h"
+
+#include <stdlib.h>
+
+#include "rtl/divider_rtl.h"
+
+struct glint_divider_backend {
+    glint_divider_config config;
+    glint_divider_rtl *rtl; /* kind rtl only */
+};
+
+glint_status glint_divider_backend_create(const glint_divider_config *config,
+                                          glint_divider_backend **backend, glint_error *err)
+{
+    *backend = NULL;
+    if ((unsigned)config->kind >= GLINT_BACKEND_COUNT ||
+        (unsigned)config->form >= GLINT_DIVIDER_FORM_COUNT)
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "no such divider");
+    if (config->shifts < GLINT_DIVIDER_SHIFTS_MIN || config->shifts > GLINT_DIVIDER_SHIFTS_MAX)
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "%d shifts are not in %d…%d", config->shifts,
+                          GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX);
+    glint_divider_backend *created = calloc(1, sizeof *created);
+    if (created == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a divider");
+    created->config = *config;
+    glint_status status = GLINT_OK;
+    if (config->kind == GLINT_BACKEND_RTL)
+        status = glint_divider_rtl_create(config->form, config->shifts, &created->rtl, err);
+    if (status != GLINT_OK) {
+        free(created);
+        return status;
+    }
+    *backend = created;
+    return GLINT_OK;
+}
+
+void glint_divider_backend_destroy(glint_divider_backend *backend)
+{
+    if (backend == NULL)
+        return;
+    glint_divider_rtl_destroy(backend->rtl);
+    free(backend);
+}
+
+/* 2ⁿ·difference/k, rounded half up. */
+static int32_t exact_quotient(int shifts, int32_t difference, int32_t k)
+{
+    int32_t numerator = 2 * difference * (1 << shifts) + k;
+    int32_t denominator = 2 * k;
+    int32_t cut = numerator / denominator;
+    return numerator % denominator < 0 ? cut - 1 : cut; /* towards minus infinity */
+}
+
+static void divide_exactly(int shifts, const glint_division *divisions, size_t count,
+                           glint_quotients *quotients)
+{
+    for (size_t i = 0; i < count; i++) {
+        quotients[i].out_of_table = !glint_divider_in_table(divisions[i].k);
+        for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++)
+            quotients[i].code[c] =
+                quotients[i].out_of_table
+                    ? 0
+                    : exact_quotient(shifts, divisions[i].difference[c], divisions[i].k);
+    }
+}
+
+glint_status glint_divider_backend_divide(glint_divider_backend *backend,
+                                          const glint_division *divisions, size_t count,
+                                          glint_quotients *quotients, glint_error *err)
+{
+    const int shifts = backend->config.shifts;
+    if (backend->config.kind == GLINT_BACKEND_REAL) {
+        divide_exactly(shifts, divisions, count, quotients);
+        return GLINT_OK;
+    }
+    if (backend->config.kind == GLINT_BACKEND_RTL)
+        return glint_divider_rtl_batch(backend->rtl, divisions, count, quotients, err);
+    if (glint_divide_batch(shifts, divisions, count, quotients) != GLINT_OK)
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "no divider with %d shifts", shifts);
+    return GLINT_OK;
+}
+
+uint64_t glint_divider_backend_clocks(const glint_divider_backend *backend)
+{
+    return backend->rtl != NULL ? glint_divider_rtl_clocks(backend->rtl) : 0;
+}

@@ -1,0 +1,33 @@
+/* The one interface between whoever has differences to divide by a length and whatever divides.
+ *
+ * A backend serves one thread at a time; several may live at once, each with a circuit of its own.
+ */
+#ifndef GLINT_SIM_DIVIDER_BACKEND_H
+#define GLINT_SIM_DIVIDER_BACKEND_H
+
+#include "backend/backend.h"
+#include "glint_divider_device.h"
+
+typedef struct glint_divider_config {
+    glint_backend_kind kind; /* c: glint_divide_batch(); rtl: the Verilog; real: exact division,
+                                rounded half up to the same fraction bits */
+    glint_divider_form form; /* kind rtl only; both give the same quotients */
+    int shifts;              /* GLINT_DIVIDER_SHIFTS_MIN…MAX */
+} glint_divider_config;
+
+typedef struct glint_divider_backend glint_divider_backend;
+
+glint_status glint_divider_backend_create(const glint_divider_config *config,
+                                          glint_divider_backend **backend, glint_error *err);
+void glint_divider_backend_destroy(glint_divider_backend *backend); /* NULL is allowed */
+
+/* Divides count times. Quotients are codes with `shifts` fraction bits, S9.n. A k that is 0 or
+ * beyond the table gives quotient 0 and out_of_table, with every kind. */
+glint_status glint_divider_backend_divide(glint_divider_backend *backend,
+                                          const glint_division *divisions, size_t count,
+                                          glint_quotients *quotients, glint_error *err);
+
+/* Clocks that the circuit behind this backend has run so far; 0 for kinds without a clock. */
+uint64_t glint_divider_backend_clocks(const glint_divider_backend *backend);
+
+#endif
