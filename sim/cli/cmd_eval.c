@@ -1,15 +1,14 @@
 /* `glint eval`: points on standard input, the device's answers on standard output. */
 #define _POSIX_C_SOURCE 200809L
 
-#include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "backend/backend.h"
 #include "cli/commands.h"
 #include "cli/eval_line.h"
+#include "cli/input.h"
 #include "cli/options.h"
 #include "cli/output.h"
 
@@ -127,16 +126,17 @@ static int add_point(run *points, const glint_eval_point *point)
     return points->count == points->limit ? flush_run(points) : GLINT_EXIT_OK;
 }
 
-static int take_line(run *points, uint64_t number, char *line, size_t length)
+static int take_line(void *context, uint64_t number, char *line, size_t length)
 {
+    run *points = context;
     glint_eval_point point;
     glint_error err;
     switch (glint_eval_read_line(line, length, &point, &err)) {
-    case GLINT_EVAL_POINT:
+    case GLINT_LINE_VALUES:
         return add_point(points, &point);
-    case GLINT_EVAL_NOTHING:
+    case GLINT_LINE_NOTHING:
         return GLINT_EXIT_OK;
-    case GLINT_EVAL_MALFORMED:
+    case GLINT_LINE_MALFORMED:
         break;
     }
     flush_run(points);
@@ -144,43 +144,13 @@ static int take_line(run *points, uint64_t number, char *line, size_t length)
     return glint_complain("eval", GLINT_EXIT_USAGE, "line %" PRIu64 ": %s", number, err.text);
 }
 
-/* Why getline() returned nothing: the end of the input, or something worse. */
-static int check_input(void)
-{
-    const int reason = errno;
-    if (glint_stop_requested()) {
-        return glint_complain("eval", GLINT_EXIT_FAILURE, "interrupted");
-    }
-    if (feof(stdin)) {
-        return GLINT_EXIT_OK;
-    }
-    return glint_complain("eval", GLINT_EXIT_FAILURE, "cannot read standard input: %s",
-                          strerror(reason));
-}
-
-static int shade_input(run *points)
-{
-    char *line = NULL;
-    size_t size = 0;
-    int status = GLINT_EXIT_OK;
-    uint64_t number = 0;
-    while (status == GLINT_EXIT_OK) {
-        errno = 0;
-        const ssize_t length = glint_stop_requested() ? -1 : getline(&line, &size, stdin);
-        if (length < 0) {
-            status = check_input();
-            break;
-        }
-        status = take_line(points, ++number, line, (size_t)length);
-    }
-    free(line);
-    return status == GLINT_EXIT_OK ? flush_run(points) : status;
-}
-
 static int eval(run *points)
 {
     fputs(points->json ? "[" : "n,cos_code,w_code,r,g,b\n", stdout);
-    const int status = shade_input(points);
+    int status = glint_input_lines("eval", take_line, points);
+    if (status == GLINT_EXIT_OK) {
+        status = flush_run(points);
+    }
     if (status != GLINT_EXIT_OK) {
         return status;
     }

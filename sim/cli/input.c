@@ -1,0 +1,121 @@
+/* Lines of values on standard input; see input.h. */
+#define _POSIX_C_SOURCE 200809L
+
+#include "cli/input.h"
+
+#include <errno.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/output.h"
+#include "cli/parse.h"
+
+static char *skip_blanks(char *text)
+{
+    return text + strspn(text, " \t");
+}
+
+/* Cuts one value off text: ends it with NUL and moves *text behind the separator. *more: a
+ * separator with a comma followed, so another value must too. */
+static char *cut_value(char **text, bool *more)
+{
+    char *value = *text;
+    char *end = value + strcspn(value, " \t,");
+    char *next = skip_blanks(end);
+    *more = *next == ',';
+    *text = *more ? skip_blanks(next + 1) : next;
+    *end = '\0';
+    return value;
+}
+
+/* Cuts a line that is not blank into its values; returns how many, count + 1 for more. */
+static int cut_values(char *text, char **value, int count)
+{
+    int found = 0;
+    bool more = true;
+    while (more || *text != '\0') {
+        if (found == count) {
+            return count + 1;
+        }
+        value[found++] = cut_value(&text, &more);
+    }
+    return found;
+}
+
+/* Takes the line end off; returns false when a NUL byte is in the line. */
+static bool trim(char *line, size_t length)
+{
+    if (memchr(line, '\0', length) != NULL) {
+        return false;
+    }
+    if (length > 0 && line[length - 1] == '\n') {
+        line[--length] = '\0';
+    }
+    if (length > 0 && line[length - 1] == '\r') {
+        line[--length] = '\0';
+    }
+    return true;
+}
+
+glint_line_kind glint_line_cut(char *line, size_t length, char **value, int count,
+                               const char *values, glint_error *err)
+{
+    if (!trim(line, length)) {
+        glint_fail(err, GLINT_BAD_INPUT, "a NUL byte is in it: this is not text");
+        return GLINT_LINE_MALFORMED;
+    }
+    char *text = skip_blanks(line);
+    if (*text == '\0' || *text == '#') {
+        return GLINT_LINE_NOTHING;
+    }
+    const int found = cut_values(text, value, count);
+    if (found != count) {
+        glint_fail(err, GLINT_BAD_INPUT, "%s than %s", found < count ? "fewer" : "more", values);
+        return GLINT_LINE_MALFORMED;
+    }
+    return GLINT_LINE_VALUES;
+}
+
+glint_line_kind glint_line_refuse(const char *name, const char *text, const char *expected,
+                                  glint_error *err)
+{
+    glint_quoted quoted;
+    glint_fail(err, GLINT_BAD_INPUT, "%s: %s is not %s", name, glint_quote(text, &quoted),
+               expected);
+    return GLINT_LINE_MALFORMED;
+}
+
+/* Why getline() returned nothing: the end of the input, or something worse. */
+static int check_input(const char *command)
+{
+    const int reason = errno;
+    if (glint_stop_requested()) {
+        return glint_complain(command, GLINT_EXIT_FAILURE, "interrupted");
+    }
+    if (feof(stdin)) {
+        return GLINT_EXIT_OK;
+    }
+    return glint_complain(command, GLINT_EXIT_FAILURE, "cannot read standard input: %s",
+                          strerror(reason));
+}
+
+int glint_input_lines(const char *command, glint_line_taker *take, void *context)
+{
+    char *line = NULL;
+    size_t size = 0;
+    int status = GLINT_EXIT_OK;
+    uint64_t number = 0;
+    while (status == GLINT_EXIT_OK) {
+        errno = 0;
+        const ssize_t length = glint_stop_requested() ? -1 : getline(&line, &size, stdin);
+        if (length < 0) {
+            status = check_input(command);
+            break;
+        }
+        status = take(context, ++number, line, (size_t)length);
+    }
+    free(line);
+    return status;
+}
