@@ -14,6 +14,7 @@ static const struct {
 } subcommands[] = {
     {"info", "settings, number formats, latency, ROM checksums", glint_cmd_info},
     {"eval", "the device's answer for points on standard input, as CSV", glint_cmd_eval},
+    {"divide", "the divider's answer for divisions on standard input, as CSV", glint_cmd_divide},
     {"render", "a lit mesh as a PNG, every highlight by the device", glint_cmd_render},
     {"compare", "how two PNG pictures differ", glint_cmd_compare},
     {"verify", "C model and Verilog in lockstep, every register, every clock", glint_cmd_verify},
@@ -26,7 +27,8 @@ static const struct {
 static int print_help(void)
 {
     printf("Usage: glint SUBCOMMAND [OPTION]...\n"
-           "The specular-colour device, in C and in Verilog: evaluated, rendered, verified.\n"
+           "The specular-colour device and the divider of spans, in C and in Verilog: evaluated,\n"
+           "rendered, verified.\n"
            "\n"
            "Subcommands:\n");
     for (size_t i = 0; i < SUBCOMMAND_COUNT; i++) {

@@ -4,7 +4,7 @@
 #include <getopt.h>
 #include <string.h>
 
-#include "backend/backend.h"
+#include "backend/divider_backend.h"
 #include "cli/options_help.h"
 #include "cli/output.h"
 #include "cli/parse.h"
@@ -27,6 +27,12 @@ const char *const glint_backend_names[] = {
     [GLINT_BACKEND_RTL] = "rtl",
     [GLINT_BACKEND_REAL] = "real",
     [GLINT_BACKEND_COUNT] = NULL,
+};
+
+const char *const glint_divider_form_names[] = {
+    [GLINT_DIVIDER_SEQUENTIAL] = "sequential",
+    [GLINT_DIVIDER_PIPELINED] = "pipelined",
+    [GLINT_DIVIDER_FORM_COUNT] = NULL,
 };
 
 /* getopt_long's value for option i is FIRST_OPTION + i: above every character it may return. */

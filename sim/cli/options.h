@@ -105,5 +105,6 @@ int glint_options_parse(const glint_command_line *line, int argc, char **argv);
 extern const char *const glint_gate_names[];
 extern const char *const glint_pipeline_names[];
 extern const char *const glint_backend_names[];
+extern const char *const glint_divider_form_names[];
 
 #endif

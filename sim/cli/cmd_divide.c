@@ -1,0 +1,252 @@
+/* `glint divide`: divisions on standard input, the divider's answers on standard output. */
+#define _POSIX_C_SOURCE 200809L
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "backend/divider_backend.h"
+#include "cli/commands.h"
+#include "cli/input.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/parse.h"
+
+#define RUN_MAX 4096
+
+typedef struct divide_options {
+    int backend, form;
+    int64_t shifts;
+    bool json;
+} divide_options;
+
+/* A row of the output that waits: component `component` of division `division`. */
+typedef struct row {
+    uint64_t line;
+    int32_t difference, k;
+    size_t division;
+    int component;
+} row;
+
+/* Rows that are divided together. Neighbours of one k are components of one division. */
+typedef struct run {
+    glint_divider_backend *backend;
+    int shifts;
+    bool json, printed;
+    size_t limit; /* divide when this many wait */
+    size_t row_count, division_count;
+    row rows[RUN_MAX];
+    glint_division divisions[RUN_MAX];
+    glint_quotients quotients[RUN_MAX];
+} run;
+
+static int parse(int argc, char **argv, divide_options *chosen)
+{
+    const glint_option options[] = {
+        {.name = "backend",
+         .help = "who divides: the C model, the Verilog, or exact division rounded half up",
+         .kind = GLINT_OPTION_CHOICE,
+         .choice = {&chosen->backend, glint_backend_names}},
+        {.name = "shifts",
+         .help = "n, how often the circuit shifts; the quotient has as many fraction bits",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->shifts, GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX}},
+        {.name = "form",
+         .help = "of the Verilog; both give the same quotients",
+         .kind = GLINT_OPTION_CHOICE,
+         .choice = {&chosen->form, glint_divider_form_names}},
+        {.name = "json",
+         .help = "a JSON array of objects instead of CSV",
+         .kind = GLINT_OPTION_FLAG,
+         .flag = &chosen->json},
+    };
+    const glint_command_line line = {
+        .command = "divide",
+        .summary = "Reads divisions from standard input, one a line, and prints what the "
+                   "shift-accumulate divider answers for each, in order.",
+        .details =
+            "A line is: difference k, with a blank or a comma between. difference is -255 to\n"
+            "255; k, the length of the span, is 1 to 16, what the circuit's table holds: a k\n"
+            "that the circuit flags as outside its table ends the run with exit status 2.\n"
+            "Blank lines and lines that begin with # are skipped.\n"
+            "\n"
+            "The columns printed are difference,k,shifts,quotient_code,quotient,exact,error:\n"
+            "quotient is quotient_code/2^shifts, exact is difference/k, error is their\n"
+            "difference, each with the fewest digits that read back as the same number.",
+        .options = options,
+        .option_count = sizeof options / sizeof options[0],
+    };
+    return glint_options_parse(&line, argc, argv);
+}
+
+/* The fewest digits that read back as the same number: at most 17. */
+static void print_real(double value)
+{
+    char text[32];
+    for (int digits = 1; digits <= 17; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, value);
+        if (strtod(text, NULL) == value)
+            break;
+    }
+    fputs(text, stdout);
+}
+
+static void print_row(const run *all, const row *r)
+{
+    static const char *const names[] = {"quotient", "exact", "error"};
+    const int32_t code = all->quotients[r->division].code[r->component];
+    const int32_t one = INT32_C(1) << all->shifts;
+    /* Integers up to the one division: each is the double nearest to the true value. */
+    const double values[] = {(double)code / one, (double)r->difference / r->k,
+                             (double)(code * r->k - r->difference * one) / (double)(r->k * one)};
+    printf(all->json ? "%s\n{\"difference\":%" PRId32 ",\"k\":%" PRId32
+                       ",\"shifts\":%d,\"quotient_code\":%" PRId32
+                     : "%s%" PRId32 ",%" PRId32 ",%d,%" PRId32,
+           all->json && all->printed ? "," : "", r->difference, r->k, all->shifts, code);
+    for (int i = 0; i < 3; i++) {
+        if (all->json)
+            printf(",\"%s\":", names[i]);
+        else
+            putchar(',');
+        print_real(values[i]);
+    }
+    fputs(all->json ? "}" : "\n", stdout);
+}
+
+/* The circuit has flagged this row's k. */
+static int refuse_row(const row *r)
+{
+    fflush(stdout);
+    return glint_complain("divide", GLINT_EXIT_USAGE,
+                          "line %" PRIu64 ": k = %" PRId32 " is not in the table (1 to %d)",
+                          r->line, r->k, GLINT_DIVIDER_K_MAX);
+}
+
+static int print_rows(run *all)
+{
+    for (size_t i = 0; i < all->row_count; i++) {
+        if (all->quotients[all->rows[i].division].out_of_table)
+            return refuse_row(&all->rows[i]);
+        print_row(all, &all->rows[i]);
+        all->printed = true;
+    }
+    return GLINT_EXIT_OK;
+}
+
+/* Divides and prints the rows that wait. Returns an exit status. */
+static int flush_run(run *all)
+{
+    glint_error err;
+    if (glint_divider_backend_divide(all->backend, all->divisions, all->division_count,
+                                     all->quotients, &err) != GLINT_OK)
+        return glint_complain_error("divide", &err);
+    const int status = print_rows(all);
+    all->row_count = 0;
+    all->division_count = 0;
+    if (status != GLINT_EXIT_OK)
+        return status;
+    if (all->limit == 1)
+        fflush(stdout);
+    return ferror(stdout) ? glint_output_finish("divide", GLINT_EXIT_FAILURE) : GLINT_EXIT_OK;
+}
+
+/* Whether the row can be one more component of the division of the row before it. */
+static bool joins_previous(const run *all, int32_t k)
+{
+    if (all->row_count == 0)
+        return false;
+    const row *previous = &all->rows[all->row_count - 1];
+    return previous->k == k && previous->component + 1 < GLINT_DIVIDER_COMPONENTS;
+}
+
+static int add_row(run *all, uint64_t line, int32_t difference, int32_t k)
+{
+    row added = {.line = line, .difference = difference, .k = k};
+    if (joins_previous(all, k)) {
+        added.division = all->division_count - 1;
+        added.component = all->rows[all->row_count - 1].component + 1;
+    } else {
+        added.division = all->division_count++;
+        all->divisions[added.division] = (glint_division){.k = (uint8_t)k};
+    }
+    all->divisions[added.division].difference[added.component] = (int16_t)difference;
+    all->rows[all->row_count++] = added;
+    return all->row_count == all->limit ? flush_run(all) : GLINT_EXIT_OK;
+}
+
+static glint_line_kind read_line(char *line, size_t length, int64_t *difference, int64_t *k,
+                                 glint_error *err)
+{
+    char *value[2];
+    const glint_line_kind kind =
+        glint_line_cut(line, length, value, 2, "the two values difference k", err);
+    if (kind != GLINT_LINE_VALUES)
+        return kind;
+    if (!glint_parse_integer(value[0], -GLINT_DIVIDER_DIFFERENCE_MAX, GLINT_DIVIDER_DIFFERENCE_MAX,
+                             difference))
+        return glint_line_refuse("difference", value[0], "an integer from -255 to 255", err);
+    if (!glint_parse_integer(value[1], 0, (1 << GLINT_DIVIDER_K_BITS) - 1, k))
+        return glint_line_refuse("k", value[1], "an integer from 0 to 255", err);
+    return GLINT_LINE_VALUES;
+}
+
+static int take_line(void *context, uint64_t number, char *line, size_t length)
+{
+    run *all = context;
+    int64_t difference, k;
+    glint_error err;
+    switch (read_line(line, length, &difference, &k, &err)) {
+    case GLINT_LINE_VALUES:
+        return add_row(all, number, (int32_t)difference, (int32_t)k);
+    case GLINT_LINE_NOTHING:
+        return GLINT_EXIT_OK;
+    case GLINT_LINE_MALFORMED:
+        break;
+    }
+    const int status = flush_run(all);
+    if (status != GLINT_EXIT_OK)
+        return status;
+    fflush(stdout);
+    return glint_complain("divide", GLINT_EXIT_USAGE, "line %" PRIu64 ": %s", number, err.text);
+}
+
+static int divide(run *all)
+{
+    fputs(all->json ? "[" : "difference,k,shifts,quotient_code,quotient,exact,error\n", stdout);
+    int status = glint_input_lines("divide", take_line, all);
+    if (status == GLINT_EXIT_OK)
+        status = flush_run(all);
+    if (status != GLINT_EXIT_OK)
+        return status;
+    if (all->json)
+        fputs("\n]\n", stdout);
+    return glint_output_finish("divide", GLINT_EXIT_OK);
+}
+
+int glint_cmd_divide(int argc, char **argv)
+{
+    divide_options chosen = {.backend = GLINT_BACKEND_C,
+                             .form = GLINT_DIVIDER_PIPELINED,
+                             .shifts = GLINT_DIVIDER_SHIFTS_DEFAULT};
+    const int parsed = parse(argc, argv, &chosen);
+    if (parsed != GLINT_OPTIONS_RUN)
+        return parsed;
+    const glint_divider_config config = {.kind = (glint_backend_kind)chosen.backend,
+                                         .form = (glint_divider_form)chosen.form,
+                                         .shifts = (int)chosen.shifts};
+    run *all = calloc(1, sizeof *all);
+    if (all == NULL)
+        return glint_complain("divide", GLINT_EXIT_FAILURE, "no memory");
+    /* Whoever types the divisions wants each answer at once. */
+    all->limit = isatty(STDIN_FILENO) == 1 ? 1 : RUN_MAX;
+    all->json = chosen.json;
+    all->shifts = config.shifts;
+    glint_error err;
+    const int status = glint_divider_backend_create(&config, &all->backend, &err) == GLINT_OK
+                           ? divide(all)
+                           : glint_complain_error("divide", &err);
+    glint_divider_backend_destroy(all->backend);
+    free(all);
+    return status;
+}
