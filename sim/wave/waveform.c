@@ -1,6 +1,9 @@
+#define _POSIX_C_SOURCE 200809L
+
 #include "wave/waveform.h"
 
 #include <errno.h>
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,6 +11,7 @@
 #include <gtkwave/fstapi.h> /* comes with Verilator */
 
 #include "file/new_file.h"
+#include "file/room.h"
 #include "rtl/rtl.h"
 
 static glint_status record_fst(const glint_specular_config *config, int first, int last,
@@ -18,6 +22,8 @@ static glint_status record_fst(const glint_specular_config *config, int first, i
     glint_status status = glint_rtl_create(config, &rtl, err);
     for (int clock = 1; status == GLINT_OK && clock <= last; clock++) {
         if (clock == first)
+            status = glint_file_room(path, GLINT_WAVE_ROOM, err);
+        if (clock == first && status == GLINT_OK)
             status = glint_rtl_trace_open(rtl, path, err);
         glint_wave_scene(clock, config->lanes, &inputs);
         glint_rtl_clock(rtl, &inputs);
@@ -39,7 +45,7 @@ glint_status glint_wave_record(const glint_specular_config *config, glint_wave_f
     char part[4096];
     int length = snprintf(part, sizeof part, "%s.part", path);
     if (length < 0 || (size_t)length >= sizeof part)
-        return glint_fail(err, GLINT_IO_ERROR, "%s: the name is too long", path);
+        return glint_fail(err, GLINT_IO_ERROR, "the name is too long: %s", path);
     glint_status status = record_fst(config, first, last, part, err);
     glint_wave_info info;
     if (status == GLINT_OK) /* a full disk shows here: Verilator's writer does not tell */
@@ -51,9 +57,46 @@ glint_status glint_wave_record(const glint_specular_config *config, glint_wave_f
     return status;
 }
 
+/* The eight bytes of a block's length, the highest first. */
+static uint64_t read_length(FILE *file)
+{
+    uint64_t length = 0;
+    for (int i = 0; i < 8; i++)
+        length = length << 8 | (uint64_t)(fgetc(file) & 0xff);
+    return length;
+}
+
+/* An FST file is blocks, one after the other: a byte that says which, its length, its content. They
+ * must fill the file exactly. fstapi does not look, and exits or worse on a file cut short. */
+static bool has_whole_blocks(FILE *file)
+{
+    if (fseeko(file, 0, SEEK_END) != 0)
+        return false;
+    const int64_t size = ftello(file);
+    int64_t at = 0;
+    while (at < size) {
+        if (fseeko(file, at, SEEK_SET) != 0 || fgetc(file) == FST_BL_SKIP)
+            return false;
+        const uint64_t length = read_length(file);
+        if (length < 8 || length > (uint64_t)(size - at - 1))
+            return false;
+        at += 1 + (int64_t)length;
+    }
+    return size > 0;
+}
+
+static bool is_whole(const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    bool whole = file != NULL && has_whole_blocks(file);
+    if (file != NULL)
+        (void)fclose(file);
+    return whole;
+}
+
 static void *open_fst(const char *path, glint_error *err)
 {
-    void *reader = fstReaderOpen(path);
+    void *reader = is_whole(path) ? fstReaderOpen(path) : NULL;
     if (reader == NULL)
         (void)glint_fail(err, GLINT_BAD_INPUT, "%s: no readable FST waveform", path);
     return reader;
@@ -71,6 +114,62 @@ glint_status glint_wave_read_info(const char *fst, glint_wave_info *info, glint_
     return GLINT_OK;
 }
 
+typedef struct vcd_writer {
+    FILE *out;
+    uint64_t times; /* written so far */
+    uint64_t time;  /* the last of them */
+} vcd_writer;
+
+/* A signal's name within the file, as fstReaderProcessHier() declares it: digits of base 94 that
+ * count from 1. */
+static const char *vcd_code(fstHandle signal, char *code)
+{
+    char *end = code;
+    for (uint32_t rest = signal; rest != 0; rest /= 94) {
+        rest--;
+        *end++ = (char)('!' + rest % 94);
+    }
+    *end = '\0';
+    return code;
+}
+
+/* The changes at the first time are the values that all signals begin with. */
+static void write_time(vcd_writer *writer, uint64_t time)
+{
+    if (writer->times != 0 && writer->time == time)
+        return;
+    if (writer->times == 1)
+        fprintf(writer->out, "$end\n");
+    fprintf(writer->out, "#%" PRIu64 "\n", time);
+    if (writer->times == 0)
+        fprintf(writer->out, "$dumpvars\n");
+    writer->times++;
+    writer->time = time;
+}
+
+static void write_change(void *context, uint64_t time, fstHandle signal, const unsigned char *value)
+{
+    vcd_writer *writer = context;
+    char code[8];
+    write_time(writer, time);
+    if (value[0] != '\0' && value[1] == '\0')
+        fprintf(writer->out, "%s%s\n", (const char *)value, vcd_code(signal, code));
+    else
+        fprintf(writer->out, "b%s %s\n", (const char *)value, vcd_code(signal, code));
+}
+
+/* fstReaderIterBlocks() would write VCD itself, but past the stream, and does not tell whether it
+ * all arrived. */
+static bool write_changes(void *reader, FILE *out)
+{
+    vcd_writer writer = {.out = out};
+    fstReaderSetFacProcessMaskAll(reader);
+    if (!fstReaderIterBlocks(reader, write_change, &writer, NULL) || writer.times == 0)
+        return false;
+    write_time(&writer, fstReaderGetEndTime(reader));
+    return true;
+}
+
 glint_status glint_wave_fst_to_vcd(const char *fst, const char *vcd, glint_error *err)
 {
     glint_new_file *file;
@@ -80,10 +179,7 @@ glint_status glint_wave_fst_to_vcd(const char *fst, const char *vcd, glint_error
     glint_status status = glint_new_file_open(vcd, &file, err);
     if (status == GLINT_OK) {
         FILE *out = glint_new_file_stream(file);
-        fstReaderProcessHier(reader, out);
-        fstReaderSetFacProcessMaskAll(reader);
-        int read = fstReaderIterBlocks(reader, NULL, NULL, out);
-        if (read)
+        if (fstReaderProcessHier(reader, out) && write_changes(reader, out))
             status = glint_new_file_commit(file, err);
         else {
             glint_new_file_discard(file);

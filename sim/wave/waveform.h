@@ -28,11 +28,16 @@ int glint_wave_scene_centre(int lanes);
 glint_status glint_wave_record(const glint_specular_config *config, glint_wave_format format,
                                int first, int last, const char *path, glint_error *err);
 
+/* Room to be there, with glint_file_room(), before a waveform is opened: the FST writer maps its
+ * temporary files into memory, and on a full disk touching them would end the program. Some ten
+ * times what the windows written here take. */
+#define GLINT_WAVE_ROOM (1L << 20)
+
 /* Writes the FST file `fst` as VCD. GLINT_BAD_INPUT when it is no readable FST. */
 glint_status glint_wave_fst_to_vcd(const char *fst, const char *vcd, glint_error *err);
 
-/* What a complete FST file holds; GLINT_BAD_INPUT when it cannot be read (one that was not closed
- * cannot). */
+/* What a complete FST file holds; GLINT_BAD_INPUT when it cannot be read: one that was not closed,
+ * or cut short. */
 typedef struct glint_wave_info {
     uint64_t first_time, last_time; /* ns */
     uint64_t signals;
