@@ -1,0 +1,40 @@
+/* Reads a GTKWave save file, for tests. */
+#ifndef GLINT_TESTS_SAVED_H
+#define GLINT_TESTS_SAVED_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "glint_specular_device.h"
+
+/* Bits of a trace's flags. */
+#define SAVED_SIGNED      0x400u
+#define SAVED_FIXED_POINT 0x40000000u
+
+typedef struct saved_trace {
+    char name[112]; /* without its bits */
+    int width;
+    unsigned flags;
+    int fraction; /* [fpshift_count]; 0: none */
+} saved_trace;
+
+typedef struct saved {
+    saved_trace trace[1024];
+    int count;
+    int headings;
+    char dumpfile[128];
+    uint64_t first_time; /* [timestart] */
+    double zoom;
+    int64_t marker;
+} saved;
+
+/* Fails the test when a line is none that it knows or a group is not closed. */
+void saved_read(const char *path, saved *saved);
+
+/* Index of the signal that a trace shows; −1: it is a pin or no signal of the device. */
+int saved_signal(const glint_specular_config *config, const saved_trace *trace);
+
+/* The full name of a signal in a waveform. */
+void saved_name(const glint_signal_info *signal, char *name, int size);
+
+#endif
