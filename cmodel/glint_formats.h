@@ -48,7 +48,7 @@
 
 /* Clocks from the edge that loads registers 1–5 to a valid output, that edge included. */
 #define GLINT_LATENCY_DRAWN     1
-#define GLINT_LATENCY_PIPELINED 5
+#define GLINT_LATENCY_PIPELINED 4
 
 /* Cosines a clock with one material. */
 #define GLINT_LANES_MAX 16

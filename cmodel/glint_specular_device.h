@@ -34,37 +34,30 @@ extern "C" {
     X(s1_valid, 0, STAGE, GLINT_LANES_WIDTH, 0, 0, "stage 1 holds a point")                        \
     X(rom33, 33, BLOCK, GLINT_SIGMA_INT_BITS, GLINT_SIGMA_FRAC_BITS, 0, "sigma = (n+1)/3")         \
     X(rom9, 9, BLOCK, 1, GLINT_COS_FRAC_BITS, 0, "limit for comparator 11")                        \
-    X(s2_rom33, 33, STAGE, GLINT_SIGMA_INT_BITS, GLINT_SIGMA_FRAC_BITS, 0, "sigma, stage 2")       \
     X(s2_rom9, 9, STAGE, 1, GLINT_COS_FRAC_BITS, 0, "limit, stage 2")                              \
     X(s2_reg3, 3, STAGE, GLINT_COLOR_BITS, 0, 0, "R, stage 2")                                     \
     X(s2_reg4, 4, STAGE, GLINT_COLOR_BITS, 0, 0, "G, stage 2")                                     \
     X(s2_reg5, 5, STAGE, GLINT_COLOR_BITS, 0, 0, "B, stage 2")                                     \
     X(s2_valid, 0, STAGE, GLINT_LANES_WIDTH, 0, 0, "stage 2 holds a point")                        \
-    X(s3_rom9, 9, STAGE, 1, GLINT_COS_FRAC_BITS, 0, "limit, stage 3")                              \
     X(s3_reg3, 3, STAGE, GLINT_COLOR_BITS, 0, 0, "R, stage 3")                                     \
     X(s3_reg4, 4, STAGE, GLINT_COLOR_BITS, 0, 0, "G, stage 3")                                     \
     X(s3_reg5, 5, STAGE, GLINT_COLOR_BITS, 0, 0, "B, stage 3")                                     \
     X(s3_valid, 0, STAGE, GLINT_LANES_WIDTH, 0, 0, "stage 3 holds a point")                        \
-    X(s4_reg3, 3, STAGE, GLINT_COLOR_BITS, 0, 0, "R, stage 4")                                     \
-    X(s4_reg4, 4, STAGE, GLINT_COLOR_BITS, 0, 0, "G, stage 4")                                     \
-    X(s4_reg5, 5, STAGE, GLINT_COLOR_BITS, 0, 0, "B, stage 4")                                     \
-    X(s4_valid, 0, STAGE, GLINT_LANES_WIDTH, 0, 0, "stage 4 holds a point")                        \
     X(out_valid, 0, OUTPUT, GLINT_LANES_WIDTH, 0, 0, "an output is valid")
 
 /* Signals of one lane, in the order the data flows. */
 #define GLINT_SPECULAR_LANE_SIGNALS(X)                                                             \
     X(reg1, 1, REGISTER, 1, GLINT_COS_FRAC_BITS, 0, "cos gamma, saturated to 1")                   \
-    X(s2_reg1, 1, STAGE, 1, GLINT_COS_FRAC_BITS, 0, "cos gamma, stage 2")                          \
     X(adder6, 6, BLOCK, 1, GLINT_COS_FRAC_BITS, 1, "cos gamma - 1")                                \
     X(mul7, 7, BLOCK, GLINT_T_INT_BITS, GLINT_T_FRAC_BITS, 1, "sigma (cos gamma - 1)")             \
     X(adder8, 8, BLOCK, GLINT_T_INT_BITS, GLINT_T_FRAC_BITS, 1, "t = sigma (cos gamma - 1) + 1")   \
-    X(s3_adder8, 8, STAGE, GLINT_T_INT_BITS, GLINT_T_FRAC_BITS, 1, "t, stage 3")                   \
+    X(s2_adder8, 8, STAGE, GLINT_T_INT_BITS, GLINT_T_FRAC_BITS, 1, "t, stage 2")                   \
     X(cmp11, 11, BLOCK, 1, 0, 0, "the point is inside the highlight")                              \
-    X(s3_cmp11, 11, STAGE, 1, 0, 0, "inside, stage 3")                                             \
+    X(s2_cmp11, 11, STAGE, 1, 0, 0, "inside, stage 2")                                             \
     X(mul10, 10, BLOCK, GLINT_MUL10_WIDTH, GLINT_W_FRAC_BITS, 0, "t squared")                      \
     X(sat10, 10, BLOCK, 1, GLINT_W_FRAC_BITS, 0, "t squared, saturated to 1 (gate drawn)")         \
     X(keys12, 12, BLOCK, 1, GLINT_W_FRAC_BITS, 0, "W: the square, or zero")                        \
-    X(s4_keys12, 12, STAGE, 1, GLINT_W_FRAC_BITS, 0, "W, stage 4")                                 \
+    X(s3_keys12, 12, STAGE, 1, GLINT_W_FRAC_BITS, 0, "W, stage 3")                                 \
     X(mul13, 13, BLOCK, GLINT_COLOR_BITS, 0, 0, "W R")                                             \
     X(mul14, 14, BLOCK, GLINT_COLOR_BITS, 0, 0, "W G")                                             \
     X(mul15, 15, BLOCK, GLINT_COLOR_BITS, 0, 0, "W B")                                             \

@@ -40,59 +40,41 @@ static void settle_stage1(glint_specular_device *d)
     glint_specular_signals *s = &d->signals;
     s->rom33 = d->rom33[s->reg2];
     s->rom9 = d->rom9[s->reg2];
+    for (int i = 0; i < d->config.lanes; i++) {
+        glint_specular_lane *lane = &s->lane[i];
+        lane->adder6 = glint_block_adder6((uint32_t)lane->reg1);
+        lane->mul7 = glint_block_mul7((uint32_t)s->rom33, (int32_t)lane->adder6);
+        lane->adder8 = glint_block_adder8((int32_t)lane->mul7);
+        if (d->config.gate != GLINT_GATE_DRAWN)
+            lane->cmp11 = glint_block_cmp11(d->config.gate, (uint32_t)s->rom9, (uint32_t)lane->reg1,
+                                            (int32_t)lane->adder8, 0);
+    }
 }
 
 static void pass_stage2(glint_specular_device *d)
 {
     glint_specular_signals *s = &d->signals;
     s->s2_valid = s->s1_valid;
-    s->s2_rom33 = s->rom33;
     s->s2_rom9 = s->rom9;
     s->s2_reg3 = s->reg3;
     s->s2_reg4 = s->reg4;
     s->s2_reg5 = s->reg5;
-    for (int i = 0; i < d->config.lanes; i++)
-        s->lane[i].s2_reg1 = s->lane[i].reg1;
+    for (int i = 0; i < d->config.lanes; i++) {
+        s->lane[i].s2_adder8 = s->lane[i].adder8;
+        s->lane[i].s2_cmp11 = d->config.gate == GLINT_GATE_DRAWN ? 0 : s->lane[i].cmp11;
+    }
 }
 
 static void settle_stage2(glint_specular_device *d)
 {
     glint_specular_signals *s = &d->signals;
-    for (int i = 0; i < d->config.lanes; i++) {
-        glint_specular_lane *lane = &s->lane[i];
-        lane->adder6 = glint_block_adder6((uint32_t)lane->s2_reg1);
-        lane->mul7 = glint_block_mul7((uint32_t)s->s2_rom33, (int32_t)lane->adder6);
-        lane->adder8 = glint_block_adder8((int32_t)lane->mul7);
-        if (d->config.gate != GLINT_GATE_DRAWN)
-            lane->cmp11 = glint_block_cmp11(d->config.gate, (uint32_t)s->s2_rom9,
-                                            (uint32_t)lane->s2_reg1, (int32_t)lane->adder8, 0);
-    }
-}
-
-static void pass_stage3(glint_specular_device *d)
-{
-    glint_specular_signals *s = &d->signals;
-    s->s3_valid = s->s2_valid;
-    s->s3_rom9 = s->s2_rom9;
-    s->s3_reg3 = s->s2_reg3;
-    s->s3_reg4 = s->s2_reg4;
-    s->s3_reg5 = s->s2_reg5;
-    for (int i = 0; i < d->config.lanes; i++) {
-        s->lane[i].s3_adder8 = s->lane[i].adder8;
-        s->lane[i].s3_cmp11 = d->config.gate == GLINT_GATE_DRAWN ? 0 : s->lane[i].cmp11;
-    }
-}
-
-static void settle_stage3(glint_specular_device *d)
-{
-    glint_specular_signals *s = &d->signals;
     glint_gate gate = d->config.gate;
     for (int i = 0; i < d->config.lanes; i++) {
         glint_specular_lane *lane = &s->lane[i];
-        uint64_t square = glint_block_mul10_gated(gate, (int32_t)lane->s3_adder8);
-        uint32_t pass = (uint32_t)lane->s3_cmp11;
+        uint64_t square = glint_block_mul10_gated(gate, (int32_t)lane->s2_adder8);
+        uint32_t pass = (uint32_t)lane->s2_cmp11;
         if (gate == GLINT_GATE_DRAWN) {
-            pass = glint_block_cmp11(gate, (uint32_t)s->s3_rom9, 0, 0, square);
+            pass = glint_block_cmp11(gate, (uint32_t)s->s2_rom9, 0, 0, square);
             lane->cmp11 = pass;
         }
         lane->mul10 = (int64_t)square;
@@ -101,35 +83,35 @@ static void settle_stage3(glint_specular_device *d)
     }
 }
 
-static void pass_stage4(glint_specular_device *d)
+static void pass_stage3(glint_specular_device *d)
 {
     glint_specular_signals *s = &d->signals;
-    s->s4_valid = s->s3_valid;
-    s->s4_reg3 = s->s3_reg3;
-    s->s4_reg4 = s->s3_reg4;
-    s->s4_reg5 = s->s3_reg5;
+    s->s3_valid = s->s2_valid;
+    s->s3_reg3 = s->s2_reg3;
+    s->s3_reg4 = s->s2_reg4;
+    s->s3_reg5 = s->s2_reg5;
     for (int i = 0; i < d->config.lanes; i++)
-        s->lane[i].s4_keys12 = s->lane[i].keys12;
+        s->lane[i].s3_keys12 = s->lane[i].keys12;
 }
 
-static void settle_stage4(glint_specular_device *d)
+static void settle_stage3(glint_specular_device *d)
 {
     glint_specular_signals *s = &d->signals;
     for (int i = 0; i < d->config.lanes; i++) {
         glint_specular_lane *lane = &s->lane[i];
-        lane->mul13 = glint_block_mul_color((uint32_t)lane->s4_keys12, (uint8_t)s->s4_reg3);
-        lane->mul14 = glint_block_mul_color((uint32_t)lane->s4_keys12, (uint8_t)s->s4_reg4);
-        lane->mul15 = glint_block_mul_color((uint32_t)lane->s4_keys12, (uint8_t)s->s4_reg5);
+        lane->mul13 = glint_block_mul_color((uint32_t)lane->s3_keys12, (uint8_t)s->s3_reg3);
+        lane->mul14 = glint_block_mul_color((uint32_t)lane->s3_keys12, (uint8_t)s->s3_reg4);
+        lane->mul15 = glint_block_mul_color((uint32_t)lane->s3_keys12, (uint8_t)s->s3_reg5);
     }
 }
 
 static void pass_outputs(glint_specular_device *d)
 {
     glint_specular_signals *s = &d->signals;
-    s->out_valid = s->s4_valid;
+    s->out_valid = s->s3_valid;
     for (int i = 0; i < d->config.lanes; i++) {
         glint_specular_lane *lane = &s->lane[i];
-        lane->out_w = lane->s4_keys12;
+        lane->out_w = lane->s3_keys12;
         lane->out_r = lane->mul13;
         lane->out_g = lane->mul14;
         lane->out_b = lane->mul15;
@@ -148,9 +130,6 @@ static void settle(glint_specular_device *d)
         pass_stage3(d);
     settle_stage3(d);
     if (wires)
-        pass_stage4(d);
-    settle_stage4(d);
-    if (wires)
         pass_outputs(d);
 }
 
@@ -161,7 +140,6 @@ void glint_specular_device_clock(glint_specular_device *d, const glint_specular_
     } else if (in->en) {
         if (d->config.pipeline == GLINT_PIPELINE_PIPELINED) {
             pass_outputs(d);
-            pass_stage4(d);
             pass_stage3(d);
             pass_stage2(d);
         }

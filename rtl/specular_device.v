@@ -4,11 +4,11 @@
 //             sigma = (n + 1) / 3, for LANES cosines a clock with one material (n, R, G, B).
 // Blocks      registers 2 to 5, ROM 33, ROM 9 here; the others once a lane in specular_lane.
 //             Signals carry the block's number: reg2, rom33, lane[0].adder6, lane[0].keys12 ...
-//             A prefix s2_, s3_, s4_ names the pipeline stage that a delayed copy belongs to.
+//             A prefix s2_, s3_ names the pipeline stage that a delayed copy belongs to.
 // Formats     cos U1.18 (codes above 1.0 saturate), n U10.0, r, g, b U8.0 (already times Ks),
 //             out_w U1.18, out_r, out_g, out_b U8.0; lane i in bits [i*width +: width]
 // Rounding    half up, see specular_lane; each output within 0.52 of an 8-bit step of the formula
-// Latency     PIPELINED = 1: 5 clocks; 0: 1 clock, registers 1-5 and then combinational, as drawn.
+// Latency     PIPELINED = 1: 4 clocks; 0: 1 clock, registers 1-5 and then combinational, as drawn.
 //             Counted from the edge that takes the cosine to the edge after which its result is out,
 //             both included. Throughput: LANES cosines a clock, every clock.
 // Reset       synchronous, active high; clears every register, whatever en says.
@@ -83,19 +83,13 @@ module specular_device #(
     reg [LANES-1:0]             s1_valid;
     reg [LANES-1:0]             s2_valid;
     reg [LANES-1:0]             s3_valid;
-    reg [LANES-1:0]             s4_valid;
-    reg [`GLINT_SIGMA_BITS-1:0] s2_rom33;
     reg [`GLINT_COS_BITS-1:0]   s2_rom9;
-    reg [`GLINT_COS_BITS-1:0]   s3_rom9;
     reg [`GLINT_COLOR_BITS-1:0] s2_reg3;
     reg [`GLINT_COLOR_BITS-1:0] s2_reg4;
     reg [`GLINT_COLOR_BITS-1:0] s2_reg5;
     reg [`GLINT_COLOR_BITS-1:0] s3_reg3;
     reg [`GLINT_COLOR_BITS-1:0] s3_reg4;
     reg [`GLINT_COLOR_BITS-1:0] s3_reg5;
-    reg [`GLINT_COLOR_BITS-1:0] s4_reg3;
-    reg [`GLINT_COLOR_BITS-1:0] s4_reg4;
-    reg [`GLINT_COLOR_BITS-1:0] s4_reg5;
 
     always @(posedge clk)
         if (reset)   s1_valid <= {LANES{1'b0}};
@@ -107,37 +101,25 @@ module specular_device #(
                 if (reset) begin
                     s2_valid  <= {LANES{1'b0}};
                     s3_valid  <= {LANES{1'b0}};
-                    s4_valid  <= {LANES{1'b0}};
                     out_valid <= {LANES{1'b0}};
-                    s2_rom33  <= {`GLINT_SIGMA_BITS{1'b0}};
                     s2_rom9   <= {`GLINT_COS_BITS{1'b0}};
-                    s3_rom9   <= {`GLINT_COS_BITS{1'b0}};
                     {s2_reg3, s2_reg4, s2_reg5} <= {(3 * `GLINT_COLOR_BITS){1'b0}};
                     {s3_reg3, s3_reg4, s3_reg5} <= {(3 * `GLINT_COLOR_BITS){1'b0}};
-                    {s4_reg3, s4_reg4, s4_reg5} <= {(3 * `GLINT_COLOR_BITS){1'b0}};
                 end else if (en) begin
                     s2_valid  <= s1_valid;
                     s3_valid  <= s2_valid;
-                    s4_valid  <= s3_valid;
-                    out_valid <= s4_valid;
-                    s2_rom33  <= rom33;
+                    out_valid <= s3_valid;
                     s2_rom9   <= rom9;
-                    s3_rom9   <= s2_rom9;
                     {s2_reg3, s2_reg4, s2_reg5} <= {reg3, reg4, reg5};
                     {s3_reg3, s3_reg4, s3_reg5} <= {s2_reg3, s2_reg4, s2_reg5};
-                    {s4_reg3, s4_reg4, s4_reg5} <= {s3_reg3, s3_reg4, s3_reg5};
                 end
         end else begin : g_stages
             always @* s2_valid  = s1_valid;
             always @* s3_valid  = s2_valid;
-            always @* s4_valid  = s3_valid;
-            always @* out_valid = s4_valid;
-            always @* s2_rom33  = rom33;
+            always @* out_valid = s3_valid;
             always @* s2_rom9   = rom9;
-            always @* s3_rom9   = s2_rom9;
             always @* {s2_reg3, s2_reg4, s2_reg5} = {reg3, reg4, reg5};
             always @* {s3_reg3, s3_reg4, s3_reg5} = {s2_reg3, s2_reg4, s2_reg5};
-            always @* {s4_reg3, s4_reg4, s4_reg5} = {s3_reg3, s3_reg4, s3_reg5};
         end
     endgenerate
 
@@ -148,8 +130,8 @@ module specular_device #(
                 .clk(clk), .reset(reset), .en(en),
                 .in_valid(in_valid[i]),
                 .cos(cos[i*`GLINT_COS_BITS +: `GLINT_COS_BITS]),
-                .s2_rom33(s2_rom33), .s2_rom9(s2_rom9), .s3_rom9(s3_rom9),
-                .s4_reg3(s4_reg3), .s4_reg4(s4_reg4), .s4_reg5(s4_reg5),
+                .rom33(rom33), .rom9(rom9), .s2_rom9(s2_rom9),
+                .s3_reg3(s3_reg3), .s3_reg4(s3_reg4), .s3_reg5(s3_reg5),
                 .out_w(out_w[i*`GLINT_W_BITS +: `GLINT_W_BITS]),
                 .out_r(out_r[i*`GLINT_COLOR_BITS +: `GLINT_COLOR_BITS]),
                 .out_g(out_g[i*`GLINT_COLOR_BITS +: `GLINT_COLOR_BITS]),

@@ -8,7 +8,7 @@
 //             S<i>.<f> counts the sign among its i integer digits.
 // Rounding    half up, at multipliers 7, 10, 13, 14, 15; nowhere else.
 // Saturation  register 1 takes 1.0 for any code above 1.0; GATE drawn: the square is at most 1.0.
-// Latency     1 clock (PIPELINED = 0) or 5 (PIPELINED = 1), from the edge that loads register 1 to
+// Latency     1 clock (PIPELINED = 0) or 4 (PIPELINED = 1), from the edge that loads register 1 to
 //             the one after which the result is out, both counted. Throughput: one cosine a clock.
 // Reset       synchronous, active high, all registers 0, whatever en says. en = 0 holds them all.
 // Handshake   none here: specular_device carries the valid bits beside the lanes.
@@ -29,12 +29,12 @@ module specular_lane #(
     input  wire [`GLINT_COS_BITS-1:0]  cos,      // information input 32
 
     // Material, delayed by the device to the stage that reads it.
-    input  wire [`GLINT_SIGMA_BITS-1:0] s2_rom33,
+    input  wire [`GLINT_SIGMA_BITS-1:0] rom33,
+    input  wire [`GLINT_COS_BITS-1:0]   rom9,
     input  wire [`GLINT_COS_BITS-1:0]   s2_rom9,
-    input  wire [`GLINT_COS_BITS-1:0]   s3_rom9,
-    input  wire [`GLINT_COLOR_BITS-1:0] s4_reg3,
-    input  wire [`GLINT_COLOR_BITS-1:0] s4_reg4,
-    input  wire [`GLINT_COLOR_BITS-1:0] s4_reg5,
+    input  wire [`GLINT_COLOR_BITS-1:0] s3_reg3,
+    input  wire [`GLINT_COLOR_BITS-1:0] s3_reg4,
+    input  wire [`GLINT_COLOR_BITS-1:0] s3_reg5,
 
     output reg  [`GLINT_W_BITS-1:0]     out_w,
     output reg  [`GLINT_COLOR_BITS-1:0] out_r,
@@ -43,7 +43,8 @@ module specular_lane #(
 );
     localparam DRAWN = (GATE == `GLINT_GATE_DRAWN);
 
-    // Stage 1: register 1.
+    // Stage 1: register 1; adder 6, multiplier 7 and adder 8; comparator 11 unless it waits for the
+    // square.
     localparam [`GLINT_COS_BITS-1:0] COS_ONE = {1'b1, {`GLINT_COS_FRAC_BITS{1'b0}}};
 
     reg [`GLINT_COS_BITS-1:0] reg1;
@@ -51,18 +52,16 @@ module specular_lane #(
         if (reset)               reg1 <= {`GLINT_COS_BITS{1'b0}};
         else if (en && in_valid) reg1 <= (cos > COS_ONE) ? COS_ONE : cos;
 
-    // Stage 2: adder 6, multiplier 7 and adder 8; comparator 11 unless it waits for the square.
     // All ones on the integer digit is -1 there; the fraction passes beside the adder. The adder is
     // no more than an inverter, so it needs no stage of its own before the multiplier.
-    reg  [`GLINT_COS_BITS-1:0] s2_reg1;
-    wire digit6 = s2_reg1[`GLINT_COS_FRAC_BITS] + 1'b1;
-    wire signed [`GLINT_ADDER6_BITS-1:0] adder6 = {digit6, s2_reg1[`GLINT_COS_FRAC_BITS-1:0]};
+    wire digit6 = reg1[`GLINT_COS_FRAC_BITS] + 1'b1;
+    wire signed [`GLINT_ADDER6_BITS-1:0] adder6 = {digit6, reg1[`GLINT_COS_FRAC_BITS-1:0]};
 
     localparam SUM7_BITS = `GLINT_T_BITS + `GLINT_SIGMA_FRAC_BITS;
     localparam signed [SUM7_BITS-1:0] HALF7 = {{`GLINT_T_BITS{1'b0}}, 1'b1,
                                                {(`GLINT_SIGMA_FRAC_BITS - 1){1'b0}}};
 
-    wire signed [`GLINT_SIGMA_BITS:0] sigma7 = {1'b0, s2_rom33};
+    wire signed [`GLINT_SIGMA_BITS:0] sigma7 = {1'b0, rom33};
     wire signed [SUM7_BITS-1:0]       sum7   = sigma7 * adder6 + HALF7;
     wire signed [`GLINT_T_BITS-1:0]   mul7;
     wire [`GLINT_SIGMA_FRAC_BITS-1:0] mul7_unused;
@@ -75,10 +74,10 @@ module specular_lane #(
 
     wire cmp11;
 
-    // Stage 3: multiplier 10 and key block 12.
+    // Stage 2: multiplier 10 and key block 12.
     localparam MUL10_BITS = DRAWN ? `GLINT_W_DRAWN_BITS : `GLINT_W_BITS;
-    reg signed [`GLINT_T_BITS-1:0] s3_adder8;
-    reg                            s3_cmp11;
+    reg signed [`GLINT_T_BITS-1:0] s2_adder8;
+    reg                            s2_cmp11;
     wire [MUL10_BITS-1:0]          mul10;
     wire [`GLINT_W_BITS-1:0]       sat10;
 
@@ -90,19 +89,19 @@ module specular_lane #(
             localparam [`GLINT_W_DRAWN_BITS-1:0] W_ONE = {
                 {(`GLINT_W_DRAWN_INT_BITS - 1){1'b0}}, 1'b1, {`GLINT_W_FRAC_BITS{1'b0}}};
 
-            wire signed [SUM10_BITS-1:0]  sum10 = s3_adder8 * s3_adder8 + HALF10;
+            wire signed [SUM10_BITS-1:0]  sum10 = s2_adder8 * s2_adder8 + HALF10;
             wire [`GLINT_W_FRAC_BITS-1:0] mul10_unused;
             assign {mul10, mul10_unused} = sum10;
 
             assign sat10 = (mul10 > W_ONE) ? W_ONE[`GLINT_W_BITS-1:0] : mul10[`GLINT_W_BITS-1:0];
-            assign cmp11 = mul10 >= {{(`GLINT_W_DRAWN_INT_BITS - 1){1'b0}}, s3_rom9};
+            assign cmp11 = mul10 >= {{(`GLINT_W_DRAWN_INT_BITS - 1){1'b0}}, s2_rom9};
         end else begin : g_square
             // Where the gate passes, t is in 0..1: the square needs no more than these digits.
             localparam SUM10_BITS = 2 * `GLINT_W_BITS;
             localparam [SUM10_BITS-1:0] HALF10 = {
                 {(SUM10_BITS - `GLINT_W_FRAC_BITS){1'b0}}, 1'b1, {(`GLINT_W_FRAC_BITS - 1){1'b0}}};
 
-            wire [`GLINT_W_BITS-1:0]      t10 = s3_adder8[`GLINT_W_BITS-1:0];
+            wire [`GLINT_W_BITS-1:0]      t10 = s2_adder8[`GLINT_W_BITS-1:0];
             wire [SUM10_BITS-1:0]         sum10 = t10 * t10 + HALF10;
             wire                          mul10_high_unused;
             wire [`GLINT_W_FRAC_BITS-1:0] mul10_low_unused;
@@ -112,54 +111,51 @@ module specular_lane #(
             if (GATE == `GLINT_GATE_SIGN) begin : g_compare
                 assign cmp11 = !adder8[`GLINT_T_BITS-1];
             end else begin : g_compare
-                assign cmp11 = s2_reg1 >= s2_rom9;
+                assign cmp11 = reg1 >= rom9;
             end
         end
     endgenerate
 
-    wire gate_unused = &{1'b0, s2_reg1, s2_rom9, s3_rom9, s3_adder8}; // no gate reads all of them
+    wire gate_unused = &{1'b0, reg1, rom9, s2_rom9, s2_adder8}; // no gate reads all of them
 
-    wire                     pass12 = DRAWN ? cmp11 : s3_cmp11;
+    wire                     pass12 = DRAWN ? cmp11 : s2_cmp11;
     wire [`GLINT_W_BITS-1:0] keys12 = pass12 ? sat10 : {`GLINT_W_BITS{1'b0}};
 
-    // Stage 4: multipliers 13, 14, 15.
-    reg  [`GLINT_W_BITS-1:0]     s4_keys12;
+    // Stage 3: multipliers 13, 14, 15.
+    reg  [`GLINT_W_BITS-1:0]     s3_keys12;
     wire [`GLINT_COLOR_BITS-1:0] mul13;
     wire [`GLINT_COLOR_BITS-1:0] mul14;
     wire [`GLINT_COLOR_BITS-1:0] mul15;
-    color_multiplier u_mul13 (.w(s4_keys12), .color(s4_reg3), .product(mul13));
-    color_multiplier u_mul14 (.w(s4_keys12), .color(s4_reg4), .product(mul14));
-    color_multiplier u_mul15 (.w(s4_keys12), .color(s4_reg5), .product(mul15));
+    color_multiplier u_mul13 (.w(s3_keys12), .color(s3_reg3), .product(mul13));
+    color_multiplier u_mul14 (.w(s3_keys12), .color(s3_reg4), .product(mul14));
+    color_multiplier u_mul15 (.w(s3_keys12), .color(s3_reg5), .product(mul15));
 
     // What stands between the stages: registers, or wires where the device is as drawn.
     generate
         if (PIPELINED != 0) begin : g_stages
             always @(posedge clk)
                 if (reset) begin
-                    s2_reg1   <= {`GLINT_COS_BITS{1'b0}};
-                    s3_adder8 <= {`GLINT_T_BITS{1'b0}};
-                    s3_cmp11  <= 1'b0;
-                    s4_keys12 <= {`GLINT_W_BITS{1'b0}};
+                    s2_adder8 <= {`GLINT_T_BITS{1'b0}};
+                    s2_cmp11  <= 1'b0;
+                    s3_keys12 <= {`GLINT_W_BITS{1'b0}};
                     out_w     <= {`GLINT_W_BITS{1'b0}};
                     out_r     <= {`GLINT_COLOR_BITS{1'b0}};
                     out_g     <= {`GLINT_COLOR_BITS{1'b0}};
                     out_b     <= {`GLINT_COLOR_BITS{1'b0}};
                 end else if (en) begin
-                    s2_reg1   <= reg1;
-                    s3_adder8 <= adder8;
-                    s3_cmp11  <= cmp11 && !DRAWN;
-                    s4_keys12 <= keys12;
-                    out_w     <= s4_keys12;
+                    s2_adder8 <= adder8;
+                    s2_cmp11  <= cmp11 && !DRAWN;
+                    s3_keys12 <= keys12;
+                    out_w     <= s3_keys12;
                     out_r     <= mul13;
                     out_g     <= mul14;
                     out_b     <= mul15;
                 end
         end else begin : g_stages
-            always @* s2_reg1   = reg1;
-            always @* s3_adder8 = adder8;
-            always @* s3_cmp11  = cmp11 && !DRAWN;
-            always @* s4_keys12 = keys12;
-            always @* out_w     = s4_keys12;
+            always @* s2_adder8 = adder8;
+            always @* s2_cmp11  = cmp11 && !DRAWN;
+            always @* s3_keys12 = keys12;
+            always @* out_w     = s3_keys12;
             always @* out_r     = mul13;
             always @* out_g     = mul14;
             always @* out_b     = mul15;
