@@ -3,12 +3,37 @@
 #include <inttypes.h>
 
 #include "file/directory.h"
-#include "lockstep/mismatch.h"
 #include "wave/save_file.h"
 #include "wave/waveform.h"
 
 #define CLOCKS_BEFORE 32
 #define CLOCKS_AFTER  8
+
+/* A value as a reader wants it: its bits, and the number they stand for. */
+static void print_value(FILE *out, const glint_signal_info *signal, uint64_t bits)
+{
+    int width = signal->int_bits + signal->frac_bits;
+    double value = (double)bits;
+    if (signal->is_signed && (bits >> (width - 1) & 1) != 0)
+        value -= (double)(UINT64_C(1) << width);
+    value /= (double)(UINT64_C(1) << signal->frac_bits);
+    fprintf(out, "0x%0*" PRIx64 " (%.9g)", (width + 3) / 4, bits, value);
+}
+
+static void print_mismatch(FILE *out, const glint_mismatch *mismatch)
+{
+    const glint_signal_info *signal = &mismatch->signal;
+    fprintf(out, "  clock %" PRIu64 ": %s", mismatch->clock, signal->name);
+    if (signal->lane >= 0)
+        fprintf(out, ", lane %d", signal->lane);
+    if (signal->block != 0)
+        fprintf(out, ", block %d", signal->block);
+    fprintf(out, ", %s: model ", signal->meaning);
+    print_value(out, signal, mismatch->model);
+    fprintf(out, ", rtl ");
+    print_value(out, signal, mismatch->rtl);
+    fprintf(out, "\n");
+}
 
 static void print_pins(FILE *out, uint64_t clock, const glint_specular_inputs *in, int lanes)
 {
@@ -29,13 +54,17 @@ void glint_lockstep_report(FILE *out, const glint_lockstep_options *options,
     fprintf(out, "gate %s, pipeline %s, lanes %d: %" PRIu64 " mismatches of %" PRIu64 "\n",
             glint_gate_name(config->gate), glint_pipeline_name(config->pipeline), config->lanes,
             result->mismatches, result->comparisons);
-    glint_mismatch_print(out, result, "lane");
+    for (int i = 0; i < result->kept; i++)
+        print_mismatch(out, &result->mismatch[i]);
     fprintf(out,
             "inputs that led to the first (registers 2 to 5 held n = %u, %u, %u, %u before):\n",
             result->material.n, result->material.r, result->material.g, result->material.b);
     for (int i = 0; i < result->history_count; i++)
         print_pins(out, result->history_clock + (uint64_t)i, &result->history[i], config->lanes);
-    glint_mismatch_print_totals(out, result);
+    fprintf(out, "totals:\n");
+    for (int i = 0; i < result->totals_count; i++)
+        fprintf(out, "  %-10s block %2d: %" PRIu64 "\n", result->totals[i].name,
+                result->totals[i].block, result->totals[i].mismatches);
 }
 
 static int format_paths(const glint_lockstep_options *options, const char *directory,
