@@ -9,7 +9,6 @@ enum {
     RESET_CLOCK = 1,
     SCAN_FIRST = 3,
     SCAN_POINTS = 17, /* along the scan line, the centre in the middle */
-    STALL_FIRST = 9,
     STALL_CLOCKS = 3,
 };
 
@@ -50,17 +49,24 @@ static void scan(glint_specular_inputs *in, int first_point, int lanes, int n)
     }
 }
 
-static int is_stalled(int clock)
+/* First clock of the stall: a third of the way through the scan, so that points are in flight and
+ * more are to come, however few clocks the scan takes. */
+static int stall_first(int lanes)
 {
-    return clock >= STALL_FIRST && clock < STALL_FIRST + STALL_CLOCKS;
+    return SCAN_FIRST + (scan_clocks(lanes) + 1) / 3;
+}
+
+static int is_stalled(int clock, int lanes)
+{
+    return clock >= stall_first(lanes) && clock < stall_first(lanes) + STALL_CLOCKS;
 }
 
 /* The number of the clock without the stalled ones: what a point's place in the scene goes by. */
-static int running_clock(int clock)
+static int running_clock(int clock, int lanes)
 {
-    if (clock < STALL_FIRST)
-        return clock;
-    return clock < STALL_FIRST + STALL_CLOCKS ? STALL_FIRST : clock - STALL_CLOCKS;
+    if (is_stalled(clock, lanes))
+        return stall_first(lanes);
+    return clock < stall_first(lanes) ? clock : clock - STALL_CLOCKS;
 }
 
 /* After the first scan: the second material with its first point, a gap, a code above 1.0, and a
@@ -85,10 +91,10 @@ static void after_first_scan(int step, int lanes, glint_specular_inputs *in)
 
 void glint_wave_scene(int clock, int lanes, glint_specular_inputs *in)
 {
-    const int running = running_clock(clock);
+    const int running = running_clock(clock, lanes);
     const int step = running - SCAN_FIRST;
     memset(in, 0, sizeof *in);
-    in->en = !is_stalled(clock);
+    in->en = !is_stalled(clock, lanes);
     in->reset = clock == RESET_CLOCK;
     if (step < 0) {
         if (step == -1)
@@ -103,5 +109,5 @@ void glint_wave_scene(int clock, int lanes, glint_specular_inputs *in)
 int glint_wave_scene_centre(int lanes)
 {
     int running = SCAN_FIRST + SCAN_POINTS / 2 / lanes;
-    return running < STALL_FIRST ? running : running + STALL_CLOCKS;
+    return running < stall_first(lanes) ? running : running + STALL_CLOCKS;
 }
