@@ -17,6 +17,7 @@
 
 #include "../scratch.h"
 
+#include "../under_way.h"
 #include "rtl/rtl.h"
 #include "saved.h"
 #include "vcd.h"
