@@ -63,7 +63,10 @@ static glint_status load_mesh(const glint_render_options *chosen, glint_mesh **m
     }
     if (chosen->density != 0) {
         return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "--density is for teapot and sphere: a mesh file has its own triangles");
+                          "--density is for teapot and sphere: others have their own triangles");
+    }
+    if (strcmp(chosen->model, "quad") == 0) {
+        return glint_mesh_quad(mesh, err);
     }
     return glint_mesh_load(chosen->model, mesh, err);
 }

@@ -11,8 +11,8 @@
 /* The option table's variables, which are wider than the fields they end up in. */
 typedef struct raw_options {
     const char *model, *out;
-    int64_t density, threads, n;
-    int backend, gate, pipeline, lanes;
+    int64_t density, threads, n, shifts;
+    int shading, backend, gate, pipeline, lanes;
     int width, height;
     double light[3];
     int color[3], highlight[3];
@@ -25,6 +25,14 @@ static const char *const backend_names[] = {"c", "rtl", "real", "both", NULL};
 static const glint_backend_kind backend_kinds[] = {GLINT_BACKEND_C, GLINT_BACKEND_RTL,
                                                    GLINT_BACKEND_REAL};
 #define BACKEND_BOTH 3
+
+static const char *const shading_names[] = {
+    [GLINT_SHADING_FLAT] = "flat",
+    [GLINT_SHADING_GOURAUD] = "gouraud",
+    [GLINT_SHADING_GOURAUD_PERSPECTIVE] = "gouraud-perspective",
+    [GLINT_SHADING_PHONG] = "phong",
+    [GLINT_SHADING_COUNT] = NULL,
+};
 
 static const char *const lane_names[] = {"auto", "1", "2", "4", "8", "16", NULL};
 static const int lane_counts[] = {0, 1, 2, 4, 8, 16};
@@ -45,6 +53,8 @@ static raw_options defaults(void)
         .model = "teapot",
         .threads = online_cores(),
         .n = scene.n,
+        .shifts = scene.shifts,
+        .shading = (int)scene.shading,
         .pipeline = GLINT_PIPELINE_PIPELINED,
         .width = 640,
         .height = 480,
@@ -69,7 +79,10 @@ static raw_options defaults(void)
 static const char details[] =
     "A pixel is C(Ka Ia + Kd Ie N.L) + Ie Ks W(N.H) S: ambient light, Lambert's, and\n"
     "the device's highlight, saturated to 8 bits; alpha is 255 on the object. Axes: x\n"
-    "right, y up, z towards the viewer.\n"
+    "right, y up, z towards the viewer. --shading flat computes that once for each\n"
+    "triangle, gouraud at the vertices and interpolates on the screen, with increments\n"
+    "by the divider (--backend real: exactly), gouraud-perspective interpolates on the\n"
+    "object, phong computes it for each pixel.\n"
     "\n"
     "--backend both renders by c and by rtl and compares. Where they differ, FILE.png\n"
     "is the frame of rtl, FILE-c.png that of c, FILE-diff.png shows the difference,\n"
@@ -110,7 +123,7 @@ static int parse_raw(int argc, char **argv, raw_options *raw)
          .kind = GLINT_OPTION_STRING,
          .string = &raw->out},
         {.name = "model",
-         .placeholder = "teapot|sphere|FILE",
+         .placeholder = "teapot|sphere|quad|FILE",
          .help = "a built-in model, or a mesh file: .3ds, .obj, .ply, .stl and more",
          .kind = GLINT_OPTION_STRING,
          .string = &raw->model},
@@ -118,7 +131,12 @@ static int parse_raw(int argc, char **argv, raw_options *raw)
                 "how finely the teapot (1 to 256) or the sphere (4 to 4096, even) is divided; 0: "
                 "the model's own",
                 density, 0, GLINT_SPHERE_DENSITY_MAX),
-        CHOICE("backend", "who computes the highlights", backend, backend_names),
+        CHOICE("shading", "where the light is computed: for each triangle, vertex or pixel",
+               shading, shading_names),
+        CHOICE("backend", "who computes the highlights, and divides for --shading gouraud", backend,
+               backend_names),
+        INTEGER("shifts", "shifts of the divider, for --shading gouraud", shifts,
+                GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX),
         CHOICE("gate", "what decides that a point lies outside the highlight", gate,
                glint_gate_names),
         CHOICE("pipeline", "where the Verilog's registers are", pipeline, glint_pipeline_names),
@@ -179,6 +197,8 @@ static glint_scene scene_of(const raw_options *raw)
         .pitch = (float)raw->pitch,
         .fov = (float)raw->fov,
         .distance = (float)raw->distance,
+        .shading = (glint_shading)raw->shading,
+        .shifts = (int)raw->shifts,
     };
     for (int i = 0; i < 3; i++) {
         scene.light[i] = (float)raw->light[i];
@@ -199,6 +219,7 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
     *chosen = (glint_render_options){
         .model = raw.model,
         .density = (int)raw.density,
+        .shading = shading_names[raw.shading],
         .both = both,
         .backend = {.kind = both ? GLINT_BACKEND_RTL : backend_kinds[raw.backend],
                     .gate = (glint_gate)raw.gate,

@@ -6,8 +6,9 @@
 #include "render/render.h"
 
 typedef struct glint_render_options {
-    const char *model; /* "teapot", "sphere", or a path */
-    int density;       /* of a built-in model; 0: its own default */
+    const char *model;   /* "teapot", "sphere", "quad", or a path */
+    int density;         /* of teapot or sphere; 0: its own default */
+    const char *shading; /* name of the scene's */
     bool both;         /* render by c and by rtl and compare; else by backend.kind */
     glint_backend_config backend;
     int width, height, threads;

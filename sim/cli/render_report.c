@@ -63,6 +63,12 @@ void glint_render_report_text(const glint_render_options *chosen, const glint_re
     printf("%s, %dx%d: %" PRIu64 " triangles, %" PRIu64 " drawn, %" PRIu64 " fragments\n",
            chosen->model, chosen->width, chosen->height, stats->triangles, stats->drawn,
            stats->fragments);
+    if (chosen->scene.shading == GLINT_SHADING_GOURAUD) {
+        printf("%s: %" PRIu64 " highlights, %" PRIu64 " divisions with %d shifts\n",
+               chosen->shading, stats->highlights, stats->divisions, chosen->scene.shifts);
+    } else {
+        printf("%s: %" PRIu64 " highlights\n", chosen->shading, stats->highlights);
+    }
     for (int i = 0; i < result->frame_count; i++) {
         print_frame(&result->frame[i]);
     }
@@ -108,10 +114,16 @@ bool glint_render_report_json(const glint_render_options *chosen, const glint_re
     cJSON_AddNumberToObject(json, "height", chosen->height);
     cJSON_AddStringToObject(json, "gate", glint_gate_names[chosen->backend.gate]);
     cJSON_AddStringToObject(json, "pipeline", glint_pipeline_names[chosen->backend.pipeline]);
+    cJSON_AddStringToObject(json, "shading", chosen->shading);
+    if (chosen->scene.shading == GLINT_SHADING_GOURAUD) {
+        cJSON_AddNumberToObject(json, "shifts", chosen->scene.shifts);
+    }
     cJSON_AddNumberToObject(json, "threads", chosen->threads);
     cJSON_AddNumberToObject(json, "triangles", (double)stats->triangles);
     cJSON_AddNumberToObject(json, "drawn", (double)stats->drawn);
     cJSON_AddNumberToObject(json, "fragments", (double)stats->fragments);
+    cJSON_AddNumberToObject(json, "highlights", (double)stats->highlights);
+    cJSON_AddNumberToObject(json, "divisions", (double)stats->divisions);
     cJSON *frames = cJSON_AddArrayToObject(json, "frames");
     for (int i = 0; i < result->frame_count; i++) {
         add_frame(frames, &result->frame[i]);

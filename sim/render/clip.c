@@ -50,6 +50,8 @@ static glint_clip_corner cut(const glint_clip_corner *in, double d_in, const gli
               between(in->p.w, out->p.w, t)},
         .n = {between(in->n.x, out->n.x, t), between(in->n.y, out->n.y, t),
               between(in->n.z, out->n.z, t)},
+        .color = {between(in->color[0], out->color[0], t), between(in->color[1], out->color[1], t),
+                  between(in->color[2], out->color[2], t)},
     };
 }
 

@@ -8,10 +8,11 @@
 #define GLINT_CLIP_PLANES      5
 #define GLINT_CLIP_CORNERS_MAX (3 + GLINT_CLIP_PLANES)
 
-/* A corner in the camera's coordinates, with the normal there. */
+/* A corner in the camera's coordinates, with normal and colour there. */
 typedef struct glint_clip_corner {
     glint_view_point p;
     glint_vec3 n;
+    double color[3];
 } glint_clip_corner;
 
 /* A bit for each plane that the point is beyond. */

@@ -1,4 +1,4 @@
-/* Triangle meshes: the built-in teapot and sphere, and files through assimp. */
+/* Triangle meshes: the built-in teapot, sphere and quad, and files through assimp. */
 #ifndef GLINT_SIM_MESH_H
 #define GLINT_SIM_MESH_H
 
@@ -35,6 +35,11 @@ glint_status glint_mesh_teapot(int density, glint_mesh **mesh, glint_error *err)
 /* Unit sphere about the origin of density meridian quads by density/2 parallels (density 4…4096,
  * even): density·(density − 2) triangles. The poles are on the y axis. */
 glint_status glint_mesh_sphere(int density, glint_mesh **mesh, glint_error *err);
+
+/* A long rectangle on the ground, of two triangles, that recedes from the default camera: from
+ * z = 8 back to z = −8. Its normals lean differently at its four corners, so that the light falls on
+ * them very differently. It shows what Gouraud's shading on the screen does to perspective. */
+glint_status glint_mesh_quad(glint_mesh **mesh, glint_error *err);
 
 /* Reads a mesh file through assimp (.3ds .obj .ply .stl …): all meshes under their node
  * transforms, triangulated; points and lines are left out. Normals are the file's; where it has

@@ -15,11 +15,6 @@ typedef struct edge {
     int64_t bias;           /* 0 or 1, see biased_edge_at() */
 } edge;
 
-/* Pixels of one row, last < first when there are none. */
-typedef struct span {
-    int32_t first, last;
-} span;
-
 static int64_t sample(int32_t pixel)
 {
     return (int64_t)pixel * GLINT_SUBPIXEL_ONE + GLINT_SUBPIXEL_HALF;
@@ -66,7 +61,7 @@ glint_weights glint_triangle_weights(const glint_triangle *t, int32_t x, int32_t
 }
 
 /* The inside of a narrow box's row, found step by step. */
-static span narrow_span(const edge e[3], int32_t first, int32_t last)
+static glint_pixels narrow_span(const edge e[3], int32_t first, int32_t last)
 {
     int64_t a = e[0].value;
     int64_t b = e[1].value;
@@ -85,11 +80,11 @@ static span narrow_span(const edge e[3], int32_t first, int32_t last)
         c += e[2].step_x;
         x++;
     }
-    return (span){start, x - 1};
+    return (glint_pixels){start, x - 1};
 }
 
 /* The same for a wide one, solved for where each edge function changes its sign. */
-static span wide_span(const edge e[3], int32_t first, int32_t last)
+static glint_pixels wide_span(const edge e[3], int32_t first, int32_t last)
 {
     int64_t low = 0;
     int64_t high = last - first;
@@ -98,7 +93,7 @@ static span wide_span(const edge e[3], int32_t first, int32_t last)
         const int64_t value = e[i].value;
         if (value < 0) {
             if (step <= 0) {
-                return (span){first, first - 1};
+                return (glint_pixels){first, first - 1};
             }
             const int64_t enter = (-value + step - 1) / step;
             low = low > enter ? low : enter;
@@ -107,8 +102,25 @@ static span wide_span(const edge e[3], int32_t first, int32_t last)
             high = high < leave ? high : leave;
         }
     }
-    return low > high ? (span){first, first - 1}
-                      : (span){first + (int32_t)low, first + (int32_t)high};
+    return low > high ? (glint_pixels){first, first - 1}
+                      : (glint_pixels){first + (int32_t)low, first + (int32_t)high};
+}
+
+glint_pixels glint_triangle_pixels(const glint_triangle *t, int32_t y)
+{
+    int32_t low = t->x[0];
+    int32_t high = t->x[0];
+    for (int i = 1; i < 3; i++) {
+        low = t->x[i] < low ? t->x[i] : low;
+        high = t->x[i] > high ? t->x[i] : high;
+    }
+    const int32_t first = glint_first_sample(low);
+    const int32_t last = glint_last_sample(high);
+    edge e[3];
+    for (int i = 0; i < 3; i++) {
+        e[i] = biased_edge_at(t, i, first, y);
+    }
+    return last - first >= WIDE ? wide_span(e, first, last) : narrow_span(e, first, last);
 }
 
 /* The depth of a triangle as a function of its edge functions. In double precision, as a triangle
@@ -165,7 +177,7 @@ static void draw(glint_visibility *band, glint_extent extent, const glint_triang
     const depth_plane plane = depth_plane_of(t, e);
     size_t row = (size_t)(first_y - band->first_y) * (size_t)extent.width;
     for (int32_t y = first_y; y <= last_y; y++) {
-        const span s =
+        const glint_pixels s =
             wide ? wide_span(e, t->first_x, t->last_x) : narrow_span(e, t->first_x, t->last_x);
         if (s.first <= s.last) {
             const size_t at = row + (size_t)s.first;

@@ -26,6 +26,36 @@ void glint_visibility_begin(glint_visibility *band, glint_extent extent, int32_t
 void glint_visibility_draw(glint_visibility *band, glint_extent extent,
                            const glint_triangle_list *list);
 
+/* Pixels of one row next to each other, first … last. */
+typedef struct glint_pixels {
+    int32_t first, last;
+} glint_pixels;
+
+/* The triangle seen at or after column *x of row y, nearest to it, and the pixels in a row that it
+ * is seen in; *x is moved past them. NULL when there is none. */
+static inline const glint_triangle *glint_visible_next(const glint_visibility *band, int32_t width,
+                                                       int32_t y, int32_t *x, glint_pixels *pixels)
+{
+    const glint_triangle *const *seen =
+        &band->triangle[(size_t)(y - band->first_y) * (size_t)width];
+    int32_t at = *x;
+    while (at < width && seen[at] == NULL) {
+        at++;
+    }
+    const glint_triangle *t = at < width ? seen[at] : NULL;
+    pixels->first = at;
+    while (at < width && seen[at] == t) {
+        at++;
+    }
+    pixels->last = at - 1;
+    *x = at;
+    return t;
+}
+
+/* All pixels of row y that the triangle covers, beyond the frame's sides too; last < first when it
+ * covers none. */
+glint_pixels glint_triangle_pixels(const glint_triangle *t, int32_t y);
+
 /* How far corners 1 and 2 of a triangle pull at the sample of pixel (x, y), 0…1 inside, and what
  * one pixel to the right adds. From the exact integer edge functions: they do not run out of the
  * triangle however thin it is. */

@@ -9,13 +9,15 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "render/gouraud.h"
+#include "render/points.h"
 #include "render/pool.h"
 #include "render/raster.h"
 #include "render/scene.h"
 #include "render/setup.h"
 #include "render/shade.h"
 
-#define VERTEX_RUN   1024
+#define VERTEX_RUN   GLINT_POINTS_RUN
 #define TRIANGLE_RUN 256
 
 /* One thread's own things. */
@@ -23,7 +25,13 @@ typedef struct worker {
     glint_backend *backend;
     glint_visibility band;
     glint_shader shader;
-    uint64_t fragments; /* of this frame */
+    glint_points points;
+    glint_gouraud *gouraud; /* made, with the divider, for the first frame that needs it */
+    glint_divider_backend *divider;
+    int divider_shifts;
+    uint64_t fragments, highlights; /* of this frame, like the next two */
+    glint_span_operations operations;
+    uint64_t clocks_before; /* of the divider */
     glint_status status;
     glint_error error;
 } worker;
@@ -31,11 +39,12 @@ typedef struct worker {
 struct glint_renderer {
     glint_extent extent;
     int threads;
+    glint_backend_kind kind;
     glint_pool *pool;
     worker *workers;
     glint_record record;
     glint_material material; /* of the last frame */
-    bool rendered;           /* the record holds a frame */
+    bool recorded;           /* the record holds a frame */
     glint_screen_vertex *screen;
     size_t screen_capacity;
     glint_triangle_list *lists; /* one for each run of the mesh's triangles */
@@ -46,6 +55,8 @@ struct glint_renderer {
 typedef struct frame {
     glint_renderer *renderer;
     const glint_mesh *mesh;
+    glint_shading shading;
+    int shifts; /* GLINT_SHIFTS_EXACT with backend real */
     glint_camera camera;
     glint_lighting lighting;
     glint_image *image;
@@ -58,6 +69,25 @@ static void fail_worker(frame *f, worker *w, glint_status status, const char *wh
 {
     w->status = glint_fail(&w->error, status, "%s", why);
     atomic_store(&f->failed, true);
+}
+
+/* Keeps a failure whose text is in the worker already. */
+static void note(frame *f, worker *w, glint_status status)
+{
+    if (status != GLINT_OK) {
+        w->status = status;
+        atomic_store(&f->failed, true);
+    }
+}
+
+static glint_point_light point_light(const frame *f)
+{
+    return (glint_point_light){f->mesh, &f->camera, &f->lighting};
+}
+
+static bool colors_at_vertices(const frame *f)
+{
+    return f->shading == GLINT_SHADING_GOURAUD || f->shading == GLINT_SHADING_GOURAUD_PERSPECTIVE;
 }
 
 /* Takes the next of count pieces; false when there are none left or the frame is given up. */
@@ -92,9 +122,24 @@ static void vertex_phase(void *context, int worker_index)
     size_t piece;
     while (take(f, w, pieces(items, VERTEX_RUN), &piece)) {
         const size_t start = piece * VERTEX_RUN;
-        glint_setup_vertices(&f->camera, f->mesh, start, end_of(start, VERTEX_RUN, items),
-                             f->renderer->screen);
+        const size_t end = end_of(start, VERTEX_RUN, items);
+        glint_setup_vertices(&f->camera, f->mesh, start, end, f->renderer->screen);
+        if (colors_at_vertices(f)) {
+            const glint_point_light light = point_light(f);
+            note(f, w,
+                 glint_light_vertices(&w->points, &light, start, end, w->backend,
+                                      f->renderer->screen, &w->error));
+            w->highlights += end - start;
+        }
     }
+}
+
+static void light_triangles(frame *f, worker *w, glint_triangle_list *list)
+{
+    const glint_point_light light = point_light(f);
+    uint64_t count = 0;
+    note(f, w, glint_light_triangles(&w->points, &light, w->backend, list, &count, &w->error));
+    w->highlights += count;
 }
 
 static void triangle_phase(void *context, int worker_index)
@@ -109,8 +154,35 @@ static void triangle_phase(void *context, int worker_index)
         if (!glint_setup_triangles(&f->camera, f->mesh, r->extent, r->screen, start,
                                    end_of(start, TRIANGLE_RUN, items), &r->lists[piece])) {
             fail_worker(f, w, GLINT_NO_MEMORY, "no memory for the frame's triangles");
+        } else if (f->shading == GLINT_SHADING_FLAT) {
+            light_triangles(f, w, &r->lists[piece]);
         }
     }
+}
+
+static glint_status shade_band(frame *f, worker *w)
+{
+    uint64_t fragments = 0;
+    glint_status status = GLINT_OK;
+    switch (f->shading) {
+    case GLINT_SHADING_FLAT:
+        glint_flat_band(&w->band, f->image, &fragments);
+        break;
+    case GLINT_SHADING_GOURAUD:
+        status = glint_gouraud_band(w->gouraud, &w->band,
+                                    f->shifts == GLINT_SHIFTS_EXACT ? NULL : w->divider, f->shifts,
+                                    f->image, &fragments, &w->operations, &w->error);
+        break;
+    case GLINT_SHADING_GOURAUD_PERSPECTIVE:
+        glint_perspective_band(&w->band, f->image, &fragments);
+        break;
+    default:
+        status = glint_shade_band(&w->shader, &f->lighting, &w->band, w->backend,
+                                  &f->renderer->record, f->image, &fragments, &w->error);
+        w->highlights += fragments;
+    }
+    w->fragments += fragments;
+    return status;
 }
 
 static void draw_band(frame *f, worker *w, size_t band)
@@ -126,14 +198,7 @@ static void draw_band(frame *f, worker *w, size_t band)
         }
         glint_visibility_draw(&w->band, r->extent, &r->lists[i]);
     }
-    uint64_t fragments = 0;
-    const glint_status status = glint_shade_band(&w->shader, &f->lighting, &w->band, w->backend,
-                                                 &r->record, f->image, &fragments, &w->error);
-    if (status != GLINT_OK) {
-        w->status = status;
-        atomic_store(&f->failed, true);
-    }
-    w->fragments += fragments;
+    note(f, w, shade_band(f, w));
 }
 
 static void band_phase(void *context, int worker_index)
@@ -189,6 +254,43 @@ static glint_status make_room(glint_renderer *r, const glint_mesh *mesh, glint_e
     return GLINT_OK;
 }
 
+/* What Gouraud's shading needs of a worker: room, and a divider with the frame's shifts. */
+static glint_status prepare_gouraud(const frame *f, worker *w, glint_error *err)
+{
+    if (w->gouraud == NULL) {
+        w->gouraud = glint_gouraud_create(f->renderer->extent.width);
+        if (w->gouraud == NULL) {
+            return glint_fail(err, GLINT_NO_MEMORY, "no memory for a band of %d pixels' width",
+                              f->renderer->extent.width);
+        }
+    }
+    if (f->shifts == GLINT_SHIFTS_EXACT || (w->divider != NULL && w->divider_shifts == f->shifts)) {
+        return GLINT_OK;
+    }
+    const glint_divider_config config = {
+        .kind = f->renderer->kind, .form = GLINT_DIVIDER_PIPELINED, .shifts = f->shifts};
+    glint_divider_backend_destroy(w->divider);
+    w->divider_shifts = f->shifts;
+    return glint_divider_backend_create(&config, &w->divider, err);
+}
+
+static glint_status prepare_workers(const frame *f, glint_error *err)
+{
+    glint_status status = GLINT_OK;
+    for (int i = 0; status == GLINT_OK && i < f->renderer->threads; i++) {
+        worker *w = &f->renderer->workers[i];
+        w->status = GLINT_OK;
+        w->fragments = 0;
+        w->highlights = 0;
+        w->operations = (glint_span_operations){0};
+        if (f->shading == GLINT_SHADING_GOURAUD) {
+            status = prepare_gouraud(f, w, err);
+        }
+        w->clocks_before = w->divider != NULL ? glint_divider_backend_clocks(w->divider) : 0;
+    }
+    return status;
+}
+
 static double now(void)
 {
     struct timespec t;
@@ -208,6 +310,14 @@ static glint_status run_phases(frame *f, glint_error *err)
     return status;
 }
 
+static void add_operations(glint_span_operations *sum, const glint_span_operations *more)
+{
+    for (int i = 0; i < GLINT_SPAN_STAGE_COUNT; i++) {
+        sum->stage[i].additions += more->stage[i].additions;
+        sum->stage[i].divisions += more->stage[i].divisions;
+    }
+}
+
 static void collect_stats(const frame *f, double seconds, glint_render_stats *stats)
 {
     const glint_renderer *r = f->renderer;
@@ -216,8 +326,17 @@ static void collect_stats(const frame *f, double seconds, glint_render_stats *st
         stats->drawn += r->lists[i].count;
     }
     for (int i = 0; i < r->threads; i++) {
-        stats->fragments += r->workers[i].fragments;
+        const worker *w = &r->workers[i];
+        stats->fragments += w->fragments;
+        stats->highlights += w->highlights;
+        add_operations(&stats->operations, &w->operations);
+        if (w->divider != NULL) {
+            stats->divider_clocks += glint_divider_backend_clocks(w->divider) - w->clocks_before;
+        }
     }
+    stats->divisions = (stats->operations.stage[GLINT_SPAN_EDGE_INCREMENTS].divisions +
+                        stats->operations.stage[GLINT_SPAN_ROW_INCREMENTS].divisions) /
+                       GLINT_DIVIDER_COMPONENTS;
 }
 
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, glint_image *image,
@@ -233,26 +352,32 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, gl
                           image->width, image->height, renderer->extent.width,
                           renderer->extent.height);
     }
-    renderer->rendered = false;
+    renderer->recorded = false;
     status = make_room(renderer, scene->mesh, err);
     if (status != GLINT_OK) {
         return status;
     }
-    frame f = {.renderer = renderer, .mesh = scene->mesh, .image = image, .stop = stop};
+    frame f = {
+        .renderer = renderer,
+        .mesh = scene->mesh,
+        .shading = scene->shading,
+        .shifts = renderer->kind == GLINT_BACKEND_REAL ? GLINT_SHIFTS_EXACT : scene->shifts,
+        .image = image,
+        .stop = stop,
+    };
     atomic_init(&f.next, 0);
     atomic_init(&f.failed, false);
     f.camera = glint_camera_of(scene, image->width, image->height);
     f.lighting = glint_lighting_of(scene, &f.camera);
-    for (int i = 0; i < renderer->threads; i++) {
-        renderer->workers[i].status = GLINT_OK;
-        renderer->workers[i].fragments = 0;
+    status = prepare_workers(&f, err);
+    if (status == GLINT_OK) {
+        status = run_phases(&f, err);
     }
-    status = run_phases(&f, err);
     if (status != GLINT_OK) {
         return status;
     }
     renderer->material = f.lighting.material;
-    renderer->rendered = true;
+    renderer->recorded = f.shading == GLINT_SHADING_PHONG;
     if (stats != NULL) {
         collect_stats(&f, now() - start, stats);
     }
@@ -310,6 +435,7 @@ glint_status glint_renderer_create(int width, int height, int threads,
     }
     r->extent = (glint_extent){width, height};
     r->threads = threads;
+    r->kind = config->kind;
     const glint_status status = create_parts(r, config, err);
     if (status != GLINT_OK) {
         glint_renderer_destroy(r);
@@ -327,6 +453,8 @@ void glint_renderer_destroy(glint_renderer *renderer)
     glint_pool_destroy(renderer->pool);
     for (int i = 0; renderer->workers != NULL && i < renderer->threads; i++) {
         glint_backend_destroy(renderer->workers[i].backend);
+        glint_divider_backend_destroy(renderer->workers[i].divider);
+        glint_gouraud_destroy(renderer->workers[i].gouraud);
         glint_visibility_destroy(&renderer->workers[i].band);
         glint_shader_destroy(&renderer->workers[i].shader);
     }
@@ -345,7 +473,7 @@ void glint_renderer_destroy(glint_renderer *renderer)
 bool glint_renderer_fragment(const glint_renderer *renderer, int x, int y, uint32_t *cos_code,
                              glint_material *material)
 {
-    if (!renderer->rendered || x < 0 || x >= renderer->extent.width || y < 0 ||
+    if (!renderer->recorded || x < 0 || x >= renderer->extent.width || y < 0 ||
         y >= renderer->extent.height) {
         return false;
     }

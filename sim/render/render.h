@@ -9,6 +9,7 @@
 #include "backend/backend.h"
 #include "image/image.h"
 #include "render/mesh.h"
+#include "render/span.h"
 
 /* Limits of a scene and of a renderer. */
 #define GLINT_ANGLE_MAX    36000.0f /* of yaw and pitch, degrees either way */
@@ -16,6 +17,19 @@
 #define GLINT_FOV_MAX      170.0f
 #define GLINT_DISTANCE_MAX 1000.0f
 #define GLINT_THREADS_MAX  64
+
+/* Where the formula below is evaluated, and how colours come to be in between (docs/frames.md). */
+typedef enum glint_shading {
+    GLINT_SHADING_FLAT,                /* once for each triangle */
+    GLINT_SHADING_GOURAUD,             /* at vertices; between them by the divider, on the screen */
+    GLINT_SHADING_GOURAUD_PERSPECTIVE, /* at vertices; between them on the object */
+    GLINT_SHADING_PHONG,               /* for each pixel, with the interpolated normal */
+    GLINT_SHADING_COUNT
+} glint_shading;
+
+/* Instead of a number of shifts: increments are not divided, values are exact and rounded half up.
+ */
+#define GLINT_SHIFTS_EXACT 0
 
 /* I = C·(Ka·Ia + Kd·Ie·(N·L)) + Ie·Ks·W(N·H)·S : ambient, Lambert (1.2) and the device's highlight.
  * Where N·L ≤ 0 both of the latter are 0. In brackets: what glint_scene_defaults() sets. */
@@ -35,22 +49,30 @@ typedef struct glint_scene {
                        bounding sphere (about the centre of its bounding box), up to 1000; it
                        may stand inside. 0: the object fills the frame, its projection centred
                        and 2 % short of two opposite sides [0] */
+    glint_shading shading; /* [phong] */
+    int shifts; /* of the divider, for Gouraud's shading on the screen: GLINT_DIVIDER_SHIFTS_MIN…
+                   MAX or GLINT_SHIFTS_EXACT. Backend real is always exact. [default] */
 } glint_scene;
 
 /* Everything but the mesh set to the defaults that stand in brackets above. */
 void glint_scene_defaults(glint_scene *scene);
 
 typedef struct glint_render_stats {
-    uint64_t triangles; /* of the mesh */
-    uint64_t drawn;     /* triangles left after culling and clipping that span a pixel's centre */
-    uint64_t fragments; /* visible pixels of the object: each went through the backend */
+    uint64_t triangles;  /* of the mesh */
+    uint64_t drawn;      /* triangles left after culling and clipping that span a pixel's centre */
+    uint64_t fragments;  /* visible pixels of the object */
+    uint64_t highlights; /* points that went through the backend: with Phong's shading fragments,
+                            with flat shading triangles, else vertices */
+    uint64_t divisions;  /* done by the divider, each of three components */
+    uint64_t divider_clocks;          /* of its circuits; 0 for backends without a clock */
+    glint_span_operations operations; /* of the span unit */
     double seconds;
 } glint_render_stats;
 
 typedef struct glint_renderer glint_renderer;
 
 /* A renderer of width × height frames on `threads` threads (1…64), each with a backend of its own
- * made from config. */
+ * made from config, and a pipelined divider of the same kind when a frame asks for one. */
 glint_status glint_renderer_create(int width, int height, int threads,
                                    const glint_backend_config *config, glint_renderer **renderer,
                                    glint_error *err);
@@ -63,7 +85,8 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, gl
                           const volatile bool *stop, glint_render_stats *stats, glint_error *err);
 
 /* The run of cosine codes and the material of the last frame, for inspection: the fragment of pixel
- * (x, y). Returns false when no object covers that pixel. */
+ * (x, y). Returns false when no object covers that pixel, or when the frame has another shading
+ * than Phong's and so no cosines at pixels. */
 bool glint_renderer_fragment(const glint_renderer *renderer, int x, int y, uint32_t *cos_code,
                              glint_material *material);
 

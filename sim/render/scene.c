@@ -21,6 +21,8 @@ void glint_scene_defaults(glint_scene *scene)
         .pitch = 22.0f,
         .fov = 35.0f,
         .distance = 0.0f,
+        .shading = GLINT_SHADING_PHONG,
+        .shifts = GLINT_DIVIDER_SHIFTS_DEFAULT,
     };
 }
 
@@ -47,6 +49,19 @@ static glint_status check_light(const float light[3], glint_error *err)
     }
     if (zero) {
         return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: light 0,0,0 has no direction");
+    }
+    return GLINT_OK;
+}
+
+static glint_status check_shading(const glint_scene *scene, glint_error *err)
+{
+    if ((unsigned)scene->shading >= GLINT_SHADING_COUNT) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: no such shading");
+    }
+    if (scene->shifts != GLINT_SHIFTS_EXACT &&
+        (scene->shifts < GLINT_DIVIDER_SHIFTS_MIN || scene->shifts > GLINT_DIVIDER_SHIFTS_MAX)) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: shifts is %d, not from %d to %d",
+                          scene->shifts, GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX);
     }
     return GLINT_OK;
 }
@@ -81,7 +96,8 @@ glint_status glint_scene_check(const glint_scene *scene, glint_error *err)
     if (scene->mesh == NULL) {
         return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: mesh is missing");
     }
-    return check_light(scene->light, err);
+    const glint_status status = check_shading(scene, err);
+    return status == GLINT_OK ? check_light(scene->light, err) : status;
 }
 
 static uint8_t register_of(uint8_t component, const glint_scene *scene)

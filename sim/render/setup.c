@@ -11,7 +11,7 @@ static int32_t snap(double pixels)
     return (int32_t)floor(pixels * GLINT_SUBPIXEL_ONE + 0.5);
 }
 
-/* Projects a point inside all the clipping planes. */
+/* Projects a point inside all the clipping planes. Its colour is still to come. */
 static glint_screen_vertex project(const glint_camera *camera, glint_view_point p, glint_vec3 n)
 {
     const double inv_w = 1.0 / p.w;
@@ -48,24 +48,15 @@ static int32_t greater(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* The first pixel whose sample is at or after coordinate c, and the last one at or before. */
-static int32_t first_sample(int32_t c)
-{
-    return (c - GLINT_SUBPIXEL_HALF + GLINT_SUBPIXEL_ONE - 1) >> GLINT_SUBPIXEL_BITS;
-}
-
-static int32_t last_sample(int32_t c)
-{
-    return (c - GLINT_SUBPIXEL_HALF) >> GLINT_SUBPIXEL_BITS;
-}
-
 /* Finds the pixels of the frame whose samples the triangle's box holds; false if there are none. */
 static bool find_box(glint_triangle *t, glint_extent extent)
 {
-    t->first_x = greater(first_sample(lesser(lesser(t->x[0], t->x[1]), t->x[2])), 0);
-    t->first_y = greater(first_sample(lesser(lesser(t->y[0], t->y[1]), t->y[2])), 0);
-    t->last_x = lesser(last_sample(greater(greater(t->x[0], t->x[1]), t->x[2])), extent.width - 1);
-    t->last_y = lesser(last_sample(greater(greater(t->y[0], t->y[1]), t->y[2])), extent.height - 1);
+    t->first_x = greater(glint_first_sample(lesser(lesser(t->x[0], t->x[1]), t->x[2])), 0);
+    t->first_y = greater(glint_first_sample(lesser(lesser(t->y[0], t->y[1]), t->y[2])), 0);
+    t->last_x =
+        lesser(glint_last_sample(greater(greater(t->x[0], t->x[1]), t->x[2])), extent.width - 1);
+    t->last_y =
+        lesser(glint_last_sample(greater(greater(t->y[0], t->y[1]), t->y[2])), extent.height - 1);
     return t->first_x <= t->last_x && t->first_y <= t->last_y;
 }
 
@@ -93,7 +84,7 @@ static bool make_room(glint_triangle_list *list)
 
 /* Appends the triangle a, b, c, counter-clockwise from outside, unless it faces away or holds no
  * sample. false: no memory. */
-static bool add_triangle(glint_triangle_list *list, glint_extent extent,
+static bool add_triangle(glint_triangle_list *list, glint_extent extent, uint32_t source,
                          const glint_screen_vertex *a, const glint_screen_vertex *b,
                          const glint_screen_vertex *c)
 {
@@ -108,6 +99,10 @@ static bool add_triangle(glint_triangle_list *list, glint_extent extent,
         .n = {{a->n[0], a->n[1], a->n[2]},
               {c->n[0], c->n[1], c->n[2]},
               {b->n[0], b->n[1], b->n[2]}},
+        .color = {{a->color[0], a->color[1], a->color[2]},
+                  {c->color[0], c->color[1], c->color[2]},
+                  {b->color[0], b->color[1], b->color[2]}},
+        .source = source,
     };
     if (!find_box(&t, extent)) {
         return true;
@@ -125,21 +120,29 @@ static bool add_triangle(glint_triangle_list *list, glint_extent extent,
 /* The long way for a triangle that crosses a clipping plane: back to the camera's coordinates,
  * clip, project, and cut what is left into a fan. */
 static bool add_clipped(const glint_camera *camera, const glint_mesh *mesh, glint_extent extent,
-                        const uint32_t corner[3], uint32_t planes, glint_triangle_list *list)
+                        const glint_screen_vertex *vertices, uint32_t source, uint32_t planes,
+                        glint_triangle_list *list)
 {
+    const uint32_t *corner = &mesh->index[3 * (size_t)source];
     glint_clip_corner polygon[GLINT_CLIP_CORNERS_MAX];
     for (int i = 0; i < 3; i++) {
         const size_t at = 3 * (size_t)corner[i];
         polygon[i].p = glint_camera_view(camera, &mesh->position[at]);
         polygon[i].n = glint_camera_rotate(camera, glint_vec3_of(&mesh->normal[at]));
+        for (int c = 0; c < 3; c++) {
+            polygon[i].color[c] = vertices[corner[i]].color[c];
+        }
     }
     const int count = glint_clip(camera, planes, polygon);
     glint_screen_vertex screen[GLINT_CLIP_CORNERS_MAX];
     for (int i = 0; i < count; i++) {
         screen[i] = project(camera, polygon[i].p, polygon[i].n);
+        for (int c = 0; c < 3; c++) {
+            screen[i].color[c] = (uint8_t)(polygon[i].color[c] + 0.5);
+        }
     }
     for (int i = 2; i < count; i++) {
-        if (!add_triangle(list, extent, &screen[0], &screen[i - 1], &screen[i])) {
+        if (!add_triangle(list, extent, source, &screen[0], &screen[i - 1], &screen[i])) {
             return false;
         }
     }
@@ -162,8 +165,10 @@ bool glint_setup_triangles(const glint_camera *camera, const glint_mesh *mesh, g
             continue;
         }
         const uint32_t planes = a->outside | b->outside | c->outside;
-        const bool added = planes == 0 ? add_triangle(list, extent, a, b, c)
-                                       : add_clipped(camera, mesh, extent, corner, planes, list);
+        const uint32_t source = (uint32_t)i;
+        const bool added = planes == 0
+                               ? add_triangle(list, extent, source, a, b, c)
+                               : add_clipped(camera, mesh, extent, screen, source, planes, list);
         if (!added) {
             return false;
         }

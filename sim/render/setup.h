@@ -13,6 +13,17 @@
 #define GLINT_SUBPIXEL_ONE  (1 << GLINT_SUBPIXEL_BITS)
 #define GLINT_SUBPIXEL_HALF (GLINT_SUBPIXEL_ONE / 2)
 
+/* The first pixel whose sample is at or after coordinate c, and the last one at or before. */
+static inline int32_t glint_first_sample(int32_t c)
+{
+    return (c - GLINT_SUBPIXEL_HALF + GLINT_SUBPIXEL_ONE - 1) >> GLINT_SUBPIXEL_BITS;
+}
+
+static inline int32_t glint_last_sample(int32_t c)
+{
+    return (c - GLINT_SUBPIXEL_HALF) >> GLINT_SUBPIXEL_BITS;
+}
+
 /* Half the side of the square about the frame's centre to which triangles are clipped, in pixels:
  * beyond every frame, and small enough for the products of two coordinates to fit in 64 bits. Most
  * triangles that reach out of the frame stay within it and need no clipping. */
@@ -23,6 +34,7 @@ typedef struct glint_screen_vertex {
     int32_t x, y;     /* 1/4096 pixel; meaningless unless outside is 0 */
     float inv_w;      /* 1/w, linear on the screen: the depth, larger is nearer */
     float n[3];       /* normal/w in camera axes, linear on the screen */
+    uint8_t color[3]; /* its intensities, where the shading has any at vertices */
     uint32_t outside; /* a bit for each clipping plane that it is beyond */
 } glint_screen_vertex;
 
@@ -32,6 +44,8 @@ typedef struct glint_triangle {
     int32_t x[3], y[3];
     int32_t first_x, last_x, first_y, last_y; /* pixels whose samples its box holds */
     float inv_w[3], n[3][3];                  /* of each corner, as in glint_screen_vertex */
+    uint8_t color[3][3];                      /* likewise; with flat shading all three are equal */
+    uint32_t source;                          /* the mesh's triangle that it is, or is a part of */
     double inv_area; /* 1 / twice the area, in units of the edge functions */
 } glint_triangle;
 
@@ -47,7 +61,7 @@ typedef struct glint_extent {
     int32_t width, height;
 } glint_extent;
 
-/* Vertices first … last−1 of the mesh to screen[first] … screen[last−1]. */
+/* Vertices first … last−1 of the mesh to screen[first] … screen[last−1], their colour black. */
 void glint_setup_vertices(const glint_camera *camera, const glint_mesh *mesh, size_t first,
                           size_t last, glint_screen_vertex *screen);
 

@@ -75,43 +75,19 @@ static void interpolate(const glint_triangle *t, const glint_weights *w, int32_t
 static size_t gather_row(glint_shader *shader, const glint_visibility *band, int32_t y,
                          int32_t width, uint16_t *columns)
 {
-    const glint_triangle *const *seen =
-        &band->triangle[(size_t)(y - band->first_y) * (size_t)width];
     size_t count = 0;
     int32_t x = 0;
-    while (x < width) {
-        const glint_triangle *t = seen[x];
-        if (t == NULL) {
-            x++;
-            continue;
-        }
-        const int32_t start = x;
-        while (x < width && seen[x] == t) {
-            columns[count + (size_t)(x - start)] = (uint16_t)x;
-            x++;
-        }
-        const glint_weights w = glint_triangle_weights(t, start, y);
-        interpolate(t, &w, x - start, &shader->n[0][count], &shader->n[1][count],
+    glint_pixels pixels;
+    const glint_triangle *t;
+    while ((t = glint_visible_next(band, width, y, &x, &pixels)) != NULL) {
+        const glint_weights w = glint_triangle_weights(t, pixels.first, y);
+        interpolate(t, &w, x - pixels.first, &shader->n[0][count], &shader->n[1][count],
                     &shader->n[2][count]);
-        count += (size_t)(x - start);
+        for (int32_t column = pixels.first; column < x; column++) {
+            columns[count++] = (uint16_t)column;
+        }
     }
     return count;
-}
-
-/* Rounded half up and saturated; value ≥ 0. */
-static inline uint8_t saturate(float value)
-{
-    const int32_t rounded = (int32_t)(value + 0.5f);
-    return (uint8_t)(rounded < 255 ? rounded : 255);
-}
-
-/* The U1.18 code of a cosine, half up, held in 0 … 1 as an integer. */
-static inline uint32_t code_of(float cosine)
-{
-    const int32_t code = (int32_t)(cosine * (float)GLINT_COS_ONE + 0.5f);
-    const int32_t above = code > 0 ? code : 0;
-    const int32_t one = (int32_t)GLINT_COS_ONE;
-    return (uint32_t)(above < one ? above : one);
 }
 
 /* cos γ = N·H/(|N||H|) with H = L + V, both of unit length, and the light that needs no device. V
@@ -142,18 +118,17 @@ static void light_row(const glint_lighting *lighting, int32_t y, size_t count,
         const float nl = nx[i] * c.light[0] + ny[i] * c.light[1] + nz[i] * c.light[2];
         const float cos_l = nl / sqrtf(nn + TINY);
         const float diffuse = 0.5f * (cos_l + fabsf(cos_l)); /* cos_l, or 0 where it is below */
-        cos_code[i] = code_of(nh / sqrtf(nn * hh + TINY));
-        red[i] = saturate(c.ambient[0] + c.lambert[0] * diffuse);
-        green[i] = saturate(c.ambient[1] + c.lambert[1] * diffuse);
-        blue[i] = saturate(c.ambient[2] + c.lambert[2] * diffuse);
+        cos_code[i] = glint_cos_code_of(nh / sqrtf(nn * hh + TINY));
+        red[i] = glint_intensity_of(c.ambient[0] + c.lambert[0] * diffuse);
+        green[i] = glint_intensity_of(c.ambient[1] + c.lambert[1] * diffuse);
+        blue[i] = glint_intensity_of(c.ambient[2] + c.lambert[2] * diffuse);
         lit[i] = nl > 0.0f ? 255 : 0;
     }
 }
 
-/* base + highlight where lit, saturated to 8 bits. */
 GLINT_MULTIVERSION
-static void add_highlight(size_t count, const uint8_t *restrict highlight,
-                          const uint8_t *restrict lit, uint8_t *restrict base)
+void glint_add_highlight(size_t count, const uint8_t *restrict highlight,
+                         const uint8_t *restrict lit, uint8_t *restrict base)
 {
     for (size_t i = 0; i < count; i++) {
         const unsigned sum = (unsigned)base[i] + (highlight[i] & lit[i]);
@@ -204,7 +179,7 @@ glint_status glint_shade_band(glint_shader *shader, const glint_lighting *lighti
         }
     }
     for (int i = 0; i < 3; i++) {
-        add_highlight(count, shader->highlight[i], shader->lit, shader->base[i]);
+        glint_add_highlight(count, shader->highlight[i], shader->lit, shader->base[i]);
     }
     size_t first = 0;
     for (int32_t y = band->first_y; y <= band->last_y; y++) {

@@ -1,5 +1,6 @@
-/* Deferred shading of one band of rows: what is seen becomes fragments, the fragments' cosines go
- * to the backend in one run, and its highlights join ambient and Lambert light in the picture. */
+/* Deferred Phong shading of one band of rows: what is seen becomes fragments, the fragments'
+ * cosines go to the backend in one run, and its highlights join ambient and Lambert light in the
+ * picture. */
 #ifndef GLINT_SIM_SHADE_H
 #define GLINT_SIM_SHADE_H
 
@@ -18,6 +19,26 @@ typedef struct glint_lighting {
 } glint_lighting;
 
 glint_lighting glint_lighting_of(const glint_scene *scene, const glint_camera *camera);
+
+/* Rounded half up and saturated; value ≥ 0. */
+static inline uint8_t glint_intensity_of(float value)
+{
+    const int32_t rounded = (int32_t)(value + 0.5f);
+    return (uint8_t)(rounded < 255 ? rounded : 255);
+}
+
+/* The U1.18 code of a cosine, half up, held in 0 … 1 as an integer. */
+static inline uint32_t glint_cos_code_of(float cosine)
+{
+    const int32_t code = (int32_t)(cosine * (float)GLINT_COS_ONE + 0.5f);
+    const int32_t above = code > 0 ? code : 0;
+    const int32_t one = (int32_t)GLINT_COS_ONE;
+    return (uint32_t)(above < one ? above : one);
+}
+
+/* base + highlight where lit (255, else 0), saturated to 8 bits. */
+void glint_add_highlight(size_t count, const uint8_t *restrict highlight,
+                         const uint8_t *restrict lit, uint8_t *restrict base);
 
 /* The fragments of a frame as they went to the backend. Those of a band lie together, from the
  * place of the band's first pixel on, row after row and each row from left to right. */

@@ -1,0 +1,33 @@
+/* Deferred Gouraud shading of one band of rows by the span unit (span.h): intensities along the
+ * edges of the triangles seen in it, then along their rows. And the two shadings that need no
+ * division by the circuit: flat, and Gouraud's in perspective. */
+#ifndef GLINT_SIM_GOURAUD_H
+#define GLINT_SIM_GOURAUD_H
+
+#include "backend/divider_backend.h"
+#include "image/image.h"
+#include "render/raster.h"
+#include "render/span.h"
+
+/* One thread's room and counters. */
+typedef struct glint_gouraud glint_gouraud;
+
+/* For bands of that width. NULL: no memory. */
+glint_gouraud *glint_gouraud_create(int32_t width);
+void glint_gouraud_destroy(glint_gouraud *gouraud); /* NULL is allowed */
+
+/* Shades the band into the image. divider has that many shifts; NULL: the values of a run are
+ * exact, no circuit has a part in them. Adds to *fragments and *operations. */
+glint_status glint_gouraud_band(glint_gouraud *gouraud, const glint_visibility *band,
+                                glint_divider_backend *divider, int shifts, glint_image *image,
+                                uint64_t *fragments, glint_span_operations *operations,
+                                glint_error *err);
+
+/* Each pixel has its triangle's colour. Adds to *fragments. */
+void glint_flat_band(const glint_visibility *band, glint_image *image, uint64_t *fragments);
+
+/* Each pixel has the colour of the object's point that is seen in it: the corners' colours
+ * interpolated on the object, not on the screen. Adds to *fragments. */
+void glint_perspective_band(const glint_visibility *band, glint_image *image, uint64_t *fragments);
+
+#endif

@@ -1,0 +1,109 @@
+/* Light at vertices and on whole triangles. */
+#include "render/points.h"
+
+/* Is lost in any sum but that of a vector without length, whose cosine it makes 0 instead of 0/0.
+ */
+#define TINY 1e-300
+
+/* Appends the point p, in the camera's coordinates, with a normal n of any length. V is the way
+ * from there to the eye. */
+static void add_point(glint_points *points, const glint_lighting *lighting, glint_view_point p,
+                      glint_vec3 n)
+{
+    const glint_vec3 l = glint_vec3_of(lighting->light);
+    const glint_vec3 back = {-p.x, -p.y, p.w};
+    const glint_vec3 v = glint_vec3_scale(back, 1.0 / sqrt(glint_vec3_dot(back, back) + TINY));
+    const glint_vec3 h = glint_vec3_add(l, v);
+    const double nn = glint_vec3_dot(n, n);
+    const double nl = glint_vec3_dot(n, l);
+    const double cosine =
+        glint_vec3_dot(n, h) / (sqrt(nn + TINY) * sqrt(glint_vec3_dot(h, h) + TINY));
+    const float diffuse = nl > 0.0 ? (float)(nl / sqrt(nn + TINY)) : 0.0f;
+    const size_t at = points->count++;
+    points->cos_code[at] = glint_cos_code_of((float)cosine);
+    points->lit[at] = nl > 0.0 ? 255 : 0;
+    for (int c = 0; c < 3; c++) {
+        points->base[c][at] =
+            glint_intensity_of(lighting->ambient[c] + lighting->lambert[c] * diffuse);
+    }
+}
+
+/* Lights all that were added: base becomes the colours. */
+static glint_status light_points(glint_points *points, const glint_material *material,
+                                 glint_backend *backend, glint_error *err)
+{
+    if (points->count == 0) {
+        return GLINT_OK;
+    }
+    const glint_status status =
+        glint_backend_shade(backend, material, points->cos_code, points->count, NULL,
+                            points->highlight[0], points->highlight[1], points->highlight[2], err);
+    for (int c = 0; status == GLINT_OK && c < 3; c++) {
+        glint_add_highlight(points->count, points->highlight[c], points->lit, points->base[c]);
+    }
+    return status;
+}
+
+glint_status glint_light_vertices(glint_points *points, const glint_point_light *light,
+                                  size_t first, size_t last, glint_backend *backend,
+                                  glint_screen_vertex *screen, glint_error *err)
+{
+    points->count = 0;
+    for (size_t i = first; i < last; i++) {
+        add_point(points, light->lighting,
+                  glint_camera_view(light->camera, &light->mesh->position[3 * i]),
+                  glint_camera_rotate(light->camera, glint_vec3_of(&light->mesh->normal[3 * i])));
+    }
+    const glint_status status = light_points(points, &light->lighting->material, backend, err);
+    for (size_t i = first; status == GLINT_OK && i < last; i++) {
+        for (int c = 0; c < 3; c++) {
+            screen[i].color[c] = points->base[c][i - first];
+        }
+    }
+    return status;
+}
+
+static void add_triangle_point(glint_points *points, const glint_point_light *light,
+                               uint32_t triangle)
+{
+    const uint32_t *corner = &light->mesh->index[3 * (size_t)triangle];
+    glint_view_point p[3];
+    for (int i = 0; i < 3; i++) {
+        p[i] = glint_camera_view(light->camera, &light->mesh->position[3 * (size_t)corner[i]]);
+    }
+    const glint_vec3 ab = {p[1].x - p[0].x, p[1].y - p[0].y, p[0].w - p[1].w};
+    const glint_vec3 ac = {p[2].x - p[0].x, p[2].y - p[0].y, p[0].w - p[2].w};
+    const glint_view_point centroid = {(p[0].x + p[1].x + p[2].x) / 3.0,
+                                       (p[0].y + p[1].y + p[2].y) / 3.0,
+                                       (p[0].w + p[1].w + p[2].w) / 3.0};
+    add_point(points, light->lighting, centroid, glint_vec3_cross(ab, ac));
+}
+
+static void give_color(const glint_points *points, size_t at, glint_triangle *t)
+{
+    for (int i = 0; i < 3; i++) {
+        for (int c = 0; c < 3; c++) {
+            t->color[i][c] = points->base[c][at];
+        }
+    }
+}
+
+glint_status glint_light_triangles(glint_points *points, const glint_point_light *light,
+                                   glint_backend *backend, glint_triangle_list *list,
+                                   uint64_t *count, glint_error *err)
+{
+    points->count = 0;
+    for (size_t i = 0; i < list->count; i++) { /* parts of one triangle lie together */
+        if (i == 0 || list->triangle[i].source != list->triangle[i - 1].source) {
+            add_triangle_point(points, light, list->triangle[i].source);
+        }
+    }
+    *count = points->count;
+    const glint_status status = light_points(points, &light->lighting->material, backend, err);
+    size_t at = 0;
+    for (size_t i = 0; status == GLINT_OK && i < list->count; i++) {
+        at += i > 0 && list->triangle[i].source != list->triangle[i - 1].source;
+        give_color(points, at, &list->triangle[i]);
+    }
+    return status;
+}

@@ -1,0 +1,41 @@
+/* Light at single points of the mesh: at its vertices, for Gouraud's shading, or once for each
+ * triangle, for flat shading. The same formula as for fragments, and the same backend. */
+#ifndef GLINT_SIM_POINTS_H
+#define GLINT_SIM_POINTS_H
+
+#include "render/setup.h"
+#include "render/shade.h"
+
+/* Points that go to the backend together. */
+#define GLINT_POINTS_RUN 1024
+
+/* One thread's room. */
+typedef struct glint_points {
+    size_t count;
+    uint32_t cos_code[GLINT_POINTS_RUN];
+    uint8_t base[3][GLINT_POINTS_RUN];      /* ambient and Lambert light, then the sum */
+    uint8_t highlight[3][GLINT_POINTS_RUN]; /* from the backend */
+    uint8_t lit[GLINT_POINTS_RUN];          /* 255 where the surface faces the light, else 0 */
+} glint_points;
+
+/* What a frame's points are lit with. */
+typedef struct glint_point_light {
+    const glint_mesh *mesh;
+    const glint_camera *camera;
+    const glint_lighting *lighting;
+} glint_point_light;
+
+/* Gives screen[first] … screen[last−1] the colours of the mesh's vertices, those out of sight too:
+ * a clipped triangle needs them. At most GLINT_POINTS_RUN. */
+glint_status glint_light_vertices(glint_points *points, const glint_point_light *light,
+                                  size_t first, size_t last, glint_backend *backend,
+                                  glint_screen_vertex *screen, glint_error *err);
+
+/* Gives each triangle of the list the one colour of the mesh's triangle: light on its centroid,
+ * with the normal of its plane. *count is how many of the mesh's there were, at most
+ * GLINT_POINTS_RUN. */
+glint_status glint_light_triangles(glint_points *points, const glint_point_light *light,
+                                   glint_backend *backend, glint_triangle_list *list,
+                                   uint64_t *count, glint_error *err);
+
+#endif
