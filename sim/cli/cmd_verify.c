@@ -11,25 +11,35 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "lockstep/divider_failure.h"
+#include "lockstep/divider_lockstep.h"
 #include "lockstep/failure.h"
 #include "lockstep/lockstep.h"
 
 #define SETTINGS_MAX 64
 #define THREADS_MAX  64
 
-enum { ALL_GATES = GLINT_GATE_COUNT, ALL_PIPELINES = GLINT_PIPELINE_COUNT };
+enum { SPECULAR, DIVIDER, ALL_CIRCUITS };
+enum {
+    ALL_GATES = GLINT_GATE_COUNT,
+    ALL_PIPELINES = GLINT_PIPELINE_COUNT,
+    ALL_FORMS = GLINT_DIVIDER_FORM_COUNT,
+};
 
 typedef struct verify_options {
-    int gate, pipeline;
-    int64_t lanes, clocks, seed, threads;
+    int circuit, gate, pipeline, form;
+    int64_t lanes, shifts, clocks, seed, threads;
     const char *out;
     bool json;
 } verify_options;
 
-/* One setting's run and what came of it. */
+/* One setting's run and what came of it: of the specular device or of a divider. */
 typedef struct setting {
-    glint_lockstep_options options;
-    glint_lockstep_result result;
+    bool is_divider;
+    glint_lockstep_options specular;
+    glint_lockstep_result specular_result;
+    glint_divider_lockstep_options divider;
+    glint_divider_lockstep_result divider_result;
     glint_status status;
     glint_error err;
     _Atomic uint64_t done;
@@ -42,6 +52,8 @@ typedef struct verification {
     _Atomic int finished; /* threads */
 } verification;
 
+static const char *const circuit_choices[] = {"specular", "divider", "all", NULL};
+static const char *const form_choices[] = {"sequential", "pipelined", "all", NULL};
 static const char *const gate_choices[] = {"cosine", "sign", "drawn", "all", NULL};
 static const char *const pipeline_choices[] = {"drawn", "pipelined", "all", NULL};
 
@@ -56,6 +68,10 @@ static int parse(int argc, char **argv, verify_options *chosen)
          .help = "of the random inputs; without it one is taken from the time",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->seed, 0, INT64_MAX}},
+        {.name = "circuit",
+         .help = "what to verify",
+         .kind = GLINT_OPTION_CHOICE,
+         .choice = {&chosen->circuit, circuit_choices}},
         {.name = "gate",
          .help = "what bounds the highlight",
          .kind = GLINT_OPTION_CHOICE,
@@ -68,6 +84,14 @@ static int parse(int argc, char **argv, verify_options *chosen)
          .help = "cosines a clock: 1, 2, 4, 8 or 16; 0: each of them",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->lanes, 0, GLINT_LANES_MAX}},
+        {.name = "form",
+         .help = "of the divider",
+         .kind = GLINT_OPTION_CHOICE,
+         .choice = {&chosen->form, form_choices}},
+        {.name = "shifts",
+         .help = "of the divider, 6 to 16; 0: each of them",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->shifts, 0, GLINT_DIVIDER_SHIFTS_MAX}},
         {.name = "threads",
          .help = "settings verified at a time",
          .kind = GLINT_OPTION_INTEGER,
@@ -106,20 +130,51 @@ static void count_done(void *context, uint64_t done, uint64_t total)
     *(_Atomic uint64_t *)context = done;
 }
 
-static void choose_settings(const verify_options *chosen, verification *all)
+static void choose_specular(const verify_options *chosen, verification *all)
 {
     const glint_specular_config *config;
     for (int i = 0; all->count < SETTINGS_MAX && (config = glint_rtl_built(i)) != NULL; i++) {
         if (!is_chosen(chosen, config))
             continue;
         setting *setting = &all->settings[all->count++];
-        setting->options = (glint_lockstep_options){.config = *config,
-                                                    .clocks = (uint64_t)chosen->clocks,
-                                                    .seed = (uint64_t)chosen->seed,
-                                                    .stop = glint_stop_flag(),
-                                                    .progress = count_done,
-                                                    .progress_context = &setting->done};
+        setting->specular = (glint_lockstep_options){.config = *config,
+                                                     .clocks = (uint64_t)chosen->clocks,
+                                                     .seed = (uint64_t)chosen->seed,
+                                                     .stop = glint_stop_flag(),
+                                                     .progress = count_done,
+                                                     .progress_context = &setting->done};
     }
+}
+
+static void choose_divider(const verify_options *chosen, verification *all, glint_divider_form form)
+{
+    for (int shifts = GLINT_DIVIDER_SHIFTS_MIN; shifts <= GLINT_DIVIDER_SHIFTS_MAX; shifts++) {
+        if (all->count == SETTINGS_MAX || (chosen->shifts != 0 && chosen->shifts != shifts))
+            continue;
+        setting *setting = &all->settings[all->count++];
+        setting->is_divider = true;
+        setting->divider = (glint_divider_lockstep_options){.form = form,
+                                                            .shifts = shifts,
+                                                            .clocks = (uint64_t)chosen->clocks,
+                                                            .seed = (uint64_t)chosen->seed,
+                                                            .stop = glint_stop_flag(),
+                                                            .progress = count_done,
+                                                            .progress_context = &setting->done};
+    }
+}
+
+static void choose_settings(const verify_options *chosen, verification *all)
+{
+    if (chosen->circuit != DIVIDER)
+        choose_specular(chosen, all);
+    for (int f = 0; f < GLINT_DIVIDER_FORM_COUNT && chosen->circuit != SPECULAR; f++)
+        if (chosen->form == ALL_FORMS || chosen->form == f)
+            choose_divider(chosen, all, (glint_divider_form)f);
+}
+
+static const glint_lockstep_result *result_of(const setting *setting)
+{
+    return setting->is_divider ? &setting->divider_result.found : &setting->specular_result;
 }
 
 static void *verify_settings(void *context)
@@ -128,8 +183,12 @@ static void *verify_settings(void *context)
     int i;
     while ((i = all->next++) < all->count) {
         setting *setting = &all->settings[i];
-        setting->status = glint_lockstep_run(&setting->options, &setting->result, &setting->err);
-        setting->done = setting->result.clocks;
+        setting->status =
+            setting->is_divider
+                ? glint_divider_lockstep_run(&setting->divider, &setting->divider_result,
+                                             &setting->err)
+                : glint_lockstep_run(&setting->specular, &setting->specular_result, &setting->err);
+        setting->done = result_of(setting)->clocks;
     }
     all->finished++;
     return NULL;
@@ -176,31 +235,58 @@ static sums add_up(const verification *all)
     sums sums = {0};
     for (int i = 0; i < all->count; i++) {
         const setting *setting = &all->settings[i];
-        sums.mismatches += setting->result.mismatches;
-        sums.comparisons += setting->result.comparisons;
-        sums.clocks += setting->result.clocks;
-        sums.settings += setting->result.comparisons != 0;
+        const glint_lockstep_result *result = result_of(setting);
+        sums.mismatches += result->mismatches;
+        sums.comparisons += result->comparisons;
+        sums.clocks += result->clocks;
+        sums.settings += result->comparisons != 0;
         sums.interrupted |= setting->status == GLINT_INTERRUPTED;
     }
     return sums;
 }
 
+static glint_status report_specular(const verify_options *chosen, setting *setting, FILE *out,
+                                    glint_failure_files *files)
+{
+    glint_lockstep_report(out, &setting->specular, &setting->specular_result);
+    return glint_lockstep_failure_wave(&setting->specular, &setting->specular_result, chosen->out,
+                                       files, &setting->err);
+}
+
+static glint_status report_divider(const verify_options *chosen, setting *setting, FILE *out,
+                                   glint_failure_files *files)
+{
+    glint_divider_lockstep_report(out, &setting->divider, &setting->divider_result);
+    return glint_divider_failure_wave(&setting->divider, &setting->divider_result, chosen->out,
+                                      files, &setting->err);
+}
+
+/* The command that runs this setting again. */
+static void print_replay(const verify_options *chosen, const setting *setting, FILE *out)
+{
+    const glint_specular_config *config = &setting->specular.config;
+    fprintf(out, "replay: build/glint verify ");
+    if (setting->is_divider)
+        fprintf(out, "--circuit divider --form %s --shifts %d",
+                glint_divider_form_name(setting->divider.form), setting->divider.shifts);
+    else
+        fprintf(out, "--circuit specular --gate %s --pipeline %s --lanes %d",
+                glint_gate_name(config->gate), glint_pipeline_name(config->pipeline),
+                config->lanes);
+    fprintf(out, " --seed %" PRId64 " --clocks %" PRId64 "\n", chosen->seed, chosen->clocks);
+}
+
 /* The text, the waveform and the replay command of a setting that failed. */
 static void report_failure(const verify_options *chosen, setting *setting, FILE *out)
 {
-    const glint_specular_config *config = &setting->options.config;
     glint_failure_files files;
-    glint_lockstep_report(out, &setting->options, &setting->result);
-    if (glint_lockstep_failure_wave(&setting->options, &setting->result, chosen->out, &files,
-                                    &setting->err) == GLINT_OK)
+    const glint_status status = setting->is_divider ? report_divider(chosen, setting, out, &files)
+                                                    : report_specular(chosen, setting, out, &files);
+    if (status == GLINT_OK)
         fprintf(out, "look:   gtkwave %s %s\n", files.waveform, files.save_file);
     else
         (void)glint_complain_error("verify", &setting->err);
-    fprintf(out,
-            "replay: glint verify --gate %s --pipeline %s --lanes %d --seed %" PRIu64
-            " --clocks %" PRIu64 "\n",
-            glint_gate_name(config->gate), glint_pipeline_name(config->pipeline), config->lanes,
-            setting->options.seed, setting->options.clocks);
+    print_replay(chosen, setting, out);
 }
 
 static int report_all(const verify_options *chosen, verification *all, FILE *out)
@@ -208,7 +294,7 @@ static int report_all(const verify_options *chosen, verification *all, FILE *out
     int status = GLINT_EXIT_OK;
     for (int i = 0; i < all->count; i++) {
         setting *setting = &all->settings[i];
-        if (setting->result.mismatches != 0) {
+        if (result_of(setting)->mismatches != 0) {
             report_failure(chosen, setting, out);
             status = GLINT_EXIT_FAILURE;
         } else if (setting->status != GLINT_OK && setting->status != GLINT_INTERRUPTED) {
@@ -216,6 +302,20 @@ static int report_all(const verify_options *chosen, verification *all, FILE *out
         }
     }
     return status;
+}
+
+static void describe(cJSON *entry, const setting *setting)
+{
+    const glint_specular_config *config = &setting->specular.config;
+    cJSON_AddStringToObject(entry, "circuit", setting->is_divider ? "divider" : "specular");
+    if (setting->is_divider) {
+        cJSON_AddStringToObject(entry, "form", glint_divider_form_name(setting->divider.form));
+        cJSON_AddNumberToObject(entry, "shifts", setting->divider.shifts);
+        return;
+    }
+    cJSON_AddStringToObject(entry, "gate", glint_gate_name(config->gate));
+    cJSON_AddStringToObject(entry, "pipeline", glint_pipeline_name(config->pipeline));
+    cJSON_AddNumberToObject(entry, "lanes", config->lanes);
 }
 
 static bool print_json(const verify_options *chosen, const verification *all, const sums *sums,
@@ -234,13 +334,10 @@ static bool print_json(const verify_options *chosen, const verification *all, co
     for (int i = 0; i < all->count; i++) {
         const setting *setting = &all->settings[i];
         cJSON *entry = cJSON_CreateObject();
-        cJSON_AddStringToObject(entry, "gate", glint_gate_name(setting->options.config.gate));
-        cJSON_AddStringToObject(entry, "pipeline",
-                                glint_pipeline_name(setting->options.config.pipeline));
-        cJSON_AddNumberToObject(entry, "lanes", setting->options.config.lanes);
-        cJSON_AddNumberToObject(entry, "clocks", (double)setting->result.clocks);
-        cJSON_AddNumberToObject(entry, "comparisons", (double)setting->result.comparisons);
-        cJSON_AddNumberToObject(entry, "mismatches", (double)setting->result.mismatches);
+        describe(entry, setting);
+        cJSON_AddNumberToObject(entry, "clocks", (double)result_of(setting)->clocks);
+        cJSON_AddNumberToObject(entry, "comparisons", (double)result_of(setting)->comparisons);
+        cJSON_AddNumberToObject(entry, "mismatches", (double)result_of(setting)->mismatches);
         cJSON_AddItemToArray(list, entry);
     }
     return glint_output_json(json);
@@ -263,8 +360,8 @@ static int verify(const verify_options *chosen)
     if (all->count == 0) {
         free(all);
         return glint_complain("verify", GLINT_EXIT_USAGE,
-                              "--lanes: no circuit with %d lanes; take 1, 2, 4, 8, 16, or 0",
-                              (int)chosen->lanes);
+                              "no such circuit: --lanes is 1, 2, 4, 8, 16 or 0, "
+                              "--shifts is 6 to 16 or 0");
     }
     double start = glint_seconds();
     run_all(all, chosen);
@@ -284,7 +381,9 @@ static int verify(const verify_options *chosen)
 
 int glint_cmd_verify(int argc, char **argv)
 {
-    verify_options chosen = {.gate = ALL_GATES,
+    verify_options chosen = {.circuit = ALL_CIRCUITS,
+                             .form = ALL_FORMS,
+                             .gate = ALL_GATES,
                              .pipeline = ALL_PIPELINES,
                              .lanes = 0,
                              .clocks = 100000,

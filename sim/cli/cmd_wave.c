@@ -6,18 +6,23 @@
 #include "cli/output.h"
 #include "file/directory.h"
 #include "rtl/rtl.h"
+#include "wave/divider_wave.h"
 #include "wave/save_file.h"
 #include "wave/waveform.h"
 
+#define PATH_SIZE 4096
+
 enum { BOTH_PIPELINES = GLINT_PIPELINE_COUNT };
+enum { SPECULAR, DIVIDER, ALL_CIRCUITS };
 
 typedef struct wave_options {
     const char *out;
-    int gate, pipeline, format;
-    int64_t lanes, from, to;
+    int circuit, gate, pipeline, format;
+    int64_t lanes, shifts, from, to;
     bool json;
 } wave_options;
 
+static const char *const circuit_choices[] = {"specular", "divider", "all", NULL};
 static const char *const pipeline_choices[] = {"drawn", "pipelined", "both", NULL};
 static const char *const format_choices[] = {"fst", "vcd", NULL};
 
@@ -29,6 +34,10 @@ static int parse(int argc, char **argv, wave_options *chosen)
          .help = "where the files go; made if missing",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
+        {.name = "circuit",
+         .help = "the specular device, the two forms of the divider, or all",
+         .kind = GLINT_OPTION_CHOICE,
+         .choice = {&chosen->circuit, circuit_choices}},
         {.name = "gate",
          .help = "what bounds the highlight",
          .kind = GLINT_OPTION_CHOICE,
@@ -41,18 +50,22 @@ static int parse(int argc, char **argv, wave_options *chosen)
          .help = "cosines a clock: 1, 2, 4, 8 or 16",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->lanes, 1, GLINT_LANES_MAX}},
+        {.name = "shifts",
+         .help = "of the divider",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->shifts, GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX}},
         {.name = "format",
          .help = "of the waveform",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->format, format_choices}},
         {.name = "from",
          .placeholder = "CLOCK",
-         .help = "first clock of the window",
+         .help = "first clock of the specular device's window",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->from, 1, GLINT_WAVE_SCENE_CLOCKS}},
         {.name = "to",
          .placeholder = "CLOCK",
-         .help = "last clock of the window",
+         .help = "last clock of the specular device's window",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->to, 1, GLINT_WAVE_SCENE_CLOCKS}},
         {.name = "json",
@@ -62,10 +75,11 @@ static int parse(int argc, char **argv, wave_options *chosen)
     };
     const glint_command_line line = {
         .command = "wave",
-        .summary = "Writes waveforms of a short scene on the circuit, each with a GTKWave save "
-                   "file: a scan line across a highlight with a stall in its middle, then a new "
-                   "material with a point, a gap, a code above 1.0, and a new material between "
-                   "points. docs/waveforms.md reads it clock by clock.",
+        .summary = "Writes waveforms of a short scene on each circuit, with a GTKWave save file "
+                   "each. Specular device: a scan line across a highlight with a stall in its "
+                   "middle, then a new material with a point, a gap, a code above 1.0, and a new "
+                   "material between points. Divider: five divisions, one stalled, one beyond "
+                   "the table. docs/waveforms.md reads them clock by clock.",
         .options = options,
         .option_count = sizeof options / sizeof options[0],
     };
@@ -88,59 +102,113 @@ static glint_status write_view(const wave_options *chosen, const glint_specular_
     /* The reset of creation is clock 1 of the circuit, so the scene's clocks come one later. */
     const glint_wave_view view = {
         .config = config,
-        .waveform = waveform,
-        .first_time = (uint64_t)chosen->from * period,
-        .last_time = ((uint64_t)chosen->to + 2) * period,
-        .marker_time = (int64_t)((uint64_t)(glint_wave_scene_centre(config->lanes) + 1) * period),
+        .window = {.waveform = waveform,
+                   .first_time = (uint64_t)chosen->from * period,
+                   .last_time = ((uint64_t)chosen->to + 2) * period,
+                   .marker_time =
+                       (int64_t)((uint64_t)(glint_wave_scene_centre(config->lanes) + 1) * period)},
     };
     return glint_wave_save_file(&view, save_file, err);
 }
 
-static int write_one(const wave_options *chosen, glint_pipeline pipeline, cJSON *files)
+/* DIR/NAME.ENDING; false when it is too long. */
+static bool name_file(char path[PATH_SIZE], const char *directory, const char *name,
+                      const char *ending)
 {
-    const glint_specular_config config = {(glint_gate)chosen->gate, pipeline, (int)chosen->lanes};
-    char waveform[4096], save_file[4096];
-    glint_error err;
-    int length = snprintf(waveform, sizeof waveform, "%s/specular_%s_%s.%s", chosen->out,
-                          glint_gate_name(config.gate), glint_pipeline_name(pipeline),
-                          format_choices[chosen->format]);
-    int length2 = snprintf(save_file, sizeof save_file, "%s/specular_%s_%s.gtkw", chosen->out,
-                           glint_gate_name(config.gate), glint_pipeline_name(pipeline));
-    if (length < 0 || length2 < 0 || (size_t)length >= sizeof waveform ||
-        (size_t)length2 >= sizeof save_file)
+    int length = snprintf(path, PATH_SIZE, "%s/%s.%s", directory, name, ending);
+    return length >= 0 && length < PATH_SIZE;
+}
+
+/* A waveform and its save file, by their names. */
+typedef struct wave_files {
+    char waveform[PATH_SIZE], save_file[PATH_SIZE];
+} wave_files;
+
+static int name_files(const wave_options *chosen, const char *name, wave_files *files)
+{
+    if (!name_file(files->waveform, chosen->out, name, format_choices[chosen->format]) ||
+        !name_file(files->save_file, chosen->out, name, "gtkw"))
         return glint_complain("wave", GLINT_EXIT_FAILURE, "--out: the path is too long");
-    glint_status status = glint_wave_record(&config, (glint_wave_format)chosen->format,
-                                            (int)chosen->from, (int)chosen->to, waveform, &err);
-    if (status == GLINT_OK)
-        status = write_view(chosen, &config, waveform, save_file, &err);
-    if (status != GLINT_OK)
-        return glint_complain_error("wave", &err);
-    if (files != NULL) {
-        cJSON *entry = cJSON_CreateObject();
-        cJSON_AddStringToObject(entry, "waveform", waveform);
-        cJSON_AddStringToObject(entry, "save_file", save_file);
-        cJSON_AddItemToArray(files, entry);
-    } else {
-        printf("gtkwave %s %s\n", waveform, save_file);
-    }
     return GLINT_EXIT_OK;
 }
 
-static int write_all(const wave_options *chosen, cJSON *files)
+/* Says what was written: the command that opens it, or an entry of the JSON list. */
+static void announce(const wave_files *files, cJSON *list)
 {
-    for (int p = GLINT_PIPELINE_COUNT - 1; p >= 0; p--) {
-        if (chosen->pipeline != BOTH_PIPELINES && chosen->pipeline != p)
-            continue;
-        int status = write_one(chosen, (glint_pipeline)p, files);
-        if (status != GLINT_EXIT_OK)
-            return status;
+    if (list == NULL) {
+        printf("gtkwave %s %s\n", files->waveform, files->save_file);
+        return;
     }
+    cJSON *entry = cJSON_CreateObject();
+    cJSON_AddStringToObject(entry, "waveform", files->waveform);
+    cJSON_AddStringToObject(entry, "save_file", files->save_file);
+    cJSON_AddItemToArray(list, entry);
+}
+
+static int write_specular(const wave_options *chosen, glint_pipeline pipeline, cJSON *list)
+{
+    const glint_specular_config config = {(glint_gate)chosen->gate, pipeline, (int)chosen->lanes};
+    char name[64];
+    wave_files files;
+    glint_error err;
+    (void)snprintf(name, sizeof name, "specular_%s_%s", glint_gate_name(config.gate),
+                   glint_pipeline_name(pipeline));
+    if (name_files(chosen, name, &files) != GLINT_EXIT_OK)
+        return GLINT_EXIT_FAILURE;
+    glint_status status =
+        glint_wave_record(&config, (glint_wave_format)chosen->format, (int)chosen->from,
+                          (int)chosen->to, files.waveform, &err);
+    if (status == GLINT_OK)
+        status = write_view(chosen, &config, files.waveform, files.save_file, &err);
+    if (status != GLINT_OK)
+        return glint_complain_error("wave", &err);
+    announce(&files, list);
     return GLINT_EXIT_OK;
+}
+
+static int write_divider(const wave_options *chosen, glint_divider_form form, cJSON *list)
+{
+    const int shifts = (int)chosen->shifts;
+    char name[64];
+    wave_files files;
+    glint_error err;
+    (void)snprintf(name, sizeof name, "divider_%s_%d", glint_divider_form_name(form), shifts);
+    if (name_files(chosen, name, &files) != GLINT_EXIT_OK)
+        return GLINT_EXIT_FAILURE;
+    const int clocks = glint_divider_scene_clocks(form, shifts);
+    const glint_gtkw_window window = {
+        .waveform = files.waveform,
+        .first_time = GLINT_RTL_TRACE_PERIOD,
+        .last_time = (uint64_t)(clocks + 2) * GLINT_RTL_TRACE_PERIOD,
+        .marker_time = (int64_t)glint_divider_scene_first_result(shifts) * GLINT_RTL_TRACE_PERIOD};
+    glint_status status = glint_divider_wave_record(form, shifts, (glint_wave_format)chosen->format,
+                                                    files.waveform, &err);
+    if (status == GLINT_OK)
+        status = glint_divider_save_file(form, shifts, &window, files.save_file, &err);
+    if (status != GLINT_OK)
+        return glint_complain_error("wave", &err);
+    announce(&files, list);
+    return GLINT_EXIT_OK;
+}
+
+static int write_all(const wave_options *chosen, cJSON *list)
+{
+    int status = GLINT_EXIT_OK;
+    for (int p = GLINT_PIPELINE_COUNT - 1; p >= 0 && chosen->circuit != DIVIDER; p--)
+        if (status == GLINT_EXIT_OK &&
+            (chosen->pipeline == BOTH_PIPELINES || chosen->pipeline == p))
+            status = write_specular(chosen, (glint_pipeline)p, list);
+    for (int f = 0; f < GLINT_DIVIDER_FORM_COUNT && chosen->circuit != SPECULAR; f++)
+        if (status == GLINT_EXIT_OK)
+            status = write_divider(chosen, (glint_divider_form)f, list);
+    return status;
 }
 
 int glint_cmd_wave(int argc, char **argv)
 {
     wave_options chosen = {.out = "wave",
+                           .circuit = ALL_CIRCUITS,
+                           .shifts = GLINT_DIVIDER_SHIFTS_DEFAULT,
                            .gate = GLINT_GATE_COSINE,
                            .pipeline = BOTH_PIPELINES,
                            .format = GLINT_WAVE_FST,

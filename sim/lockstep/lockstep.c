@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "file/room.h"
+#include "lockstep/mismatch.h"
 #include "lockstep/stimulus.h"
 #include "wave/waveform.h"
 
@@ -48,41 +49,16 @@ static void clock_pair(pair *pair)
     glint_rtl_clock(pair->rtl, &pair->inputs);
 }
 
-static void add_to_totals(glint_lockstep_result *result, const glint_signal_info *signal)
-{
-    const int room = (int)(sizeof result->totals / sizeof result->totals[0]);
-    int i = 0;
-    while (i < result->totals_count && strcmp(result->totals[i].name, signal->name) != 0)
-        i++;
-    if (i == room)
-        return;
-    if (i == result->totals_count) {
-        result->totals[i].name = signal->name;
-        result->totals[i].block = signal->block;
-        result->totals_count++;
-    }
-    result->totals[i].mismatches++;
-}
-
-static void keep_mismatch(glint_lockstep_result *result, const pair *pair, int index,
-                          uint64_t model, uint64_t rtl)
-{
-    glint_signal_info signal = glint_specular_signal_info(pair->config, index);
-    if (result->mismatches++ == 0)
-        result->first_clock = result->clocks;
-    if (result->kept < GLINT_MISMATCHES_KEPT)
-        result->mismatch[result->kept++] = (glint_mismatch){result->clocks, signal, model, rtl};
-    add_to_totals(result, &signal);
-}
-
 static void compare_pair(const pair *pair, glint_lockstep_result *result)
 {
     const glint_specular_signals *signals = glint_specular_device_signals(pair->model);
     for (int i = 0; i < pair->signal_count; i++) {
         uint64_t model = glint_specular_signal_bits(pair->config, signals, i);
         uint64_t rtl = glint_rtl_signal_bits(pair->rtl, i);
-        if (model != rtl)
-            keep_mismatch(result, pair, i, model, rtl);
+        if (model != rtl) {
+            glint_signal_info signal = glint_specular_signal_info(pair->config, i);
+            glint_mismatch_keep(result, &signal, model, rtl);
+        }
     }
     result->comparisons += (uint64_t)pair->signal_count;
 }

@@ -1,37 +1,11 @@
 #include "wave/save_file.h"
 
-#include <inttypes.h>
-#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "file/new_file.h"
-
-/* Trace flags of GTKWave's save files. */
-#define SHOW_HEX         0x22u /* right-justified */
-#define SHOW_DECIMAL     0x24u
-#define SHOW_BINARY      0x28u
-#define SHOW_SIGNED      0x420u
-#define SHOW_FIXED_POINT 0x40000000u /* with [fpshift_count] */
-#define SHOW_CURVE       0x88000u    /* analog steps, scaled to the whole file */
-#define CURVE_HEIGHT     0x20000u    /* an empty row that the curve above grows into */
-#define HEADING          0x200u
-#define GROUP_BEGIN      0x800200u
-#define GROUP_CLOSED     0x400000u
-#define GROUP_END        0x1000200u
-
-#define COLOR_NORMAL 0
-#define COLOR_STAGE  2 /* orange */
-#define COLOR_OUTPUT 3 /* yellow */
-
-/* Pixels of GTKWave's wave area at the size written below, for the zoom that shows the window. */
-#define WINDOW_WIDTH  1600
-#define WINDOW_HEIGHT 1000
-#define SIGNALS_WIDTH 400
-#define WAVE_WIDTH    1130
-#define ZOOM_FRAME    200
-#define CURVE_ROWS    3 /* beside the curve's own */
+#include "wave/gtkw.h"
 
 typedef struct group {
     const char *title;
@@ -53,42 +27,6 @@ static const group groups[] = {
 /* The signals drawn as curves too: the highlight's shape, inside the device and at its output. */
 static const char *const curves[] = {"keys12", "out_r"};
 
-static void write_heading(FILE *out, const char *title)
-{
-    fprintf(out, "@%x\n-%s\n", HEADING, title);
-}
-
-static void begin_closed_group(FILE *out, const char *title)
-{
-    fprintf(out, "@%x\n-%s\n", GROUP_BEGIN | GROUP_CLOSED, title);
-}
-
-static void end_group(FILE *out, const char *title)
-{
-    fprintf(out, "@%x\n-%s\n", GROUP_END, title);
-}
-
-static void write_trace(FILE *out, const char *scope, const char *name, int width, unsigned flags,
-                        int color, int frac_bits)
-{
-    fprintf(out, "@%x\n", frac_bits > 0 ? flags | SHOW_FIXED_POINT : flags);
-    if (color != COLOR_NORMAL)
-        fprintf(out, "[color] %d\n", color);
-    if (frac_bits > 0)
-        fprintf(out, "[fpshift_count] %d\n", frac_bits);
-    if (width > 1)
-        fprintf(out, "%s%s[%d:0]\n", scope, name, width - 1);
-    else
-        fprintf(out, "%s%s\n", scope, name);
-}
-
-static int color_of(glint_signal_kind kind)
-{
-    return kind == GLINT_SIGNAL_STAGE    ? COLOR_STAGE
-           : kind == GLINT_SIGNAL_OUTPUT ? COLOR_OUTPUT
-                                         : COLOR_NORMAL;
-}
-
 static bool has_curve(const glint_signal_info *signal)
 {
     for (size_t i = 0; i < sizeof curves / sizeof curves[0]; i++)
@@ -101,8 +39,8 @@ static unsigned flags_of(const glint_signal_info *signal)
 {
     int width = signal->int_bits + signal->frac_bits;
     if (width == 1 || signal->block == 0) /* valid bits: one a lane */
-        return SHOW_BINARY;
-    return signal->is_signed ? SHOW_SIGNED : SHOW_DECIMAL;
+        return GLINT_GTKW_SHOW_BINARY;
+    return signal->is_signed ? GLINT_GTKW_SHOW_SIGNED : GLINT_GTKW_SHOW_DECIMAL;
 }
 
 static void write_signal(FILE *out, const glint_signal_info *signal)
@@ -112,22 +50,22 @@ static void write_signal(FILE *out, const glint_signal_info *signal)
     unsigned flags = flags_of(signal);
     if (signal->lane >= 0)
         (void)snprintf(scope, sizeof scope, "TOP.specular_device.lane[%d].u.", signal->lane);
-    write_trace(out, scope, signal->name, width, flags, color_of(signal->kind), signal->frac_bits);
+    glint_gtkw_trace(out, scope, signal->name, width, flags, glint_gtkw_color(signal->kind),
+                     signal->frac_bits);
     if (!has_curve(signal))
         return;
-    write_trace(out, scope, signal->name, width, flags | SHOW_CURVE, color_of(signal->kind),
-                signal->frac_bits);
-    for (int i = 0; i < CURVE_ROWS; i++)
-        fprintf(out, "@%x\n-\n", CURVE_HEIGHT);
+    glint_gtkw_trace(out, scope, signal->name, width, flags | GLINT_GTKW_SHOW_CURVE,
+                     glint_gtkw_color(signal->kind), signal->frac_bits);
+    glint_gtkw_curve_height(out);
 }
 
 /* With pipeline drawn a stage is a wire and says nothing new. The saturated square differs from the
- * square, and the limit is needed in stage 3, with gate drawn only. */
+ * square, and the limit is needed in stage 2, with gate drawn only. */
 static bool is_shown(const glint_specular_config *config, const glint_signal_info *signal)
 {
     if (signal->kind == GLINT_SIGNAL_STAGE && config->pipeline == GLINT_PIPELINE_DRAWN)
         return strcmp(signal->name, "s1_valid") == 0;
-    if (strcmp(signal->name, "sat10") == 0 || strcmp(signal->name, "s3_rom9") == 0)
+    if (strcmp(signal->name, "sat10") == 0 || strcmp(signal->name, "s2_rom9") == 0)
         return config->gate == GLINT_GATE_DRAWN;
     return true;
 }
@@ -143,22 +81,27 @@ static bool is_in_group(const group *group, const glint_signal_info *signal)
 static void write_inputs(FILE *out, const glint_specular_config *config)
 {
     const char *top = "TOP.specular_device.";
-    write_heading(out, "Clock and control");
-    write_trace(out, top, "clk", 1, SHOW_BINARY, COLOR_NORMAL, 0);
-    write_trace(out, top, "reset", 1, SHOW_BINARY, COLOR_NORMAL, 0);
-    write_trace(out, top, "en", 1, SHOW_BINARY, COLOR_NORMAL, 0);
-    write_heading(out, "Inputs 32 (cos), 18, 17 (n), colours");
-    write_trace(out, top, "in_valid", config->lanes, SHOW_BINARY, COLOR_NORMAL, 0);
+    glint_gtkw_heading(out, "Clock and control");
+    glint_gtkw_trace(out, top, "clk", 1, GLINT_GTKW_SHOW_BINARY, GLINT_GTKW_COLOR_NORMAL, 0);
+    glint_gtkw_trace(out, top, "reset", 1, GLINT_GTKW_SHOW_BINARY, GLINT_GTKW_COLOR_NORMAL, 0);
+    glint_gtkw_trace(out, top, "en", 1, GLINT_GTKW_SHOW_BINARY, GLINT_GTKW_COLOR_NORMAL, 0);
+    glint_gtkw_heading(out, "Inputs 32 (cos), 18, 17 (n), colours");
+    glint_gtkw_trace(out, top, "in_valid", config->lanes, GLINT_GTKW_SHOW_BINARY,
+                     GLINT_GTKW_COLOR_NORMAL, 0);
     /* Several lanes share the pins, so their bits are no single number. */
-    write_trace(out, top, "cos", config->lanes * GLINT_COS_BITS,
-                config->lanes == 1 ? SHOW_DECIMAL : SHOW_HEX, COLOR_NORMAL,
-                config->lanes == 1 ? GLINT_COS_FRAC_BITS : 0);
-    write_trace(out, top, "n_we", 1, SHOW_BINARY, COLOR_NORMAL, 0);
-    write_trace(out, top, "n", GLINT_N_BITS, SHOW_DECIMAL, COLOR_NORMAL, 0);
-    write_trace(out, top, "rgb_we", 1, SHOW_BINARY, COLOR_NORMAL, 0);
-    write_trace(out, top, "r", GLINT_COLOR_BITS, SHOW_DECIMAL, COLOR_NORMAL, 0);
-    write_trace(out, top, "g", GLINT_COLOR_BITS, SHOW_DECIMAL, COLOR_NORMAL, 0);
-    write_trace(out, top, "b", GLINT_COLOR_BITS, SHOW_DECIMAL, COLOR_NORMAL, 0);
+    glint_gtkw_trace(out, top, "cos", config->lanes * GLINT_COS_BITS,
+                     config->lanes == 1 ? GLINT_GTKW_SHOW_DECIMAL : GLINT_GTKW_SHOW_HEX,
+                     GLINT_GTKW_COLOR_NORMAL, config->lanes == 1 ? GLINT_COS_FRAC_BITS : 0);
+    glint_gtkw_trace(out, top, "n_we", 1, GLINT_GTKW_SHOW_BINARY, GLINT_GTKW_COLOR_NORMAL, 0);
+    glint_gtkw_trace(out, top, "n", GLINT_N_BITS, GLINT_GTKW_SHOW_DECIMAL, GLINT_GTKW_COLOR_NORMAL,
+                     0);
+    glint_gtkw_trace(out, top, "rgb_we", 1, GLINT_GTKW_SHOW_BINARY, GLINT_GTKW_COLOR_NORMAL, 0);
+    glint_gtkw_trace(out, top, "r", GLINT_COLOR_BITS, GLINT_GTKW_SHOW_DECIMAL,
+                     GLINT_GTKW_COLOR_NORMAL, 0);
+    glint_gtkw_trace(out, top, "g", GLINT_COLOR_BITS, GLINT_GTKW_SHOW_DECIMAL,
+                     GLINT_GTKW_COLOR_NORMAL, 0);
+    glint_gtkw_trace(out, top, "b", GLINT_COLOR_BITS, GLINT_GTKW_SHOW_DECIMAL,
+                     GLINT_GTKW_COLOR_NORMAL, 0);
 }
 
 typedef bool is_wanted(const glint_signal_info *signal, const void *context);
@@ -174,7 +117,7 @@ static void write_signals(FILE *out, const glint_specular_config *config, is_wan
     }
 }
 
-/* R, G, B on their way to stage 4: three copies of each, the same but later. */
+/* R, G, B on their way to stage 3: two copies of each, the same but later. */
 static bool is_color_copy(const glint_signal_info *signal, const void *context)
 {
     (void)context;
@@ -204,9 +147,9 @@ static void write_color_copies(FILE *out, const glint_specular_config *config)
 {
     if (config->pipeline == GLINT_PIPELINE_DRAWN)
         return;
-    begin_closed_group(out, "R, G, B in stages 2, 3, 4");
+    glint_gtkw_begin_closed_group(out, "R, G, B in stages 2, 3");
     write_signals(out, config, is_color_copy, NULL);
-    end_group(out, "R, G, B in stages 2, 3, 4");
+    glint_gtkw_end_group(out, "R, G, B in stages 2, 3");
 }
 
 /* The other lanes do the same as lane 0: closed as well. */
@@ -214,47 +157,29 @@ static void write_lane(FILE *out, const glint_specular_config *config, int lane)
 {
     char title[16];
     (void)snprintf(title, sizeof title, "Lane %d", lane);
-    begin_closed_group(out, title);
+    glint_gtkw_begin_closed_group(out, title);
     for (int i = 0; i < glint_specular_signal_count(config); i++) {
         glint_signal_info signal = glint_specular_signal_info(config, i);
         if (signal.lane == lane && is_shown(config, &signal))
             write_signal(out, &signal);
     }
-    end_group(out, title);
+    glint_gtkw_end_group(out, title);
 }
 
 static void write_body(FILE *out, const glint_specular_config *config)
 {
     write_inputs(out, config);
     for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++) {
-        write_heading(out, groups[i].title);
+        glint_gtkw_heading(out, groups[i].title);
         write_signals(out, config, is_of_group, &groups[i]);
     }
-    write_heading(out, "Outputs");
+    glint_gtkw_heading(out, "Outputs");
     write_signals(out, config, is_output, NULL);
-    write_heading(out, "Valid bits, stage by stage");
+    glint_gtkw_heading(out, "Valid bits, stage by stage");
     write_signals(out, config, is_valid_bit, NULL);
     write_color_copies(out, config);
     for (int lane = 1; lane < config->lanes; lane++)
         write_lane(out, config, lane);
-}
-
-static void write_header(FILE *out, const glint_wave_view *view)
-{
-    const char *slash = strrchr(view->waveform, '/');
-    double shown = (double)(view->last_time - view->first_time);
-    /* GTKWave's zoom: a frame of so many pixels shows 2^−zoom time units. */
-    double zoom = -log2(shown * ZOOM_FRAME / WAVE_WIDTH);
-    fprintf(out, "[*] Specular-colour device, gate %s, pipeline %s, %d lane%s\n",
-            glint_gate_name(view->config->gate), glint_pipeline_name(view->config->pipeline),
-            view->config->lanes, view->config->lanes == 1 ? "" : "s");
-    fprintf(out, "[dumpfile] \"%s\"\n", slash != NULL ? slash + 1 : view->waveform);
-    fprintf(out, "[timestart] %" PRIu64 "\n", view->first_time);
-    fprintf(out, "[size] %d %d\n[pos] -1 -1\n", WINDOW_WIDTH, WINDOW_HEIGHT);
-    fprintf(out, "*%f %" PRId64, zoom, view->marker_time);
-    for (int i = 0; i < 26; i++) /* the named markers a…z: none */
-        fprintf(out, " -1");
-    fprintf(out, "\n[sst_width] 0\n[signals_width] %d\n[sst_expanded] 0\n", SIGNALS_WIDTH);
 }
 
 glint_status glint_wave_save_file(const glint_wave_view *view, const char *path, glint_error *err)
@@ -264,7 +189,11 @@ glint_status glint_wave_save_file(const glint_wave_view *view, const char *path,
     if (status != GLINT_OK)
         return status;
     FILE *out = glint_new_file_stream(file);
-    write_header(out, view);
+    char title[128];
+    (void)snprintf(title, sizeof title, "Specular-colour device, gate %s, pipeline %s, %d lane%s",
+                   glint_gate_name(view->config->gate), glint_pipeline_name(view->config->pipeline),
+                   view->config->lanes, view->config->lanes == 1 ? "" : "s");
+    glint_gtkw_header(out, title, &view->window);
     write_body(out, view->config);
     return glint_new_file_commit(file, err);
 }

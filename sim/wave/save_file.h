@@ -5,13 +5,11 @@
 #define GLINT_SIM_SAVE_FILE_H
 
 #include "glint_specular_device.h"
+#include "wave/gtkw.h"
 
 typedef struct glint_wave_view {
     const glint_specular_config *config;
-    const char *waveform; /* the file it belongs to: its last component is named in the save file */
-    uint64_t first_time;  /* the window shown, in ns */
-    uint64_t last_time;   /* > first_time */
-    int64_t marker_time;  /* where the marker stands; −1: nowhere */
+    glint_gtkw_window window;
 } glint_wave_view;
 
 /* Writes the save file, beside and then renamed. */

@@ -14,18 +14,24 @@
 #include "file/room.h"
 #include "rtl/rtl.h"
 
-static glint_status record_fst(const glint_specular_config *config, int first, int last,
-                               const char *path, glint_error *err)
+/* What record_scene() is to run. */
+typedef struct scene {
+    const glint_specular_config *config;
+    int first, last;
+} scene;
+
+static glint_status record_scene(const void *context, const char *path, glint_error *err)
 {
+    const scene *scene = context;
     glint_rtl *rtl;
     glint_specular_inputs inputs;
-    glint_status status = glint_rtl_create(config, &rtl, err);
-    for (int clock = 1; status == GLINT_OK && clock <= last; clock++) {
-        if (clock == first)
+    glint_status status = glint_rtl_create(scene->config, &rtl, err);
+    for (int clock = 1; status == GLINT_OK && clock <= scene->last; clock++) {
+        if (clock == scene->first)
             status = glint_file_room(path, GLINT_WAVE_ROOM, err);
-        if (clock == first && status == GLINT_OK)
+        if (clock == scene->first && status == GLINT_OK)
             status = glint_rtl_trace_open(rtl, path, err);
-        glint_wave_scene(clock, config->lanes, &inputs);
+        glint_wave_scene(clock, scene->config->lanes, &inputs);
         glint_rtl_clock(rtl, &inputs);
     }
     glint_rtl_destroy(rtl);
@@ -39,14 +45,14 @@ static glint_status rename_file(const char *from, const char *to, glint_error *e
     return GLINT_OK;
 }
 
-glint_status glint_wave_record(const glint_specular_config *config, glint_wave_format format,
-                               int first, int last, const char *path, glint_error *err)
+glint_status glint_wave_write(const char *path, glint_wave_format format,
+                              glint_wave_recorder *record, const void *context, glint_error *err)
 {
     char part[4096];
     int length = snprintf(part, sizeof part, "%s.part", path);
     if (length < 0 || (size_t)length >= sizeof part)
         return glint_fail(err, GLINT_IO_ERROR, "the name is too long: %s", path);
-    glint_status status = record_fst(config, first, last, part, err);
+    glint_status status = record(context, part, err);
     glint_wave_info info;
     if (status == GLINT_OK) /* a full disk shows here: Verilator's writer does not tell */
         status = glint_wave_read_info(part, &info, err);
@@ -55,6 +61,13 @@ glint_status glint_wave_record(const glint_specular_config *config, glint_wave_f
                                           : rename_file(part, path, err);
     (void)remove(part);
     return status;
+}
+
+glint_status glint_wave_record(const glint_specular_config *config, glint_wave_format format,
+                               int first, int last, const char *path, glint_error *err)
+{
+    const scene scene = {config, first, last};
+    return glint_wave_write(path, format, record_scene, &scene, err);
 }
 
 /* The eight bytes of a block's length, the highest first. */

@@ -1,4 +1,4 @@
-/* Waveforms of the specular device as files: the demonstration scene, and FST made into VCD. */
+/* Waveforms as files: the specular device's demonstration scene, and FST made into VCD. */
 #ifndef GLINT_SIM_WAVEFORM_H
 #define GLINT_SIM_WAVEFORM_H
 
@@ -22,6 +22,12 @@ void glint_wave_scene(int clock, int lanes, glint_specular_inputs *inputs);
 
 /* Clock of the scene at whose edge the centre of the highlight enters register 1. */
 int glint_wave_scene_centre(int lanes);
+
+/* Writes a waveform by `record`, which runs a circuit with its trace open on the path it is given:
+ * beside, looked through whether all of it arrived, made into VCD if asked for, then renamed. */
+typedef glint_status glint_wave_recorder(const void *context, const char *path, glint_error *err);
+glint_status glint_wave_write(const char *path, glint_wave_format format,
+                              glint_wave_recorder *record, const void *context, glint_error *err);
 
 /* Runs the scene on the circuit and writes the waveform of the clocks first…last (1 ≤ first ≤ last
  * ≤ GLINT_WAVE_SCENE_CLOCKS) to path, beside and then renamed. */

@@ -142,10 +142,10 @@ static void write_save_file(const glint_specular_config *config, const char *pat
 {
     glint_error err;
     const glint_wave_view view = {.config = config,
-                                  .waveform = "some/where/scene.fst",
-                                  .first_time = 10,
-                                  .last_time = 500,
-                                  .marker_time = 120};
+                                  .window = {.waveform = "some/where/scene.fst",
+                                             .first_time = 10,
+                                             .last_time = 500,
+                                             .marker_time = 120}};
     assert_int_equal(glint_wave_save_file(&view, path, &err), GLINT_OK);
 }
 
