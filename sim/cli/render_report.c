@@ -57,18 +57,23 @@ static void print_first(const glint_render_options *chosen, const glint_render_r
     }
 }
 
+static bool divider_works(const glint_render_options *chosen)
+{
+    return chosen->scene.shading == GLINT_SHADING_GOURAUD &&
+           chosen->backend.kind != GLINT_BACKEND_REAL;
+}
+
 void glint_render_report_text(const glint_render_options *chosen, const glint_render_result *result)
 {
     const glint_render_stats *stats = &result->frame[0].stats;
     printf("%s, %dx%d: %" PRIu64 " triangles, %" PRIu64 " drawn, %" PRIu64 " fragments\n",
            chosen->model, chosen->width, chosen->height, stats->triangles, stats->drawn,
            stats->fragments);
-    if (chosen->scene.shading == GLINT_SHADING_GOURAUD) {
-        printf("%s: %" PRIu64 " highlights, %" PRIu64 " divisions with %d shifts\n",
-               chosen->shading, stats->highlights, stats->divisions, chosen->scene.shifts);
-    } else {
-        printf("%s: %" PRIu64 " highlights\n", chosen->shading, stats->highlights);
+    printf("%s: %" PRIu64 " highlights", chosen->shading, stats->highlights);
+    if (divider_works(chosen)) {
+        printf(", %" PRIu64 " divisions with %d shifts", stats->divisions, chosen->scene.shifts);
     }
+    putchar('\n');
     for (int i = 0; i < result->frame_count; i++) {
         print_frame(&result->frame[i]);
     }
@@ -115,7 +120,7 @@ bool glint_render_report_json(const glint_render_options *chosen, const glint_re
     cJSON_AddStringToObject(json, "gate", glint_gate_names[chosen->backend.gate]);
     cJSON_AddStringToObject(json, "pipeline", glint_pipeline_names[chosen->backend.pipeline]);
     cJSON_AddStringToObject(json, "shading", chosen->shading);
-    if (chosen->scene.shading == GLINT_SHADING_GOURAUD) {
+    if (divider_works(chosen)) {
         cJSON_AddNumberToObject(json, "shifts", chosen->scene.shifts);
     }
     cJSON_AddNumberToObject(json, "threads", chosen->threads);

@@ -23,11 +23,4 @@ glint_status glint_gouraud_band(glint_gouraud *gouraud, const glint_visibility *
                                 uint64_t *fragments, glint_span_operations *operations,
                                 glint_error *err);
 
-/* Each pixel has its triangle's colour. Adds to *fragments. */
-void glint_flat_band(const glint_visibility *band, glint_image *image, uint64_t *fragments);
-
-/* Each pixel has the colour of the object's point that is seen in it: the corners' colours
- * interpolated on the object, not on the screen. Adds to *fragments. */
-void glint_perspective_band(const glint_visibility *band, glint_image *image, uint64_t *fragments);
-
 #endif

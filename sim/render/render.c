@@ -10,6 +10,7 @@
 #include <time.h>
 
 #include "render/gouraud.h"
+#include "render/paint.h"
 #include "render/points.h"
 #include "render/pool.h"
 #include "render/raster.h"
