@@ -176,11 +176,12 @@ static int write_divider(const wave_options *chosen, glint_divider_form form, cJ
     if (name_files(chosen, name, &files) != GLINT_EXIT_OK)
         return GLINT_EXIT_FAILURE;
     const int clocks = glint_divider_scene_clocks(form, shifts);
-    const glint_gtkw_window window = {
-        .waveform = files.waveform,
-        .first_time = GLINT_RTL_TRACE_PERIOD,
-        .last_time = (uint64_t)(clocks + 2) * GLINT_RTL_TRACE_PERIOD,
-        .marker_time = (int64_t)glint_divider_scene_first_result(shifts) * GLINT_RTL_TRACE_PERIOD};
+    const glint_gtkw_window window = {.waveform = files.waveform,
+                                      .first_time = GLINT_RTL_TRACE_PERIOD,
+                                      .last_time = (uint64_t)(clocks + 2) * GLINT_RTL_TRACE_PERIOD,
+                                      .marker_time =
+                                          (int64_t)glint_divider_scene_first_result(form, shifts) *
+                                          GLINT_RTL_TRACE_PERIOD};
     glint_status status = glint_divider_wave_record(form, shifts, (glint_wave_format)chosen->format,
                                                     files.waveform, &err);
     if (status == GLINT_OK)

@@ -35,9 +35,10 @@ int glint_divider_scene_clocks(glint_divider_form form, int shifts)
            STALL_CLOCKS + QUIET_CLOCKS;
 }
 
-int glint_divider_scene_first_result(int shifts)
+int glint_divider_scene_first_result(glint_divider_form form, int shifts)
 {
-    return 1 + FIRST_START + shifts;
+    /* The stall holds up the first division of the pipelined form too. */
+    return 1 + FIRST_START + shifts + (form == GLINT_DIVIDER_PIPELINED ? STALL_CLOCKS : 0);
 }
 
 void glint_divider_scene(glint_divider_form form, int shifts, int clock, glint_divider_inputs *in)

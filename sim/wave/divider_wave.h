@@ -16,7 +16,7 @@ int glint_divider_scene_clocks(glint_divider_form form, int shifts);
 
 /* The circuit's clock (the reset of creation is its first) after which the first quotient is out.
  */
-int glint_divider_scene_first_result(int shifts);
+int glint_divider_scene_first_result(glint_divider_form form, int shifts);
 
 /* The pins of clock `clock` (1…glint_divider_scene_clocks()). */
 void glint_divider_scene(glint_divider_form form, int shifts, int clock,
