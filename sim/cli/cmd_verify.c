@@ -69,7 +69,7 @@ static int parse(int argc, char **argv, verify_options *chosen)
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->seed, 0, INT64_MAX}},
         {.name = "circuit",
-         .help = "what to verify",
+         .help = "what to verify; an option that only one circuit has leaves the other out",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->circuit, circuit_choices}},
         {.name = "gate",
@@ -114,7 +114,27 @@ static int parse(int argc, char **argv, verify_options *chosen)
         .options = options,
         .option_count = sizeof options / sizeof options[0],
     };
-    return glint_options_parse(&line, argc, argv);
+    int status = glint_options_parse(&line, argc, argv);
+    if (status != GLINT_OPTIONS_RUN)
+        return status;
+    /* Refused whatever the circuit: with all of them the others would be verified and pass. */
+    if ((chosen->lanes & (chosen->lanes - 1)) != 0)
+        return glint_complain("verify", GLINT_EXIT_USAGE, "--lanes: %d is not 1, 2, 4, 8, 16 or 0",
+                              (int)chosen->lanes);
+    if (chosen->shifts != 0 && chosen->shifts < GLINT_DIVIDER_SHIFTS_MIN)
+        return glint_complain("verify", GLINT_EXIT_USAGE, "--shifts: %d is not 6 to 16 or 0",
+                              (int)chosen->shifts);
+    return GLINT_OPTIONS_RUN;
+}
+
+/* An option that only one circuit has leaves the other one out. */
+static void narrow_circuit(verify_options *chosen)
+{
+    const bool of_specular =
+        chosen->gate != ALL_GATES || chosen->pipeline != ALL_PIPELINES || chosen->lanes != 0;
+    const bool of_divider = chosen->form != ALL_FORMS || chosen->shifts != 0;
+    if (chosen->circuit == ALL_CIRCUITS && of_specular != of_divider)
+        chosen->circuit = of_specular ? SPECULAR : DIVIDER;
 }
 
 static bool is_chosen(const verify_options *chosen, const glint_specular_config *config)
@@ -398,5 +418,6 @@ int glint_cmd_verify(int argc, char **argv)
     int status = parse(argc, argv, &chosen);
     if (status != GLINT_OPTIONS_RUN)
         return status;
+    narrow_circuit(&chosen);
     return glint_output_finish("verify", verify(&chosen));
 }

@@ -35,7 +35,7 @@ static int parse(int argc, char **argv, wave_options *chosen)
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
         {.name = "circuit",
-         .help = "the specular device, the two forms of the divider, or all",
+         .help = "which; an option that only one circuit has leaves the other out",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->circuit, circuit_choices}},
         {.name = "gate",
@@ -93,6 +93,17 @@ static int parse(int argc, char **argv, wave_options *chosen)
         return glint_complain("wave", GLINT_EXIT_USAGE, "--from %d is after --to %d",
                               (int)chosen->from, (int)chosen->to);
     return GLINT_OPTIONS_RUN;
+}
+
+/* An option that only one circuit has leaves the other one out. */
+static void narrow_circuit(wave_options *chosen)
+{
+    const bool of_specular = chosen->gate != GLINT_GATE_COSINE ||
+                             chosen->pipeline != BOTH_PIPELINES || chosen->lanes != 1 ||
+                             chosen->from != 1 || chosen->to != GLINT_WAVE_SCENE_CLOCKS;
+    const bool of_divider = chosen->shifts != GLINT_DIVIDER_SHIFTS_DEFAULT;
+    if (chosen->circuit == ALL_CIRCUITS && of_specular != of_divider)
+        chosen->circuit = of_specular ? SPECULAR : DIVIDER;
 }
 
 static glint_status write_view(const wave_options *chosen, const glint_specular_config *config,
@@ -219,6 +230,7 @@ int glint_cmd_wave(int argc, char **argv)
     int status = parse(argc, argv, &chosen);
     if (status != GLINT_OPTIONS_RUN)
         return status;
+    narrow_circuit(&chosen);
     glint_error err;
     if (glint_directory_make(chosen.out, &err) != GLINT_OK)
         return glint_complain_error("wave", &err);
