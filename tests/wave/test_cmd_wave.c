@@ -21,12 +21,12 @@
 #include "vcd.h"
 #include "wave/waveform.h"
 
-/* Runs "wave --out DIR …" for a directory of the scratch directory. */
+/* Runs "wave --circuit specular --out DIR …" for a directory of the scratch directory. */
 static outcome run_wave(const char *directory, const char *arguments)
 {
     char command_line[1024];
-    (void)snprintf(command_line, sizeof command_line, "wave --out %s %s", scratch_path(directory),
-                   arguments);
+    (void)snprintf(command_line, sizeof command_line, "wave --circuit specular --out %s %s",
+                   scratch_path(directory), arguments);
     return run(command_line, "");
 }
 

@@ -183,6 +183,8 @@ static void write_waveform(const glint_specular_config *config, const char *form
     const char *glint = getenv("GLINT");
     const char *const argv[] = {glint != NULL ? glint : "build/glint",
                                 "wave",
+                                "--circuit",
+                                "specular",
                                 "--out",
                                 scratch_directory,
                                 "--gate",
