@@ -1,8 +1,8 @@
 /* The span unit of Gouraud's shading, in integers: intensities along a run of pixels from one end's
  * to the other's, the increment divided by the circuit, the sum kept in fixed point.
  *
- * A run is an edge of a triangle (a value for each pixel row) or a row's span (a value for each
- * pixel). It has three channels, one for each colour component, all alike: a channel subtracts the
+ * A run is an edge of a triangle (a value for each pixel row or, where it is shallow, for each
+ * column) or a row's span (a value for each pixel). It has three channels, one for each colour component, all alike: a channel subtracts the
  * intensities of the ends and their coordinates, has the one divided by the other, and adds the
  * quotient step after step. All of that is counted, always: what the four rows of the thesis's
  * Table 2.1 count. */
@@ -62,7 +62,8 @@ void glint_run_exact(const glint_run *run, int32_t first, int32_t last, uint8_t 
 /* The thesis's triangle: Δx/Δy AB 7/8, AC 9/12, BC 16/4. Here its corners are on pixel centres, A
  * on top. Table 2.1 has 18/9, 99, 66/33, 225. */
 typedef struct glint_table_21 {
-    /* The rasterizer drawing it: edges by rows, spans over the pixels that the fill rule gives. */
+    /* The rasterizer drawing it: edges as far as rows need them, spans from the first to the last
+     * pixel that the fill rule gives. The first value of a run is there without an addition. */
     glint_span_operations drawn;
     uint64_t drawn_rows, drawn_pixels; /* that it covers */
 
