@@ -10,6 +10,7 @@ int glint_cmd_compare(int argc, char **argv);
 int glint_cmd_verify(int argc, char **argv);
 int glint_cmd_wave(int argc, char **argv);
 int glint_cmd_divide(int argc, char **argv);
+int glint_cmd_report(int argc, char **argv);
 int glint_cmd_bench(int argc, char **argv);
 
 #endif

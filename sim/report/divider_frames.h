@@ -1,0 +1,42 @@
+/* What the divider's errors come to in whole frames: Gouraud's shading by numbers of shifts against
+ * the same frames with exact values along edges and spans. */
+#ifndef GLINT_SIM_DIVIDER_FRAMES_H
+#define GLINT_SIM_DIVIDER_FRAMES_H
+
+#include "image/image.h"
+#include "render/render.h"
+
+#define GLINT_DIVIDER_FRAME_WIDTH  640
+#define GLINT_DIVIDER_FRAME_HEIGHT 480
+
+/* Of the thesis, 6, 7 and 8; the default; and the most that there can be. */
+#define GLINT_DIVIDER_FRAMES 5
+extern const int glint_divider_frame_shifts[GLINT_DIVIDER_FRAMES];
+
+/* Teapot and sphere, each as fine as it is by default and with triangles of about 100 pixels. */
+#define GLINT_DIVIDER_SCENES 4
+
+typedef struct glint_divider_frame {
+    int shifts;
+    glint_image_difference difference; /* from the exact frame */
+    char picture[64];                  /* file names in the directory */
+    char difference_picture[64];
+} glint_divider_frame;
+
+typedef struct glint_divider_scene {
+    const char *model;
+    int density;
+    uint64_t drawn;     /* triangles */
+    uint64_t divisions; /* of a frame, each of three components */
+    char exact_picture[64];
+    glint_divider_frame frames[GLINT_DIVIDER_FRAMES];
+} glint_divider_scene;
+
+/* Renders all of it (640x480, the default scene, highlights by the C model) and writes the pictures
+ * into the directory, which is there. */
+glint_status glint_divider_render_scenes(const char *directory, int threads,
+                                         const volatile bool *stop,
+                                         glint_divider_scene scenes[GLINT_DIVIDER_SCENES],
+                                         glint_error *err);
+
+#endif
