@@ -95,6 +95,9 @@ static void add_frame(cJSON *frames, const glint_render_frame *frame)
     cJSON_AddNumberToObject(json, "frames_per_second", per_second(1.0, stats));
     cJSON_AddNumberToObject(json, "fragments_per_second",
                             per_second((double)stats->fragments, stats));
+    if (stats->divider_clocks > 0) {
+        cJSON_AddNumberToObject(json, "divider_clocks", (double)stats->divider_clocks);
+    }
     cJSON_AddItemToArray(frames, json);
 }
 

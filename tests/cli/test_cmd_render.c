@@ -75,6 +75,10 @@ static void both_backends_are_equal(void **state)
         "--backend both --size 200x150 --model sphere --gate sign --n 1023",
         "--backend both --size 200x150 --gate drawn --n 40",
         "--backend both --size 200x150 --pipeline drawn --threads 3 --lanes 1",
+        "--backend both --size 200x150 --shading flat",
+        "--backend both --size 200x150 --shading gouraud",
+        "--backend both --size 200x150 --shading gouraud --shifts 6 --model quad",
+        "--backend both --size 200x150 --shading gouraud-perspective --model sphere",
     };
     for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
         outcome done = render("both.png", options[i]);
@@ -101,11 +105,14 @@ static void foreign_meshes_are_equal_by_both_backends(void **state)
     };
     for (size_t i = 0; i < sizeof meshes / sizeof meshes[0]; i++) {
         char options[256];
-        snprintf(options, sizeof options, "--backend both --size 200x150 --model %s", meshes[i]);
-        outcome done = render("mesh.png", options);
-        assert_outcome(&done, 0, "");
-        assert_says(done.out, "0 differing pixels of 30000\n");
-        forget(&done);
+        for (int gouraud = 0; gouraud < 2; gouraud++) {
+            snprintf(options, sizeof options, "--backend both --size 200x150 --model %s%s",
+                     meshes[i], gouraud ? " --shading gouraud" : "");
+            outcome done = render("mesh.png", options);
+            assert_outcome(&done, 0, "");
+            assert_says(done.out, "0 differing pixels of 30000\n");
+            forget(&done);
+        }
     }
 }
 
@@ -114,6 +121,10 @@ static void each_option_changes_the_picture(void **state)
     (void)state;
     static const char *const changes[] = {
         "--model sphere",
+        "--model quad",
+        "--shading flat",
+        "--shading gouraud",
+        "--shading gouraud-perspective",
         "--density 2",
         "--gate drawn",
         "--n 5",
@@ -155,6 +166,8 @@ static void threads_lanes_and_pipeline_do_not_change_the_picture(void **state)
         "--backend rtl --lanes 16 --threads 2",
         "--gate sign",
         "--backend rtl --pipeline drawn",
+        "--shading phong",
+        "--shifts 6",
     };
     glint_image *usual = rendered("--size 160x120");
     for (size_t i = 0; i < sizeof same / sizeof same[0]; i++) {
@@ -167,6 +180,43 @@ static void threads_lanes_and_pipeline_do_not_change_the_picture(void **state)
         glint_image_destroy(other);
     }
     glint_image_destroy(usual);
+}
+
+static void few_shifts_change_a_gouraud_picture(void **state)
+{
+    (void)state;
+    glint_image *usual = rendered("--size 160x120 --shading gouraud");
+    glint_image *twelve = rendered("--size 160x120 --shading gouraud --shifts 12");
+    glint_image *six = rendered("--size 160x120 --shading gouraud --shifts 6");
+    assert_int_equal(differing_pixels(usual, twelve), 0);
+    assert_true(differing_pixels(usual, six) > 0);
+    glint_image_destroy(six);
+    glint_image_destroy(twelve);
+    glint_image_destroy(usual);
+}
+
+static void the_divisions_are_told_of(void **state)
+{
+    (void)state;
+    outcome done = render("told.png", "--size 160x120 --shading gouraud --shifts 9");
+    assert_outcome(&done, 0, "");
+    assert_says(done.out, "\ngouraud: 14112 highlights, ");
+    assert_says(done.out, " divisions with 9 shifts\n");
+    forget(&done);
+    done = render("told.png", "--size 160x120 --shading gouraud --backend real");
+    assert_outcome(&done, 0, "");
+    assert_says(done.out, "\ngouraud: 14112 highlights\n");
+    forget(&done);
+    done = render("told.png", "--size 100x80 --shading gouraud --shifts 7 --json --backend both");
+    assert_outcome(&done, 0, "");
+    cJSON *json = cJSON_Parse(done.out);
+    assert_non_null(json);
+    assert_string_equal(cJSON_GetObjectItem(json, "shading")->valuestring, "gouraud");
+    assert_int_equal(cJSON_GetObjectItem(json, "shifts")->valueint, 7);
+    assert_int_equal(cJSON_GetObjectItem(json, "highlights")->valueint, 14112);
+    assert_true(cJSON_GetObjectItem(json, "divisions")->valueint > 1000);
+    cJSON_Delete(json);
+    forget(&done);
 }
 
 static void json_gives_the_figures(void **state)
@@ -220,6 +270,12 @@ static void what_cannot_be_rendered_is_named(void **state)
         {"--model no-such-file.obj", 1, "no-such-file.obj"},
         {"--model Makefile", 1, "Makefile"},
         {"--model no-such-file.obj --density 4", 2, "--density is for teapot and sphere"},
+        {"--model quad --density 4", 2, "--density is for teapot and sphere"},
+        {"--shading", 2, "flat, gouraud, gouraud-perspective, phong"},
+        {"--shading goraud", 2, "flat, gouraud, gouraud-perspective, phong"},
+        {"--shifts 5", 2, "an integer from 6 to 16"},
+        {"--shifts 17", 2, "an integer from 6 to 16"},
+        {"--shifts 8.5", 2, "an integer from 6 to 16"},
     };
     for (size_t i = 0; i < sizeof failures / sizeof failures[0]; i++) {
         outcome done = render("never.png", failures[i].options);
@@ -298,6 +354,8 @@ int main(void)
         cmocka_unit_test(foreign_meshes_are_equal_by_both_backends),
         cmocka_unit_test(each_option_changes_the_picture),
         cmocka_unit_test(threads_lanes_and_pipeline_do_not_change_the_picture),
+        cmocka_unit_test(few_shifts_change_a_gouraud_picture),
+        cmocka_unit_test(the_divisions_are_told_of),
         cmocka_unit_test(json_gives_the_figures),
         cmocka_unit_test(comparing_nothing_is_a_failure),
         cmocka_unit_test(what_cannot_be_rendered_is_named),
