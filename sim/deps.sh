@@ -11,13 +11,15 @@ build='gcc g++ make pkg-config verilator zlib1g-dev libpng-dev libassimp-dev lib
 checks="$build libcmocka-dev iverilog yosys clang valgrind"
 view='gtkwave xvfb xauth imagemagick'
 meshes='assimp-testmodels glmark2-data'
+plots='gnuplot-nox'
 
 # The one table: what each goal needs.
 packages_of() {
     case $1 in
     build | demo | bench | wave | install) echo "$build" ;;
     lint) echo "$checks" ;;
-    test) echo "$checks $view $meshes" ;;
+    report) echo "$build $plots" ;;
+    test) echo "$checks $view $meshes $plots" ;;
     gtkwave) echo "$view" ;;
     *) return 1 ;;
     esac
@@ -45,7 +47,7 @@ installed $package
     done
 }
 
-[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build demo bench wave install lint test gtkwave)"
+[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build demo bench wave report install lint test gtkwave)"
 
 needed=
 for goal in "$@"; do

@@ -62,7 +62,7 @@ static void silent_when_nothing_is_missing(void **state)
 {
     (void)state;
     make_program("dpkg-query", "for p; do echo \"installed $p\"; done");
-    assert_int_equal(run_deps("", "demo test lint wave bench gtkwave"), 0);
+    assert_int_equal(run_deps("", "demo test lint wave bench report gtkwave"), 0);
     assert_file("out", "");
     assert_file("err", "");
     assert_file("calls", "");
@@ -77,6 +77,20 @@ static void installs_what_is_missing_and_no_more(void **state)
                          "libpng-dev verilator\n");
     assert_file("out", "");
     assert_file("err", "sim/deps.sh: installing libpng-dev verilator\n");
+}
+
+static void plots_are_for_the_report_and_the_tests(void **state)
+{
+    (void)state;
+    static const char *const goals[] = {"report", "test"};
+    for (size_t i = 0; i < 2; i++) {
+        make_program("dpkg-query",
+                     "for p; do [ \"$p\" = gnuplot-nox ] || echo \"installed $p\"; done");
+        assert_int_equal(run_deps("", goals[i]), 0);
+        assert_file("err", "sim/deps.sh: installing gnuplot-nox\n");
+    }
+    assert_int_equal(run_deps("", "demo bench lint"), 0);
+    assert_file("err", "");
 }
 
 static void goals_are_joined(void **state)
@@ -172,6 +186,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(silent_when_nothing_is_missing, make_system),
         cmocka_unit_test_setup(installs_what_is_missing_and_no_more, make_system),
+        cmocka_unit_test_setup(plots_are_for_the_report_and_the_tests, make_system),
         cmocka_unit_test_setup(goals_are_joined, make_system),
         cmocka_unit_test_setup(uses_sudo_when_not_root, make_system),
         cmocka_unit_test_setup(no_install_only_says_the_command, make_system),
