@@ -9,7 +9,7 @@ typedef struct glint_render_options {
     const char *model;   /* "teapot", "sphere", "quad", or a path */
     int density;         /* of teapot or sphere; 0: its own default */
     const char *shading; /* name of the scene's */
-    bool both;         /* render by c and by rtl and compare; else by backend.kind */
+    bool both;           /* render by c and by rtl and compare; else by backend.kind */
     glint_backend_config backend;
     int width, height, threads;
     glint_scene scene; /* all but the mesh */

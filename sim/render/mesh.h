@@ -37,8 +37,8 @@ glint_status glint_mesh_teapot(int density, glint_mesh **mesh, glint_error *err)
 glint_status glint_mesh_sphere(int density, glint_mesh **mesh, glint_error *err);
 
 /* A long rectangle on the ground, of two triangles, that recedes from the default camera: from
- * z = 8 back to z = −8. Its normals lean differently at its four corners, so that the light falls on
- * them very differently. It shows what Gouraud's shading on the screen does to perspective. */
+ * z = 8 back to z = −8. Its normals lean differently at its four corners, so that the light falls
+ * on them very differently. It shows what Gouraud's shading on the screen does to perspective. */
 glint_status glint_mesh_quad(glint_mesh **mesh, glint_error *err);
 
 /* Reads a mesh file through assimp (.3ds .obj .ply .stl …): all meshes under their node

@@ -2,10 +2,10 @@
  * to the other's, the increment divided by the circuit, the sum kept in fixed point.
  *
  * A run is an edge of a triangle (a value for each pixel row or, where it is shallow, for each
- * column) or a row's span (a value for each pixel). It has three channels, one for each colour component, all alike: a channel subtracts the
- * intensities of the ends and their coordinates, has the one divided by the other, and adds the
- * quotient step after step. All of that is counted, always: what the four rows of the thesis's
- * Table 2.1 count. */
+ * column) or a row's span (a value for each pixel). It has three channels, one for each colour
+ * component, all alike: a channel subtracts the intensities of the ends and their coordinates, has
+ * the one divided by the other, and adds the quotient step after step. All of that is counted,
+ * always: what the four rows of the thesis's Table 2.1 count. */
 #ifndef GLINT_SIM_SPAN_H
 #define GLINT_SIM_SPAN_H
 
