@@ -1,13 +1,19 @@
-/* libglint: the bit-exact fixed-point model of the specular-colour device. Include this one.
+/* libglint: the bit-exact fixed-point models of both circuits. Include this one.
  *
- *   glint_formats.h           widths, binary points, latencies
- *   glint_specular.h          the circuit as a pure function, one point or many
- *   glint_specular_device.h   the circuit clock by clock, every register visible
+ *   glint_formats.h           widths, binary points, latencies of the specular device
+ *   glint_specular.h          the specular device as a pure function, one point or many
+ *   glint_specular_device.h   the same clock by clock, every register visible
+ *   glint_divider.h           the shift-accumulate divider as a pure function
+ *   glint_divider_device.h    the same clock by clock, in its two forms
+ *   glint_signal.h            a signal, as a comparer or a waveform needs it
  *   glint_status.h            what functions that can fail return */
 #ifndef GLINT_H
 #define GLINT_H
 
+#include "glint_divider.h"
+#include "glint_divider_device.h"
 #include "glint_formats.h"
+#include "glint_signal.h"
 #include "glint_specular.h"
 #include "glint_specular_device.h"
 #include "glint_status.h"
