@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "backend/backend.h"
+#include "glint_divider.h"
 
 #define GLINT_BENCH_N      60   /* exponent of all kernels */
 #define GLINT_BENCH_POINTS 8192 /* cosines of a pass, evenly random in GLINT_BENCH_LOWEST…1 */
@@ -39,6 +40,33 @@ const char *glint_bench_name(glint_bench_candidate candidate);
 /* Measures all candidates for about `seconds` each (0.01…60). */
 glint_status glint_bench_kernels(double seconds, const volatile bool *stop,
                                  glint_bench_rates *rates, glint_error *err);
+
+#define GLINT_BENCH_SHIFTS    GLINT_DIVIDER_SHIFTS_DEFAULT /* of all divisions */
+#define GLINT_BENCH_DIVISIONS 3072 /* of a pass, of one component each; k evenly random in 1…16 */
+
+typedef enum glint_bench_divider {
+    GLINT_BENCH_INTEGER_DIVISION,
+    GLINT_BENCH_FLOAT_DIVISION_SCALAR,
+    GLINT_BENCH_FLOAT_DIVISION,
+    GLINT_BENCH_DIVIDER_C_BATCH,
+    GLINT_BENCH_DIVIDER_SEQUENTIAL,
+    GLINT_BENCH_DIVIDER_PIPELINED,
+    GLINT_BENCH_DIVIDERS
+} glint_bench_divider;
+
+typedef struct glint_bench_divider_rates {
+    double divisions[GLINT_BENCH_DIVIDERS]; /* of one component, a second, on one thread */
+    double
+        to_integer[GLINT_BENCH_DIVIDERS]; /* the same divided by the machine's integer division's */
+    double to_float[GLINT_BENCH_DIVIDERS]; /* by its vectorised float division's */
+    double clocks[GLINT_BENCH_DIVIDERS];   /* a second, of the circuits; else 0 */
+} glint_bench_divider_rates;
+
+const char *glint_bench_divider_name(glint_bench_divider candidate);
+
+/* Measures all of them for about `seconds` each (0.01…60). */
+glint_status glint_bench_dividers(double seconds, const volatile bool *stop,
+                                  glint_bench_divider_rates *rates, glint_error *err);
 
 typedef struct glint_bench_frame {
     const char *model; /* "teapot" or "sphere" */

@@ -1,16 +1,11 @@
 /* Points a second: the C model, the circuits, and the formulas they stand against. */
-#define _POSIX_C_SOURCE 200809L
-
 #include <stdlib.h>
-#include <string.h>
-#include <time.h>
 
 #include "bench/bench.h"
 #include "bench/kernels.h"
+#include "bench/rounds.h"
 #include "lockstep/random.h"
 #include "rtl/rtl.h"
-
-#define ROUNDS 7
 
 typedef struct workload {
     float cosine[GLINT_BENCH_POINTS], result[GLINT_BENCH_POINTS];
@@ -18,7 +13,6 @@ typedef struct workload {
     uint8_t r[GLINT_BENCH_POINTS], g[GLINT_BENCH_POINTS], b[GLINT_BENCH_POINTS];
     glint_material material;
     glint_rtl *rtl[GLINT_BENCH_CANDIDATES]; /* of the RTL candidates, else NULL */
-    const volatile bool *stop;
 } workload;
 
 static const struct {
@@ -40,13 +34,6 @@ static const struct {
 const char *glint_bench_name(glint_bench_candidate candidate)
 {
     return candidates[candidate].name;
-}
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 static glint_status create_circuits(workload *w, glint_error *err)
@@ -86,8 +73,9 @@ static glint_status create_workload(workload **created, glint_error *err)
 }
 
 /* One pass of a candidate over all points. */
-static glint_status run_pass(workload *w, int candidate, glint_error *err)
+static glint_status run_pass(void *work, int candidate, glint_error *err)
 {
+    workload *w = work;
     const size_t count = GLINT_BENCH_POINTS;
     switch (candidate) {
     case GLINT_BENCH_POWF:
@@ -111,47 +99,11 @@ static glint_status run_pass(workload *w, int candidate, glint_error *err)
     }
 }
 
-/* Points a second over at least `seconds`, and at least one pass. */
-static glint_status measure(workload *w, int candidate, double seconds, double *rate,
-                            glint_error *err)
-{
-    uint64_t passes = 0;
-    double start = now(), end;
-    do {
-        glint_status status = run_pass(w, candidate, err);
-        if (status != GLINT_OK)
-            return status;
-        if (w->stop != NULL && *w->stop)
-            return glint_fail(err, GLINT_INTERRUPTED, "interrupted");
-        passes++;
-        end = now();
-    } while (end - start < seconds);
-    *rate = (double)(passes * GLINT_BENCH_POINTS) / (end - start);
-    return GLINT_OK;
-}
-
-static int compare_doubles(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(const double *values, int count)
-{
-    double sorted[ROUNDS];
-    memcpy(sorted, values, (size_t)count * sizeof *values);
-    qsort(sorted, (size_t)count, sizeof *sorted, compare_doubles);
-    return sorted[count / 2];
-}
-
-static void summarise(double rate[GLINT_BENCH_CANDIDATES][ROUNDS], glint_bench_rates *rates)
+static void summarise(const glint_rounds *rounds, glint_bench_rates *rates)
 {
     for (int i = 0; i < GLINT_BENCH_CANDIDATES; i++) {
-        double ratio[ROUNDS];
-        for (int round = 0; round < ROUNDS; round++)
-            ratio[round] = rate[i][round] / rate[GLINT_BENCH_POWF][round];
-        rates->points[i] = median(rate[i], ROUNDS);
-        rates->to_powf[i] = median(ratio, ROUNDS);
+        rates->points[i] = glint_rounds_rate(rounds, i);
+        rates->to_powf[i] = glint_rounds_ratio(rounds, i, GLINT_BENCH_POWF);
         rates->lanes[i] = candidates[i].lanes;
     }
 }
@@ -159,16 +111,14 @@ static void summarise(double rate[GLINT_BENCH_CANDIDATES][ROUNDS], glint_bench_r
 glint_status glint_bench_kernels(double seconds, const volatile bool *stop,
                                  glint_bench_rates *rates, glint_error *err)
 {
-    double rate[GLINT_BENCH_CANDIDATES][ROUNDS];
+    glint_rounds rounds;
     workload *w = NULL;
     glint_status status = create_workload(&w, err);
     if (status == GLINT_OK)
-        w->stop = stop;
-    for (int round = 0; round < ROUNDS; round++)
-        for (int i = 0; status == GLINT_OK && i < GLINT_BENCH_CANDIDATES; i++)
-            status = measure(w, i, seconds / ROUNDS, &rate[i][round], err);
+        status = glint_rounds_measure(run_pass, w, GLINT_BENCH_CANDIDATES, GLINT_BENCH_POINTS,
+                                      seconds, stop, &rounds, err);
     if (status == GLINT_OK)
-        summarise(rate, rates);
+        summarise(&rounds, rates);
     if (w != NULL)
         destroy_workload(w);
     return status;

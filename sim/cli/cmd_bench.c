@@ -1,4 +1,4 @@
-/* `glint bench`: fragments, clocks and frames a second, with ratios, in one run. */
+/* `glint bench`: fragments, divisions, clocks and frames a second, with ratios, in one run. */
 #define _POSIX_C_SOURCE 200809L
 
 #include <inttypes.h>
@@ -16,6 +16,12 @@ typedef struct bench_options {
     int64_t threads;
     bool json;
 } bench_options;
+
+typedef struct bench_results {
+    glint_bench_rates points;
+    glint_bench_divider_rates dividers;
+    glint_bench_frame frames[GLINT_BENCH_FRAMES];
+} bench_results;
 
 static int parse(int argc, char **argv, bench_options *chosen)
 {
@@ -36,8 +42,10 @@ static int parse(int argc, char **argv, bench_options *chosen)
     };
     const glint_command_line line = {
         .command = "bench",
-        .summary = "Measures the C model, the Verilated circuit at each lane count, powf, pow and "
-                   "Schlick's formula side by side, then whole frames by each backend.",
+        .summary =
+            "Measures the C model, the Verilated circuit at each lane count, powf, pow and "
+            "Schlick's formula side by side; the divider in C and in both forms of its circuit "
+            "beside the machine's own division; then whole frames by each backend.",
         .options = options,
         .option_count = sizeof options / sizeof options[0],
     };
@@ -69,6 +77,20 @@ static void print_kernels(const glint_bench_rates *rates)
     printf("C batch to powf %.1f, best RTL (%d lanes) to powf %.2f\n",
            rates->to_powf[GLINT_BENCH_C_BATCH], rates->lanes[best_rtl(rates)],
            rates->to_powf[best_rtl(rates)]);
+}
+
+static void print_dividers(const glint_bench_divider_rates *rates)
+{
+    printf("divisions: %d shifts, k 1 to %d, one thread; million of one component a second, ratios "
+           "to the machine's integer and float division\n",
+           GLINT_BENCH_SHIFTS, GLINT_DIVIDER_K_MAX);
+    for (int i = 0; i < GLINT_BENCH_DIVIDERS; i++) {
+        printf("  %-16s %9.1f %8.3f %8.3f", glint_bench_divider_name((glint_bench_divider)i),
+               rates->divisions[i] * 1e-6, rates->to_integer[i], rates->to_float[i]);
+        if (rates->clocks[i] > 0.0)
+            printf("   %6.1f million clocks a second", rates->clocks[i] * 1e-6);
+        printf("\n");
+    }
 }
 
 static void print_frames(const glint_bench_frame *frames, int threads)
@@ -104,6 +126,21 @@ static void add_kernels(cJSON *json, const glint_bench_rates *rates)
     cJSON_AddNumberToObject(ratios, "best_rtl_lanes", rates->lanes[best_rtl(rates)]);
 }
 
+static void add_dividers(cJSON *json, const glint_bench_divider_rates *rates)
+{
+    cJSON *list = cJSON_AddArrayToObject(json, "divisions");
+    for (int i = 0; i < GLINT_BENCH_DIVIDERS; i++) {
+        cJSON *entry = cJSON_CreateObject();
+        cJSON_AddStringToObject(entry, "name", glint_bench_divider_name((glint_bench_divider)i));
+        cJSON_AddNumberToObject(entry, "million_divisions_per_second", rates->divisions[i] * 1e-6);
+        cJSON_AddNumberToObject(entry, "ratio_to_integer", rates->to_integer[i]);
+        cJSON_AddNumberToObject(entry, "ratio_to_float", rates->to_float[i]);
+        if (rates->clocks[i] > 0.0)
+            cJSON_AddNumberToObject(entry, "million_clocks_per_second", rates->clocks[i] * 1e-6);
+        cJSON_AddItemToArray(list, entry);
+    }
+}
+
 static void add_frames(cJSON *json, const glint_bench_frame *frames)
 {
     cJSON *list = cJSON_AddArrayToObject(json, "frames");
@@ -119,33 +156,48 @@ static void add_frames(cJSON *json, const glint_bench_frame *frames)
     }
 }
 
-static bool print_json(const glint_bench_rates *rates, const glint_bench_frame *frames, int threads)
+static bool print_json(const bench_results *results, int threads)
 {
     cJSON *json = cJSON_CreateObject();
     cJSON_AddNumberToObject(json, "n", GLINT_BENCH_N);
+    cJSON_AddNumberToObject(json, "shifts", GLINT_BENCH_SHIFTS);
     cJSON_AddNumberToObject(json, "threads", threads);
-    add_kernels(json, rates);
-    add_frames(json, frames);
+    add_kernels(json, &results->points);
+    add_dividers(json, &results->dividers);
+    add_frames(json, results->frames);
     return glint_output_json(json);
+}
+
+/* Each part is printed as soon as it is measured, unless all go into one JSON text. */
+static glint_status measure(const bench_options *chosen, bench_results *results, glint_error *err)
+{
+    const volatile bool *stop = glint_stop_flag();
+    const int threads = (int)chosen->threads;
+    glint_status status = glint_bench_kernels(chosen->seconds, stop, &results->points, err);
+    if (status == GLINT_OK && !chosen->json) {
+        print_kernels(&results->points);
+        fflush(stdout);
+    }
+    if (status == GLINT_OK)
+        status = glint_bench_dividers(chosen->seconds, stop, &results->dividers, err);
+    if (status == GLINT_OK && !chosen->json) {
+        print_dividers(&results->dividers);
+        fflush(stdout);
+    }
+    if (status == GLINT_OK)
+        status = glint_bench_frames(threads, chosen->seconds, stop, results->frames, err);
+    if (status == GLINT_OK && !chosen->json)
+        print_frames(results->frames, threads);
+    return status;
 }
 
 static int bench(const bench_options *chosen)
 {
-    glint_bench_rates rates;
-    glint_bench_frame frames[GLINT_BENCH_FRAMES];
+    bench_results results;
     glint_error err;
-    const int threads = (int)chosen->threads;
-    if (glint_bench_kernels(chosen->seconds, glint_stop_flag(), &rates, &err) != GLINT_OK)
+    if (measure(chosen, &results, &err) != GLINT_OK)
         return glint_complain_error("bench", &err);
-    if (!chosen->json) {
-        print_kernels(&rates);
-        fflush(stdout);
-    }
-    if (glint_bench_frames(threads, chosen->seconds, glint_stop_flag(), frames, &err) != GLINT_OK)
-        return glint_complain_error("bench", &err);
-    if (!chosen->json)
-        print_frames(frames, threads);
-    else if (!print_json(&rates, frames, threads))
+    if (chosen->json && !print_json(&results, (int)chosen->threads))
         return glint_complain("bench", GLINT_EXIT_FAILURE, "out of memory");
     return GLINT_EXIT_OK;
 }

@@ -20,7 +20,7 @@ static const struct {
     {"verify", "C model and Verilog in lockstep, every register, every clock", glint_cmd_verify},
     {"wave", "a waveform of a short scene, with a GTKWave save file", glint_cmd_wave},
     {"report", "the thesis's numbers on the divider, measured", glint_cmd_report},
-    {"bench", "fragments, clocks and frames a second", glint_cmd_bench},
+    {"bench", "fragments, divisions, clocks and frames a second", glint_cmd_bench},
 };
 
 #define SUBCOMMAND_COUNT (sizeof subcommands / sizeof subcommands[0])

@@ -1,0 +1,69 @@
+/* `glint bench`: its figures as text and as JSON, measured for as short as it can be. */
+#define _XOPEN_SOURCE 700
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cjson/cJSON.h>
+#include <cmocka.h>
+
+#include "../scratch.h"
+#include "run.h"
+
+static void expect_entries(const cJSON *json, const char *name, int count, const char *const *keys)
+{
+    const cJSON *list = cJSON_GetObjectItem(json, name);
+    const cJSON *entry;
+    assert_int_equal(cJSON_GetArraySize(list), count);
+    cJSON_ArrayForEach(entry, list)
+    {
+        for (int i = 0; keys[i] != NULL; i++) {
+            const cJSON *value = cJSON_GetObjectItem(entry, keys[i]);
+            assert_true(cJSON_IsNumber(value) && value->valuedouble > 0.0);
+        }
+    }
+}
+
+static void the_json_has_all_parts(void **state)
+{
+    (void)state;
+    static const char *const points[] = {"million_points_per_second", "ratio_to_powf", NULL};
+    static const char *const divisions[] = {"million_divisions_per_second", "ratio_to_integer",
+                                            "ratio_to_float", NULL};
+    static const char *const frames[] = {"width", "height", "fragments", "frames_per_second", NULL};
+    outcome done = run("bench --seconds 0.01 --threads 1 --json", "");
+    assert_outcome(&done, 0, "");
+    cJSON *json = cJSON_Parse(done.out);
+    assert_true(cJSON_IsObject(json));
+    expect_entries(json, "points", 10, points);
+    expect_entries(json, "divisions", 6, divisions);
+    expect_entries(json, "frames", 12, frames);
+    cJSON_Delete(json);
+    forget(&done);
+}
+
+static void the_text_has_all_parts(void **state)
+{
+    (void)state;
+    static const char *const parts[] = {
+        "points: ",           "\n  powf ",           "\n  rtl-16 ",
+        "\ndivisions: ",      "\n  integer ",        "\n  rtl-sequential ",
+        "\n  rtl-pipelined ", "\nframes: 1 thread,", "\n  sphere "};
+    outcome done = run("bench --seconds 0.01 --threads 1", "");
+    assert_outcome(&done, 0, "");
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        assert_says(done.out, parts[i]);
+    }
+    forget(&done);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_json_has_all_parts),
+        cmocka_unit_test(the_text_has_all_parts),
+    };
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
+}
