@@ -28,15 +28,22 @@ static void begin_phase(glint_divider_stimulus *s)
     s->reset_chance = glint_random_chance(&s->random, 32) ? 8 : 0;
 }
 
+/* 0, the first beyond the table, or any other. */
+static uint32_t random_miss(glint_random *random)
+{
+    const uint32_t first = GLINT_DIVIDER_K_MAX + 1u;
+    if (glint_random_chance(random, 64))
+        return 0;
+    if (glint_random_chance(random, 64))
+        return first;
+    return first + glint_random_below(random, (1u << GLINT_DIVIDER_K_BITS) - first);
+}
+
 static uint8_t random_k(glint_divider_stimulus *s)
 {
-    if (!glint_random_chance(&s->random, s->miss_chance))
-        return (uint8_t)(1 + glint_random_below(&s->random, GLINT_DIVIDER_K_MAX));
-    return glint_random_chance(&s->random, 64)
-               ? (uint8_t)0
-               : (uint8_t)(GLINT_DIVIDER_K_MAX + 1 +
-                           glint_random_below(&s->random, (1u << GLINT_DIVIDER_K_BITS) -
-                                                              GLINT_DIVIDER_K_MAX - 1u));
+    if (glint_random_chance(&s->random, s->miss_chance))
+        return (uint8_t)random_miss(&s->random);
+    return (uint8_t)(1 + glint_random_below(&s->random, GLINT_DIVIDER_K_MAX));
 }
 
 static int16_t random_difference(glint_random *random)
