@@ -79,8 +79,8 @@ field            = $(word $2,$(subst -, ,$1))
 SHIM_FLAGS = -std=gnu++17 -O3 -Wall -Wextra -Icmodel -Isim/rtl \
              -isystem $(VERILATOR_ROOT_DIR)/include -isystem $(VERILATOR_ROOT_DIR)/include/vltstd \
              -DVM_TRACE=1 -DVM_TRACE_FST=1 -DVM_COVERAGE=0 -DVM_SC=0
-VERILATE   = $(VERILATOR) --cc --trace-fst -O3 --x-assign fast --x-initial fast --noassert \
-             --top specular_device
+VERILATE_TOP = $(VERILATOR) --cc --trace-fst -O3 --x-assign fast --x-initial fast --noassert
+VERILATE     = $(VERILATE_TOP) --top specular_device
 # $1: model name, gate-pipeline-lanes or gate-pipeline-lanes-fast
 verilate_model = $(VERILATE) --prefix V$(subst -,_,$1) --Mdir $(VERILATED)/$1 \
     -GGATE=$(call gate_number,$(call field,$1,1)) \
@@ -116,15 +116,15 @@ divider_class   = Vdivider_$(subst -,_,$1)
 $(DIVIDERS:%=$(VERILATED)/divider-%/verilated.stamp): $(VERILATED)/divider-%/verilated.stamp: \
     $(RTL) sim/rtl/divider_signals.vlt
 	@mkdir -p $(@D)
-	$(VERILATOR) --cc --trace-fst -O3 --x-assign fast --x-initial fast --noassert \
-	    --prefix $(call divider_class,$*) --top $(call divider_top,$*) --Mdir $(@D) \
+	$(VERILATE_TOP) --prefix $(call divider_class,$*) --top $(call divider_top,$*) --Mdir $(@D) \
 	    -GSHIFTS=$(call field,$*,2) -Irtl sim/rtl/divider_signals.vlt rtl/$(call divider_top,$*).v
 	$(MAKE) -s -C $(@D) -f $(call divider_class,$*).mk OPT_FAST=-O2 \
 	    $(call divider_class,$*)__ALL.a >/dev/null
 	@touch $@
 
-$(VERILATED)/shims/divider-%.o: $(VERILATED)/divider-%/verilated.stamp sim/rtl/divider_shim.cpp \
-    sim/rtl/divider_model.h $(SHIM_SHARED)
+DIVIDER_SHIM_SOURCES := sim/rtl/divider_shim.cpp sim/rtl/divider_model.h $(SHIM_SHARED)
+
+$(VERILATED)/shims/divider-%.o: $(VERILATED)/divider-%/verilated.stamp $(DIVIDER_SHIM_SOURCES)
 	@mkdir -p $(@D)
 	$(CXX) $(SHIM_FLAGS) -isystem $(VERILATED)/divider-$* -DMODEL=$(call divider_class,$*) \
 	    -DGLINT_MODEL_TABLE=glint_divider_model_$(subst -,_,$*) \
@@ -191,7 +191,6 @@ TEST_PROGRAMS := $(TEST_SOURCES:%.c=$(BUILD)/%)
 FAULTS         := $(wildcard tests/lockstep/wrong/*/*.sed)
 wrong_name      = $(notdir $(patsubst %/,%,$(dir $1)))
 WRONG_OBJECTS  := $(foreach f,$(FAULTS),$(VERILATED)/wrong/$(call wrong_name,$f)/shim.o)
-WRONG_ARCHIVES := $(foreach o,$(WRONG_OBJECTS),$(dir $o)Vwrong_$(call wrong_name,$o)__ALL.a)
 
 # $1: what, $2: the file of the fault, $3: the module's file name
 define wrong_circuit
@@ -207,6 +206,30 @@ $(VERILATED)/wrong/$1/shim.o: $2 $(RTL) sim/rtl/specular_signals.vlt $(SHIM_SOUR
 	    -DGLINT_MODEL_LANES=1 -DGLINT_MODEL_OBSERVED=true -c sim/rtl/model_shim.cpp -o $$@
 endef
 $(foreach f,$(FAULTS),$(eval $(call wrong_circuit,$(call wrong_name,$f),$f,$(notdir $(f:.sed=.v)))))
+
+# The same for the dividers, of twelve shifts: tests/divider/wrong/<form>/<what>/<module>.sed, and
+# the table glint_wrong_divider_<what>.
+DIVIDER_FAULTS  := $(wildcard tests/divider/wrong/*/*/*.sed)
+wrong_form       = $(call wrong_name,$(patsubst %/,%,$(dir $1)))
+WRONG_OBJECTS   += $(foreach f,$(DIVIDER_FAULTS),$(VERILATED)/wrong/divider_$(call wrong_name,$f)/shim.o)
+
+# $1: divider_what, $2: the file of the fault, $3: the module's file name, $4: the form
+define wrong_divider
+$(VERILATED)/wrong/$1/shim.o: $2 $(RTL) sim/rtl/divider_signals.vlt $(DIVIDER_SHIM_SOURCES)
+	@mkdir -p $$(@D)/rtl
+	sed -f $2 rtl/$3 > $$(@D)/rtl/$3
+	! cmp -s rtl/$3 $$(@D)/rtl/$3 || { echo "$2 changes nothing in rtl/$3"; exit 1; }
+	$$(VERILATE_TOP) --prefix Vwrong_$1 --top $(call divider_top,$4) --Mdir $$(@D) \
+	    -GSHIFTS=12 -I$$(@D)/rtl -Irtl sim/rtl/divider_signals.vlt $(call divider_top,$4).v
+	$$(MAKE) -s -C $$(@D) -f Vwrong_$1.mk OPT_FAST=-O1 Vwrong_$1__ALL.a >/dev/null
+	$$(CXX) $$(SHIM_FLAGS) -isystem $$(@D) -DMODEL=Vwrong_$1 -DGLINT_MODEL_TABLE=glint_wrong_$1 \
+	    -DGLINT_MODEL_SHIFTS=12 $(if $(filter pipelined,$4),-DGLINT_MODEL_PIPELINED) \
+	    -c sim/rtl/divider_shim.cpp -o $$@
+endef
+$(foreach f,$(DIVIDER_FAULTS),$(eval $(call wrong_divider,divider_$(call wrong_name,$f),$f,$(notdir \
+    $(f:.sed=.v)),$(call wrong_form,$f))))
+
+WRONG_ARCHIVES  := $(foreach o,$(WRONG_OBJECTS),$(dir $o)Vwrong_$(call wrong_name,$o)__ALL.a)
 
 # What several tests share: tests/<thing>/*.c that are no programs themselves.
 TEST_HELPERS := $(filter-out $(TEST_SOURCES),$(wildcard tests/*/*.c))
