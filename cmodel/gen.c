@@ -127,7 +127,7 @@ static void write_reciprocal_rom(FILE *out)
                       "0 or beyond the table;\n// combinational.");
     fprintf(out, "`default_nettype none\n`include \"glint_formats.vh\"\n\n"
                  "module reciprocal_rom #(\n"
-                 "    parameter SHIFTS = `GLINT_DIVIDER_SHIFTS_DEFAULT\n"
+                 "    parameter integer SHIFTS = `GLINT_DIVIDER_SHIFTS_DEFAULT\n"
                  ") (\n"
                  "    input  wire [`GLINT_DIVIDER_K_BITS-1:0] k,\n"
                  "    output reg  [SHIFTS:0]                  bits,\n"
@@ -137,6 +137,10 @@ static void write_reciprocal_rom(FILE *out)
             GLINT_DIVIDER_K_BITS);
     for (int shifts = GLINT_DIVIDER_SHIFTS_MIN; shifts <= GLINT_DIVIDER_SHIFTS_MAX; shifts++)
         write_reciprocals(out, shifts);
+    fprintf(out, "        end else begin : g_table\n"
+                 "            // There is no such module: elaboration stops here.\n"
+                 "            SHIFTS_must_be_%d_to_%d error();\n",
+            GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX);
     fprintf(out, "        end\n    endgenerate\nendmodule\n\n`default_nettype wire\n");
 }
 

@@ -10,9 +10,9 @@
 `include "glint_formats.vh"
 
 module divider_stage #(
-    parameter SHIFTS = `GLINT_DIVIDER_SHIFTS_DEFAULT,
-    parameter STAGE  = 1,
-    parameter D      = `GLINT_DIVIDER_DIFFERENCE_BITS // widths, for short: of a difference
+    parameter integer SHIFTS = `GLINT_DIVIDER_SHIFTS_DEFAULT,
+    parameter integer STAGE  = 1,
+    parameter integer D      = `GLINT_DIVIDER_DIFFERENCE_BITS // widths, for short: of a difference
 ) (
     input  wire                       clk,
     input  wire                       reset,

@@ -15,8 +15,8 @@
 `include "glint_formats.vh"
 
 module pipelined_divider #(
-    parameter SHIFTS = `GLINT_DIVIDER_SHIFTS_DEFAULT,
-    parameter D      = `GLINT_DIVIDER_DIFFERENCE_BITS // width of a difference, for short
+    parameter integer SHIFTS = `GLINT_DIVIDER_SHIFTS_DEFAULT,
+    parameter integer D      = `GLINT_DIVIDER_DIFFERENCE_BITS // width of a difference, for short
 ) (
     input  wire                             clk,
     input  wire                             reset,

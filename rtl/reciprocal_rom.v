@@ -7,7 +7,7 @@
 `include "glint_formats.vh"
 
 module reciprocal_rom #(
-    parameter SHIFTS = `GLINT_DIVIDER_SHIFTS_DEFAULT
+    parameter integer SHIFTS = `GLINT_DIVIDER_SHIFTS_DEFAULT
 ) (
     input  wire [`GLINT_DIVIDER_K_BITS-1:0] k,
     output reg  [SHIFTS:0]                  bits,
@@ -247,6 +247,9 @@ module reciprocal_rom #(
                     8'd16: bits = 17'd4096;
                     default: bits = 17'd0;
                 endcase
+        end else begin : g_table
+            // There is no such module: elaboration stops here.
+            SHIFTS_must_be_6_to_16 error();
         end
     endgenerate
 endmodule

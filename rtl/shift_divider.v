@@ -19,7 +19,7 @@
 `include "glint_formats.vh"
 
 module shift_divider #(
-    parameter SHIFTS = `GLINT_DIVIDER_SHIFTS_DEFAULT
+    parameter integer SHIFTS = `GLINT_DIVIDER_SHIFTS_DEFAULT
 ) (
     input  wire                                                    clk,
     input  wire                                                    reset,

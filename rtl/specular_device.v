@@ -23,9 +23,9 @@
 `include "glint_formats.vh"
 
 module specular_device #(
-    parameter GATE      = `GLINT_GATE_COSINE,
-    parameter PIPELINED = 1,
-    parameter LANES     = 1
+    parameter integer GATE      = `GLINT_GATE_COSINE,
+    parameter integer PIPELINED = 1,
+    parameter integer LANES     = 1
 ) (
     input  wire                               clk,
     input  wire                               reset,
@@ -74,8 +74,10 @@ module specular_device #(
             limit_rom u_rom9 (.n(reg2), .limit(rom9));
         end else if (GATE == `GLINT_GATE_DRAWN) begin : g_rom9
             assign rom9 = `GLINT_DRAWN_LIMIT;
-        end else begin : g_rom9
+        end else if (GATE == `GLINT_GATE_SIGN) begin : g_rom9
             assign rom9 = {`GLINT_COS_BITS{1'b0}};
+        end else begin : g_rom9
+            GATE_must_be_0_1_or_2 error(); // there is no such module: elaboration stops here
         end
     endgenerate
 

@@ -19,8 +19,8 @@
 `include "glint_formats.vh"
 
 module specular_lane #(
-    parameter GATE      = `GLINT_GATE_COSINE,
-    parameter PIPELINED = 1
+    parameter integer GATE      = `GLINT_GATE_COSINE,
+    parameter integer PIPELINED = 1
 ) (
     input  wire                        clk,
     input  wire                        reset,
