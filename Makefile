@@ -5,6 +5,11 @@
 # SANITIZE=1    the C code with AddressSanitizer and UBSan (see the target sanitize)
 # NO_INSTALL=1  say which Debian packages are missing instead of installing them
 
+# Verilator's own makefiles cannot work below a directory with a space in its name.
+ifneq ($(word 2,$(CURDIR)),)
+$(error the path of this directory has a space: move the tree to one without)
+endif
+
 BUILD     ?= build
 CC         = gcc
 CXX        = g++
@@ -28,7 +33,7 @@ endif
 
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: all demo test bench wave lint clean help install generate build-all sanitize
+.PHONY: all demo test bench wave report lint clean help install generate build-all sanitize
 
 all: $(BUILD)/glint
 
@@ -96,7 +101,7 @@ compile_shim = $(CXX) $(SHIM_FLAGS) -isystem $(VERILATED)/$1 -DMODEL=V$(subst -,
 SHIM_SHARED  := sim/rtl/circuit.hpp $(wildcard cmodel/*.h)
 SHIM_SOURCES := sim/rtl/model_shim.cpp sim/rtl/rtl_model.h $(SHIM_SHARED)
 
-$(VERILATED)/%/verilated.stamp: $(RTL) sim/rtl/specular_signals.vlt
+$(VERILATED)/%/verilated.stamp: $(RTL) sim/rtl/specular_signals.vlt $(VERILATED)/version
 	@mkdir -p $(@D)
 	$(call verilate_model,$*)
 	$(MAKE) -s -C $(@D) -f V$(subst -,_,$*).mk \
@@ -114,7 +119,7 @@ divider_top     = $(if $(filter sequential,$(call field,$1,1)),shift_divider,pip
 divider_class   = Vdivider_$(subst -,_,$1)
 
 $(DIVIDERS:%=$(VERILATED)/divider-%/verilated.stamp): $(VERILATED)/divider-%/verilated.stamp: \
-    $(RTL) sim/rtl/divider_signals.vlt
+    $(RTL) sim/rtl/divider_signals.vlt $(VERILATED)/version
 	@mkdir -p $(@D)
 	$(VERILATE_TOP) --prefix $(call divider_class,$*) --top $(call divider_top,$*) --Mdir $(@D) \
 	    -GSHIFTS=$(call field,$*,2) -Irtl sim/rtl/divider_signals.vlt rtl/$(call divider_top,$*).v
@@ -135,7 +140,7 @@ $(VERILATED)/shims/divider-%.o: $(VERILATED)/divider-%/verilated.stamp $(DIVIDER
 # Verilator's own runtime, compiled once for all models.
 RUNTIME := $(patsubst %,$(VERILATED)/runtime/%.o,verilated verilated_fst_c verilated_threads)
 
-$(VERILATED)/runtime/%.o:
+$(VERILATED)/runtime/%.o: $(VERILATED)/version
 	@mkdir -p $(@D)
 	$(CXX) $(SHIM_FLAGS) -w -c $(VERILATOR_ROOT_DIR)/include/$*.cpp -o $@
 
@@ -149,14 +154,22 @@ $(VERILATED)/libmodels.a: $(MODELS:%=$(VERILATED)/shims/%.o) $(DIVIDERS:%=$(VERI
 	 echo save; echo end) > $@.mri
 	ar -M < $@.mri
 
-$(BUILD)/rtl_models.h: Makefile
+# Rewritten only when the version changes, so that a new Verilator makes all circuits anew.
+$(VERILATED)/version: FORCE
+	@mkdir -p $(@D)
+	@version=$$($(VERILATOR) --version) || { echo "no Verilator: make demo installs it" >&2; exit 1; }; \
+	 echo "$$version" | cmp -s - $@ || echo "$$version" > $@
+.PHONY: FORCE
+FORCE:
+
+$(BUILD)/rtl_models.h: Makefile $(VERILATED)/version
 	@mkdir -p $(@D)
 	(echo "/* Written by the Makefile: one table for each Verilated build. */"; \
 	 echo "#define GLINT_RTL_MODELS(X) \\"; \
 	 for m in $(MODELS); do echo "    X(glint_rtl_model_$$(echo $$m | tr - _)) \\"; done; echo; \
 	 echo "#define GLINT_DIVIDER_MODELS(X) \\"; \
 	 for d in $(DIVIDERS); do echo "    X(glint_divider_model_$$(echo $$d | tr - _)) \\"; done; echo; \
-	 echo "#define GLINT_VERILATOR_VERSION \"$$($(VERILATOR) --version)\"") > $@
+	 echo "#define GLINT_VERILATOR_VERSION \"$$(cat $(VERILATED)/version)\"") > $@
 
 # ---- What drives them: libglint-sim and the command ------------------------------------------------
 
@@ -271,12 +284,19 @@ yosys_check = read_verilog -Irtl $(wildcard rtl/*.v) ; \
               synth -top specular_device ; check -assert
 lint_setting = -GGATE=$(call field,$1,1) -GPIPELINED=$(call field,$1,2)
 
-.PHONY: lint-verilog lint-c $(SETTINGS:%=lint-%)
+# The dividers' forms, by 6, 8, 12 and 16 shifts.
+DIVIDER_SETTINGS := $(foreach f,sequential pipelined,$(foreach n,6 8 12 16,$f-$n))
+# $1: top, $2: shifts
+yosys_check_divider = read_verilog -Irtl $(wildcard rtl/*.v) ; chparam -set SHIFTS $2 $1 ; \
+                      hierarchy -check -top $1 ; proc ; select -assert-none t:$$dlatch ; \
+                      synth ; check -assert
+
+.PHONY: lint-verilog lint-c $(SETTINGS:%=lint-%) $(DIVIDER_SETTINGS:%=lint-divider-%)
 lint:
 	sim/deps.sh lint
 	+$(MAKE) -j$(JOBS) lint-verilog lint-c
 
-lint-verilog: $(SETTINGS:%=lint-%)
+lint-verilog: $(SETTINGS:%=lint-%) $(DIVIDER_SETTINGS:%=lint-divider-%)
 
 # Each gate and pipeline: Verilator with 1 and 16 lanes, Icarus, and Yosys down to gates, where a
 # warning, a latch or a problem found by its checks is an error.
@@ -287,6 +307,13 @@ $(SETTINGS:%=lint-%): lint-%:
 	    -Pspecular_device.GATE=$(call field,$*,1) -Pspecular_device.PIPELINED=$(call field,$*,2) \
 	    $(wildcard rtl/*.v) 2>&1) && [ -z "$$warnings" ] || { echo "$$warnings"; exit 1; }
 	yosys -q -e . -p '$(call yosys_check,$(call field,$*,1),$(call field,$*,2))'
+
+$(DIVIDER_SETTINGS:%=lint-divider-%): lint-divider-%:
+	$(VERILATOR) --lint-only -Wall -GSHIFTS=$(call field,$*,2) -Irtl rtl/$(call divider_top,$*).v
+	warnings=$$(iverilog -g2005 -Wall -Irtl -o /dev/null -s $(call divider_top,$*) \
+	    -P$(call divider_top,$*).SHIFTS=$(call field,$*,2) $(wildcard rtl/*.v) 2>&1) && \
+	    [ -z "$$warnings" ] || { echo "$$warnings"; exit 1; }
+	yosys -q -e . -p '$(call yosys_check_divider,$(call divider_top,$*),$(call field,$*,2))'
 
 # The other compiler: the build itself is with CC.
 lint-c: $(BUILD)/rtl_models.h
@@ -319,6 +346,11 @@ wave:
 	+$(MAKE) -j$(JOBS) $(BUILD)/glint
 	$(BUILD)/glint wave --out $(BUILD)/wave
 
+report:
+	sim/deps.sh report
+	+$(MAKE) -j$(JOBS) $(BUILD)/glint
+	$(BUILD)/glint report divider --out $(BUILD)/report
+
 VERSION = $(shell sed -n 's/.*GLINT_VERSION "\(.*\)"/\1/p' sim/cli/version.h)
 DEST    = $(DESTDIR)$(PREFIX)
 
@@ -332,7 +364,7 @@ install:
 	install -m 644 $(wildcard cmodel/glint*.h) $(DEST)/include/glint/
 	install -m 644 $(RTL) $(DEST)/share/glint/rtl/
 	printf '%s\n' 'prefix=$(PREFIX)' 'rtldir=$${prefix}/share/glint/rtl' '' 'Name: glint' \
-	    'Description: bit-exact model of a specular-colour device' 'Version: $(VERSION)' \
+	    'Description: bit-exact models of a specular-colour device and a shift-accumulate divider' 'Version: $(VERSION)' \
 	    'Cflags: -I$${prefix}/include/glint' 'Libs: -L$${prefix}/lib -lglint -lm' \
 	    > $(DEST)/lib/pkgconfig/libglint.pc
 
@@ -342,6 +374,7 @@ help:
 	@echo "make test      install what is missing, build, run every test"
 	@echo "make           build the command $(BUILD)/glint"
 	@echo "make bench     fragments, clocks and frames a second"
+	@echo "make report    the thesis's numbers, measured: $(BUILD)/report/divider.md"
 	@echo "make wave      the waveforms with their GTKWave save files"
 	@echo "make lint      Verilator, Icarus, Yosys and both C compilers over everything"
 	@echo "make sanitize  the tests under AddressSanitizer and UBSan"
