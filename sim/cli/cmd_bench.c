@@ -93,16 +93,25 @@ static void print_dividers(const glint_bench_divider_rates *rates)
     }
 }
 
+/* Frames a second against the C model's, of the same model and size. */
+static double ratio_to_c(const glint_bench_frame *frames, int i)
+{
+    int c = i;
+    while (frames[c].backend != GLINT_BACKEND_C)
+        c--; /* the backends of a model and size stand in their order, c first */
+    return frames[i].frames / frames[c].frames;
+}
+
 static void print_frames(const glint_bench_frame *frames, int threads)
 {
-    printf("frames: %d thread%s, every fragment through the backend\n", threads,
-           threads == 1 ? "" : "s");
+    printf("frames: %d thread%s, every fragment through the backend; ratio to the C model\n",
+           threads, threads == 1 ? "" : "s");
     for (int i = 0; i < GLINT_BENCH_FRAMES; i++)
-        printf("  %-7s %4dx%-5d %-5s %8.1f frames/s, %8" PRIu64 " fragments, %6.1f million "
+        printf("  %-7s %4dx%-5d %-5s %8.1f frames/s %6.2f, %8" PRIu64 " fragments, %6.1f million "
                "fragments/s\n",
                frames[i].model, frames[i].width, frames[i].height,
-               glint_backend_names[frames[i].backend], frames[i].frames, frames[i].fragments,
-               frames[i].frames * (double)frames[i].fragments * 1e-6);
+               glint_backend_names[frames[i].backend], frames[i].frames, ratio_to_c(frames, i),
+               frames[i].fragments, frames[i].frames * (double)frames[i].fragments * 1e-6);
 }
 
 static void add_kernels(cJSON *json, const glint_bench_rates *rates)
@@ -152,6 +161,7 @@ static void add_frames(cJSON *json, const glint_bench_frame *frames)
         cJSON_AddStringToObject(entry, "backend", glint_backend_names[frames[i].backend]);
         cJSON_AddNumberToObject(entry, "fragments", (double)frames[i].fragments);
         cJSON_AddNumberToObject(entry, "frames_per_second", frames[i].frames);
+        cJSON_AddNumberToObject(entry, "ratio_to_c", ratio_to_c(frames, i));
         cJSON_AddItemToArray(list, entry);
     }
 }

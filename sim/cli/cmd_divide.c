@@ -73,19 +73,20 @@ static int parse(int argc, char **argv, divide_options *chosen)
             "\n"
             "The columns printed are difference,k,shifts,quotient_code,quotient,exact,error:\n"
             "quotient is quotient_code/2^shifts, exact is difference/k, error is their\n"
-            "difference, each with the fewest digits that read back as the same number.",
+            "difference, each with the fewest decimals that read back as the same number.",
         .options = options,
         .option_count = sizeof options / sizeof options[0],
     };
     return glint_options_parse(&line, argc, argv);
 }
 
-/* The fewest digits that read back as the same number: at most 17. */
+/* The fewest decimals that read back as the same number, never with an exponent: values are below
+ * 256, and above 10⁻⁸ where they are not 0. */
 static void print_real(double value)
 {
-    char text[32];
-    for (int digits = 1; digits <= 17; digits++) {
-        snprintf(text, sizeof text, "%.*g", digits, value);
+    char text[64];
+    for (int decimals = 0; decimals <= 40; decimals++) {
+        snprintf(text, sizeof text, "%.*f", decimals, value);
         if (strtod(text, NULL) == value)
             break;
     }
@@ -217,11 +218,11 @@ static int divide(run *all)
     int status = glint_input_lines("divide", take_line, all);
     if (status == GLINT_EXIT_OK)
         status = flush_run(all);
-    if (status != GLINT_EXIT_OK)
+    if (status == GLINT_EXIT_FAILURE)
         return status;
-    if (all->json)
+    if (all->json) /* closed after a malformed line too: the rows before it are valid */
         fputs("\n]\n", stdout);
-    return glint_output_finish("divide", GLINT_EXIT_OK);
+    return glint_output_finish("divide", status);
 }
 
 int glint_cmd_divide(int argc, char **argv)

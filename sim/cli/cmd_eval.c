@@ -151,13 +151,13 @@ static int eval(run *points)
     if (status == GLINT_EXIT_OK) {
         status = flush_run(points);
     }
-    if (status != GLINT_EXIT_OK) {
+    if (status == GLINT_EXIT_FAILURE) {
         return status;
     }
-    if (points->json) {
+    if (points->json) { /* closed after a malformed line too: the rows before it are valid */
         fputs("\n]\n", stdout);
     }
-    return glint_output_finish("eval", GLINT_EXIT_OK);
+    return glint_output_finish("eval", status);
 }
 
 int glint_cmd_eval(int argc, char **argv)

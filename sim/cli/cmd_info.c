@@ -8,6 +8,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/version.h"
+#include "glint_divider_device.h"
 #include "rtl/rtl.h"
 
 /* A number of the device that other programs may want, under its JSON key. */
@@ -32,21 +33,38 @@ static const fact facts[] = {
     {"latency", GLINT_LATENCY_PIPELINED, "clocks, pipeline pipelined"},
     {"latency_drawn", GLINT_LATENCY_DRAWN, "clocks, pipeline drawn"},
     {"lanes_max", GLINT_LANES_MAX, "cosines a clock, at most"},
+    {"divider_difference_bits", GLINT_DIVIDER_DIFFERENCE_BITS,
+     "divider, difference: bits of S9.0, and integer bits of the quotient S9.n"},
+    {"divider_shifts", GLINT_DIVIDER_SHIFTS_DEFAULT,
+     "divider, number of shifts n by default: fraction bits of the quotient"},
+    {"divider_shifts_min", GLINT_DIVIDER_SHIFTS_MIN, "divider, fewest shifts"},
+    {"divider_shifts_max", GLINT_DIVIDER_SHIFTS_MAX, "divider, most shifts"},
+    {"divider_k_max", GLINT_DIVIDER_K_MAX, "divider, longest span in the table"},
+    {"divider_latency", GLINT_DIVIDER_SHIFTS_DEFAULT + 1,
+     "divider, clocks with that many shifts: n + 1"},
 };
 
 #define FACT_COUNT (sizeof facts / sizeof facts[0])
 
 /* CRC-32 (as in zlib) of a ROM's words, each as four bytes, the lowest first. */
-static uint32_t rom_checksum(uint32_t (*word)(uint32_t n))
+static uint32_t rom_checksum(uint32_t (*word)(uint32_t n), uint32_t words)
 {
     uLong crc = crc32(0, Z_NULL, 0);
-    for (uint32_t n = 0; n < GLINT_N_COUNT; n++) {
+    for (uint32_t n = 0; n < words; n++) {
         uint32_t value = word(n);
         const Bytef bytes[4] = {(Bytef)value, (Bytef)(value >> 8), (Bytef)(value >> 16),
                                 (Bytef)(value >> 24)};
         crc = crc32(crc, bytes, sizeof bytes);
     }
     return (uint32_t)crc;
+}
+
+/* The divider's table from k = 0, which it does not hold, on. */
+#define TABLE_WORDS (GLINT_DIVIDER_K_MAX + 1u)
+
+static uint32_t table_word(uint32_t k)
+{
+    return glint_divider_bits(GLINT_DIVIDER_SHIFTS_DEFAULT, k);
 }
 
 static uint32_t rom9_word(uint32_t n)
@@ -56,20 +74,27 @@ static uint32_t rom9_word(uint32_t n)
 
 static void print_text(void)
 {
-    printf("glint %s, the specular-colour device\n", GLINT_VERSION);
+    printf("glint %s, the specular-colour device and the shift-accumulate divider\n",
+           GLINT_VERSION);
     printf("gates      cosine (default), sign, drawn\n");
     printf("pipelines  pipelined (default), drawn\n");
     for (size_t i = 0; i < FACT_COUNT; i++)
         printf("%-18s %5d  %s\n", facts[i].key, facts[i].value, facts[i].meaning);
     printf("rounding   half up, at multipliers 7, 10, 13, 14, 15\n");
-    printf("ROM 33     %u words, CRC-32 %08" PRIx32 "\n", GLINT_N_COUNT, rom_checksum(glint_rom33));
+    printf("ROM 33     %u words, CRC-32 %08" PRIx32 "\n", GLINT_N_COUNT,
+           rom_checksum(glint_rom33, GLINT_N_COUNT));
     printf("ROM 9      %u words, CRC-32 %08" PRIx32 " (gate cosine)\n", GLINT_N_COUNT,
-           rom_checksum(rom9_word));
+           rom_checksum(rom9_word, GLINT_N_COUNT));
+    printf("table      of the divider, %u words, CRC-32 %08" PRIx32 " (%d shifts)\n", TABLE_WORDS,
+           rom_checksum(table_word, TABLE_WORDS), GLINT_DIVIDER_SHIFTS_DEFAULT);
     printf("simulator  %s\n", glint_rtl_verilator_version());
     int circuits = 0;
     while (glint_rtl_built(circuits) != NULL)
         circuits++;
-    printf("circuits   %d Verilated: each gate, both pipelines, 1 to 16 lanes\n", circuits);
+    printf("circuits   %d Verilated of the device: each gate, both pipelines, 1 to 16 lanes;\n"
+           "           %d of the divider: both forms, each number of shifts\n",
+           circuits,
+           GLINT_DIVIDER_FORM_COUNT * (GLINT_DIVIDER_SHIFTS_MAX - GLINT_DIVIDER_SHIFTS_MIN + 1));
 }
 
 static void add_names(cJSON *json, const char *key, const char *const *names)
@@ -109,8 +134,9 @@ static bool print_json(void)
     for (size_t i = 0; i < FACT_COUNT; i++)
         cJSON_AddNumberToObject(json, facts[i].key, facts[i].value);
     cJSON_AddStringToObject(json, "rounding", "half up");
-    add_checksum(json, "rom33_crc32", rom_checksum(glint_rom33));
-    add_checksum(json, "rom9_crc32", rom_checksum(rom9_word));
+    add_checksum(json, "rom33_crc32", rom_checksum(glint_rom33, GLINT_N_COUNT));
+    add_checksum(json, "rom9_crc32", rom_checksum(rom9_word, GLINT_N_COUNT));
+    add_checksum(json, "divider_table_crc32", rom_checksum(table_word, TABLE_WORDS));
     cJSON_AddStringToObject(json, "verilator", glint_rtl_verilator_version());
     add_circuits(json);
     return glint_output_json(json);
@@ -124,7 +150,7 @@ int glint_cmd_info(int argc, char **argv)
     };
     const glint_command_line line = {
         .command = "info",
-        .summary = "Prints the device's settings, number formats, latency, ROM checksums, and the "
+        .summary = "Prints the circuits' settings, number formats, latency, ROM checksums, and the "
                    "Verilator that the circuits were built with.",
         .options = options,
         .option_count = 1,

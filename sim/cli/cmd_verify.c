@@ -31,6 +31,7 @@ typedef struct verify_options {
     int64_t lanes, shifts, clocks, seed, threads;
     const char *out;
     bool json;
+    bool of_specular, of_divider; /* an option that only this circuit has was given */
 } verify_options;
 
 /* One setting's run and what came of it: of the specular device or of a divider. */
@@ -73,22 +74,27 @@ static int parse(int argc, char **argv, verify_options *chosen)
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->circuit, circuit_choices}},
         {.name = "gate",
+         .given = &chosen->of_specular,
          .help = "what bounds the highlight",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->gate, gate_choices}},
         {.name = "pipeline",
+         .given = &chosen->of_specular,
          .help = "where the registers are",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->pipeline, pipeline_choices}},
         {.name = "lanes",
+         .given = &chosen->of_specular,
          .help = "cosines a clock: 1, 2, 4, 8 or 16; 0: each of them",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->lanes, 0, GLINT_LANES_MAX}},
         {.name = "form",
+         .given = &chosen->of_divider,
          .help = "of the divider",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->form, form_choices}},
         {.name = "shifts",
+         .given = &chosen->of_divider,
          .help = "of the divider, 6 to 16; 0: each of them",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->shifts, 0, GLINT_DIVIDER_SHIFTS_MAX}},
@@ -127,14 +133,19 @@ static int parse(int argc, char **argv, verify_options *chosen)
     return GLINT_OPTIONS_RUN;
 }
 
-/* An option that only one circuit has leaves the other one out. */
-static void narrow_circuit(verify_options *chosen)
+/* An option that only one circuit has leaves the other one out, and makes no sense for it. */
+static int narrow_circuit(verify_options *chosen)
 {
-    const bool of_specular =
-        chosen->gate != ALL_GATES || chosen->pipeline != ALL_PIPELINES || chosen->lanes != 0;
-    const bool of_divider = chosen->form != ALL_FORMS || chosen->shifts != 0;
-    if (chosen->circuit == ALL_CIRCUITS && of_specular != of_divider)
-        chosen->circuit = of_specular ? SPECULAR : DIVIDER;
+    if ((chosen->of_specular && (chosen->of_divider || chosen->circuit == DIVIDER)) ||
+        (chosen->of_divider && chosen->circuit == SPECULAR))
+        return glint_complain("verify", GLINT_EXIT_USAGE,
+                              "--gate, --pipeline, --lanes are for the specular device, --form, "
+                              "--shifts for the divider");
+    if (chosen->circuit == ALL_CIRCUITS && chosen->of_specular)
+        chosen->circuit = SPECULAR;
+    if (chosen->circuit == ALL_CIRCUITS && chosen->of_divider)
+        chosen->circuit = DIVIDER;
+    return GLINT_OPTIONS_RUN;
 }
 
 static bool is_chosen(const verify_options *chosen, const glint_specular_config *config)
@@ -299,6 +310,9 @@ static void print_replay(const verify_options *chosen, const setting *setting, F
 /* The text, the waveform and the replay command of a setting that failed. */
 static void report_failure(const verify_options *chosen, setting *setting, FILE *out)
 {
+    /* The replay for the waveform is wanted after Ctrl-C too. */
+    setting->specular.stop = NULL;
+    setting->divider.stop = NULL;
     glint_failure_files files;
     const glint_status status = setting->is_divider ? report_divider(chosen, setting, out, &files)
                                                     : report_specular(chosen, setting, out, &files);
@@ -418,6 +432,8 @@ int glint_cmd_verify(int argc, char **argv)
     int status = parse(argc, argv, &chosen);
     if (status != GLINT_OPTIONS_RUN)
         return status;
-    narrow_circuit(&chosen);
+    status = narrow_circuit(&chosen);
+    if (status != GLINT_OPTIONS_RUN)
+        return status;
     return glint_output_finish("verify", verify(&chosen));
 }

@@ -20,6 +20,7 @@ typedef struct wave_options {
     int circuit, gate, pipeline, format;
     int64_t lanes, shifts, from, to;
     bool json;
+    bool of_specular, of_divider; /* an option that only this circuit has was given */
 } wave_options;
 
 static const char *const circuit_choices[] = {"specular", "divider", "all", NULL};
@@ -39,18 +40,22 @@ static int parse(int argc, char **argv, wave_options *chosen)
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->circuit, circuit_choices}},
         {.name = "gate",
+         .given = &chosen->of_specular,
          .help = "what bounds the highlight",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->gate, glint_gate_names}},
         {.name = "pipeline",
+         .given = &chosen->of_specular,
          .help = "where the registers are",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->pipeline, pipeline_choices}},
         {.name = "lanes",
+         .given = &chosen->of_specular,
          .help = "cosines a clock: 1, 2, 4, 8 or 16",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->lanes, 1, GLINT_LANES_MAX}},
         {.name = "shifts",
+         .given = &chosen->of_divider,
          .help = "of the divider",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->shifts, GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX}},
@@ -59,11 +64,13 @@ static int parse(int argc, char **argv, wave_options *chosen)
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->format, format_choices}},
         {.name = "from",
+         .given = &chosen->of_specular,
          .placeholder = "CLOCK",
          .help = "first clock of the specular device's window",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->from, 1, GLINT_WAVE_SCENE_CLOCKS}},
         {.name = "to",
+         .given = &chosen->of_specular,
          .placeholder = "CLOCK",
          .help = "last clock of the specular device's window",
          .kind = GLINT_OPTION_INTEGER,
@@ -95,15 +102,19 @@ static int parse(int argc, char **argv, wave_options *chosen)
     return GLINT_OPTIONS_RUN;
 }
 
-/* An option that only one circuit has leaves the other one out. */
-static void narrow_circuit(wave_options *chosen)
+/* An option that only one circuit has leaves the other one out, and makes no sense for it. */
+static int narrow_circuit(wave_options *chosen)
 {
-    const bool of_specular = chosen->gate != GLINT_GATE_COSINE ||
-                             chosen->pipeline != BOTH_PIPELINES || chosen->lanes != 1 ||
-                             chosen->from != 1 || chosen->to != GLINT_WAVE_SCENE_CLOCKS;
-    const bool of_divider = chosen->shifts != GLINT_DIVIDER_SHIFTS_DEFAULT;
-    if (chosen->circuit == ALL_CIRCUITS && of_specular != of_divider)
-        chosen->circuit = of_specular ? SPECULAR : DIVIDER;
+    if ((chosen->of_specular && (chosen->of_divider || chosen->circuit == DIVIDER)) ||
+        (chosen->of_divider && chosen->circuit == SPECULAR))
+        return glint_complain("wave", GLINT_EXIT_USAGE,
+                              "--gate, --pipeline, --lanes, --from, --to are for the specular "
+                              "device, --shifts for the divider");
+    if (chosen->circuit == ALL_CIRCUITS && chosen->of_specular)
+        chosen->circuit = SPECULAR;
+    if (chosen->circuit == ALL_CIRCUITS && chosen->of_divider)
+        chosen->circuit = DIVIDER;
+    return GLINT_OPTIONS_RUN;
 }
 
 static glint_status write_view(const wave_options *chosen, const glint_specular_config *config,
@@ -230,7 +241,9 @@ int glint_cmd_wave(int argc, char **argv)
     int status = parse(argc, argv, &chosen);
     if (status != GLINT_OPTIONS_RUN)
         return status;
-    narrow_circuit(&chosen);
+    status = narrow_circuit(&chosen);
+    if (status != GLINT_OPTIONS_RUN)
+        return status;
     glint_error err;
     if (glint_directory_make(chosen.out, &err) != GLINT_OK)
         return glint_complain_error("wave", &err);

@@ -232,6 +232,9 @@ static int take_option(const glint_command_line *line, int index, bool *given, c
         return glint_complain(line->command, GLINT_EXIT_USAGE, "--%s is given twice", option->name);
     }
     given[index] = true;
+    if (option->given != NULL) {
+        *option->given = true;
+    }
     return store(option, optarg) ? GLINT_OPTIONS_RUN : refuse_value(line, option, optarg);
 }
 

@@ -46,6 +46,7 @@ typedef struct glint_option {
     const char *help;        /* one sentence; the default is added to it */
     glint_option_kind kind;
     bool required;
+    bool *given; /* set to true when the option is there; may be NULL */
     union {
         bool *flag; /* set to true */
         struct {

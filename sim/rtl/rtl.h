@@ -46,7 +46,8 @@ uint64_t glint_rtl_clocks(const glint_rtl *rtl);
 
 /* Shades a run: writes the material with the first cosines, then feeds `lanes` cosines a clock with
  * no gap and collects the results. Arrays as in glint_specular_batch(). GLINT_DEVICE_FAULT when the
- * circuit does not give every result back within its latency. */
+ * circuit does not give every result back within its latency. Points that glint_rtl_clock() left in
+ * flight would be taken for results: let them out first. */
 glint_status glint_rtl_batch(glint_rtl *rtl, const glint_material *material,
                              const uint32_t *cos_code, size_t count, uint32_t *w_code, uint8_t *r,
                              uint8_t *g, uint8_t *b, glint_error *err);
