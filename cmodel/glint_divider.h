@@ -5,9 +5,9 @@
  *
  *     1/k ≈ i₁/2 + i₂/4 + … + iₙ/2ⁿ,  iⱼ ∈ {0, 1}                                       (2.18)
  *
- * with the bits iⱼ from a table indexed by k: those of 2ⁿ/k rounded to nearest, half up. k = 1
- * needs the value 1 itself, which the sum cannot reach: the table has a bit i₀ of weight 1 for it
- * alone. Nothing that is shifted out is lost: the quotient is the exact sum, with n fraction bits.
+ * with the bits iⱼ from a table indexed by k: those of 2ⁿ/k rounded to nearest, half up. The
+ * sum cannot reach 1/1: for k = 1 alone the table has one more bit, i₀ of weight 1. Nothing that is
+ * shifted out is lost: the quotient is the exact sum, with n fraction bits.
  *
  * Here the circuit is a pure function. Its two forms clock by clock, sequential (one bit a clock)
  * and pipelined (one division a clock, three components), are in glint_divider_device.h. */
