@@ -256,7 +256,21 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/libtest.a $(WRONG_OBJECTS) $(LIBRA
 	$(CXX) $(LDFLAGS) -o $@ $< $(BUILD)/libtest.a $(WRONG_OBJECTS) $(WRONG_ARCHIVES) $(LIBRARIES) \
 	    -lcmocka $(LDLIBS)
 
-build-tests: $(TEST_PROGRAMS) $(BUILD)/glint $(BUILD)/glint-gen
+# The command with a wrong circuit as its only one: what it says when C and Verilog differ.
+$(BUILD)/wrong/rtl_models.h: Makefile
+	@mkdir -p $(@D)
+	(echo "#define GLINT_RTL_MODELS(X) X(glint_wrong_truncating)"; \
+	 echo "#define GLINT_VERILATOR_VERSION \"\"") > $@
+
+$(BUILD)/wrong/rtl.o: sim/rtl/rtl.c $(BUILD)/wrong/rtl_models.h
+	$(CC) -I$(BUILD)/wrong $(CFLAGS_ALL) -c $< -o $@
+
+$(BUILD)/wrong/glint: $(CLI_OBJECTS) $(BUILD)/wrong/rtl.o $(WRONG_OBJECTS) $(LIBRARIES)
+	$(CXX) $(LDFLAGS) -o $@ $(CLI_OBJECTS) $(BUILD)/wrong/rtl.o \
+	    $(VERILATED)/wrong/truncating/shim.o $(VERILATED)/wrong/truncating/Vwrong_truncating__ALL.a \
+	    $(LIBRARIES) $(LDLIBS)
+
+build-tests: $(TEST_PROGRAMS) $(BUILD)/glint $(BUILD)/glint-gen $(BUILD)/wrong/glint
 .PHONY: build-tests run-tests
 
 run-tests: build-tests

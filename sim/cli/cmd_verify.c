@@ -323,13 +323,26 @@ static void report_failure(const verify_options *chosen, setting *setting, FILE 
     print_replay(chosen, setting, out);
 }
 
+/* One more setting that failed: how often, and how to see it. */
+static void report_briefly(const verify_options *chosen, const setting *setting, FILE *out)
+{
+    const glint_lockstep_result *result = result_of(setting);
+    fprintf(out, "also %" PRIu64 " mismatches of %" PRIu64 ": ", result->mismatches,
+            result->comparisons);
+    print_replay(chosen, setting, out);
+}
+
 static int report_all(const verify_options *chosen, verification *all, FILE *out)
 {
     int status = GLINT_EXIT_OK;
     for (int i = 0; i < all->count; i++) {
         setting *setting = &all->settings[i];
         if (result_of(setting)->mismatches != 0) {
-            report_failure(chosen, setting, out);
+            /* A fault that all settings share would be told over and over. */
+            if (status == GLINT_EXIT_OK)
+                report_failure(chosen, setting, out);
+            else
+                report_briefly(chosen, setting, out);
             status = GLINT_EXIT_FAILURE;
         } else if (setting->status != GLINT_OK && setting->status != GLINT_INTERRUPTED) {
             status = glint_complain_error("verify", &setting->err);
