@@ -128,17 +128,33 @@ static void compare_pair(const pair *pair, glint_lockstep_result *found)
     found->comparisons += (uint64_t)pair->signal_count;
 }
 
-static void keep_history(glint_divider_lockstep_result *result, const glint_divider_inputs *inputs)
+/* Drops pins from before the last `latency` + 1 edges that were not stalled: a division that was
+ * taken there has come out. */
+static void forget_old_pins(glint_divider_lockstep_result *result, int latency)
 {
-    const int room = (int)(sizeof result->history / sizeof result->history[0]);
+    int first = result->history_count, edges = 0;
+    while (first > 0 && edges <= latency) {
+        first--;
+        edges += result->history[first].en != 0 || result->history[first].reset != 0;
+    }
+    result->history_count -= first;
+    memmove(&result->history[0], &result->history[first],
+            (size_t)result->history_count * sizeof result->history[0]);
+}
+
+/* The pins up to the first mismatch; afterwards they are left as they are. */
+static void keep_history(glint_divider_lockstep_result *result, const pair *pair)
+{
     if (result->found.mismatches != 0)
         return;
-    if (result->history_count == room) {
+    if (result->history_count == GLINT_HISTORY)
+        forget_old_pins(result, glint_divider_latency(pair->options->shifts));
+    if (result->history_count == GLINT_HISTORY) { /* a stall longer than the history */
         result->history_count--;
         memmove(&result->history[0], &result->history[1],
-                (size_t)(room - 1) * sizeof result->history[0]);
+                (GLINT_HISTORY - 1) * sizeof result->history[0]);
     }
-    result->history[result->history_count++] = *inputs;
+    result->history[result->history_count++] = pair->inputs;
 }
 
 static bool stopped(const glint_divider_lockstep_options *options)
@@ -157,7 +173,7 @@ glint_status glint_divider_lockstep_run(const glint_divider_lockstep_options *op
     while (status == GLINT_OK && result->found.clocks < options->clocks) {
         clock_pair(&pair);
         result->found.clocks++;
-        keep_history(result, &pair.inputs);
+        keep_history(result, &pair);
         compare_pair(&pair, &result->found);
         if (result->found.clocks % 1024 == 0) {
             if (options->progress != NULL)
@@ -166,6 +182,8 @@ glint_status glint_divider_lockstep_run(const glint_divider_lockstep_options *op
                 status = glint_fail(err, GLINT_INTERRUPTED, "interrupted");
         }
     }
+    if (status == GLINT_OK || status == GLINT_INTERRUPTED)
+        forget_old_pins(result, glint_divider_latency(options->shifts));
     destroy_pair(&pair);
     return status;
 }

@@ -35,8 +35,10 @@ typedef struct glint_divider_lockstep_options {
 
 typedef struct glint_divider_lockstep_result {
     glint_lockstep_result found; /* its history stays empty: the pins are these: */
-    int history_count;           /* the last clocks up to the first mismatch, oldest first */
-    glint_divider_inputs history[GLINT_DIVIDER_SHIFTS_MAX + 2];
+    /* The clocks since the oldest division still under way was taken, stalled ones between, up to
+     * the first mismatch, oldest first. */
+    int history_count;
+    glint_divider_inputs history[GLINT_HISTORY];
 } glint_divider_lockstep_result;
 
 /* As glint_lockstep_run(). */
