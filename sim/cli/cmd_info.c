@@ -79,7 +79,7 @@ static void print_text(void)
     printf("gates      cosine (default), sign, drawn\n");
     printf("pipelines  pipelined (default), drawn\n");
     for (size_t i = 0; i < FACT_COUNT; i++)
-        printf("%-18s %5d  %s\n", facts[i].key, facts[i].value, facts[i].meaning);
+        printf("%-24s %5d  %s\n", facts[i].key, facts[i].value, facts[i].meaning);
     printf("rounding   half up, at multipliers 7, 10, 13, 14, 15\n");
     printf("ROM 33     %u words, CRC-32 %08" PRIx32 "\n", GLINT_N_COUNT,
            rom_checksum(glint_rom33, GLINT_N_COUNT));

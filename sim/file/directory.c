@@ -7,23 +7,30 @@
 #include <string.h>
 #include <sys/stat.h>
 
-static int is_directory(const char *path)
+/* Makes one directory; the cause of a failure, 0 when it is there. */
+static int make_one(const char *path)
 {
     struct stat found;
-    return stat(path, &found) == 0 && S_ISDIR(found.st_mode);
+    if (mkdir(path, 0777) == 0)
+        return 0;
+    const int cause = errno; /* stat() sets it too */
+    if (cause == EEXIST && stat(path, &found) == 0)
+        return S_ISDIR(found.st_mode) ? 0 : ENOTDIR;
+    return cause;
 }
 
-/* Makes each component of path in turn; path is written to and restored. */
+/* Makes each component of path in turn; path is written to and restored. Returns the
+ * cause of the first failure, 0 for none. */
 static int make_components(char *path)
 {
     for (char *slash = path + 1; (slash = strchr(slash, '/')) != NULL; slash++) {
         *slash = '\0';
-        int failed = mkdir(path, 0777) != 0 && !is_directory(path);
+        const int cause = make_one(path);
         *slash = '/';
-        if (failed)
-            return -1;
+        if (cause != 0)
+            return cause;
     }
-    return mkdir(path, 0777) != 0 && !is_directory(path) ? -1 : 0;
+    return make_one(path);
 }
 
 glint_status glint_directory_make(const char *path, glint_error *err)
@@ -31,10 +38,9 @@ glint_status glint_directory_make(const char *path, glint_error *err)
     char *copy = strdup(path);
     if (copy == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
-    int failed = make_components(copy);
-    int cause = errno;
+    const int cause = make_components(copy);
     free(copy);
-    if (failed)
+    if (cause != 0)
         return glint_fail(err, GLINT_IO_ERROR, "%s: cannot make this directory: %s", path,
                           strerror(cause));
     return GLINT_OK;

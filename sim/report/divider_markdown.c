@@ -80,7 +80,8 @@ static void write_last_pixel(FILE *out, const glint_divider_report *report)
     write_last_pixel_table(out, report->error[GLINT_BITS_ROUNDED]);
     fprintf(out,
             "\nFrom %d shifts on the last pixel is within half a level for every k, and what is "
-            "shown is exact. That is\nwhy the default is %d.\n\nWith truncated bits, from %d "
+            "shown is exact. That is\nwhy the default is %d.\n\nWith truncated bits, where the "
+            "last pixel is right from %d "
             "shifts on:\n\n",
             report->first_within_half[GLINT_BITS_ROUNDED], GLINT_DIVIDER_SHIFTS_DEFAULT,
             report->first_within_half[GLINT_BITS_TRUNCATED]);
@@ -197,7 +198,7 @@ static void write_frames(FILE *out, const glint_divider_scene *scenes)
         "What is left at %d shifts is no matter of the table's bits: a run longer than %d steps "
         "is cut, and its values\nat the cuts are rounded to 8 bits; and an exact half is rounded "
         "up, which the least error below turns down.\n\n"
-        "| model | triangles | divisions | shifts | NMSE | largest, levels | pixels that "
+        "| model | triangles drawn | divisions | shifts | NMSE | largest, levels | pixels that "
         "differ | |\n|---|---:|---:|---:|---:|---:|---:|---|\n",
         GLINT_DIVIDER_FRAME_WIDTH, GLINT_DIVIDER_FRAME_HEIGHT, GLINT_DIVIDER_SHIFTS_MAX,
         GLINT_DIVIDER_K_MAX);
