@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "file/same.h"
 #include "image/image.h"
 
 typedef struct compare_options {
@@ -117,6 +118,11 @@ int glint_cmd_compare(int argc, char **argv)
     const int parsed = parse(argc, argv, &chosen);
     if (parsed != GLINT_OPTIONS_RUN) {
         return parsed;
+    }
+    if (chosen.diff != NULL &&
+        (glint_file_same(chosen.diff, chosen.a) || glint_file_same(chosen.diff, chosen.b))) {
+        return glint_complain("compare", GLINT_EXIT_USAGE,
+                              "--diff: %s is one of the pictures compared", chosen.diff);
     }
     glint_error err;
     glint_image *a = NULL;

@@ -10,6 +10,7 @@
 #include "cli/render_options.h"
 #include "cli/render_report.h"
 #include "file/new_file.h"
+#include "file/same.h"
 
 /* The files that a run may write; all allocated. */
 typedef struct outputs {
@@ -143,6 +144,9 @@ static glint_status write_all(const glint_render_result *result, const outputs *
 static glint_status check_outputs(const glint_render_options *chosen, const outputs *files,
                                   glint_error *err)
 {
+    if (glint_file_same(chosen->model, files->frame)) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "--out: %s is the model itself", files->frame);
+    }
     glint_status status = glint_new_file_check(files->frame, err);
     if (status == GLINT_OK && chosen->both) {
         status = glint_new_file_check(files->frame_c, err);

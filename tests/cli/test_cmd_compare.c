@@ -159,6 +159,21 @@ static void what_cannot_be_compared_is_a_failure(void **state)
     forget(&done);
 }
 
+static void no_input_is_overwritten(void **state)
+{
+    (void)state;
+    char options[2048];
+    make_png("kept.png", 5, 100, 1);
+    (void)snprintf(options, sizeof options, "--diff %s", scratch_path("./kept.png"));
+    outcome done = compare("kept.png", "kept.png", options);
+    assert_int_equal(done.status, 2);
+    assert_says(done.err, "is one of the pictures compared");
+    forget(&done);
+    done = compare("kept.png", "kept.png", "");
+    assert_outcome(&done, 0, "");
+    forget(&done);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -168,6 +183,7 @@ int main(void)
         cmocka_unit_test(json_says_the_same),
         cmocka_unit_test(the_difference_picture_is_written),
         cmocka_unit_test(what_cannot_be_compared_is_a_failure),
+        cmocka_unit_test(no_input_is_overwritten),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

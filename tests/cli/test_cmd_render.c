@@ -346,6 +346,22 @@ static void an_interrupt_leaves_no_file(void **state)
     assert_int_equal(scratch_count(), before);
 }
 
+static void the_model_is_not_overwritten(void **state)
+{
+    (void)state;
+    static const char text[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    char options[2048];
+    scratch_write(scratch_path("kept.obj"), text, sizeof text - 1);
+    (void)snprintf(options, sizeof options, "--model %s", scratch_path("./kept.obj"));
+    outcome done = render("kept.obj", options);
+    assert_int_equal(done.status, 2);
+    assert_says(done.err, "is the model itself");
+    char *kept = scratch_read(scratch_path("kept.obj"), NULL);
+    assert_string_equal(kept, text);
+    free(kept);
+    forget(&done);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -361,6 +377,7 @@ int main(void)
         cmocka_unit_test(what_cannot_be_rendered_is_named),
         cmocka_unit_test(an_unwritable_target_is_found_before_the_work),
         cmocka_unit_test(an_interrupt_leaves_no_file),
+        cmocka_unit_test(the_model_is_not_overwritten),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
