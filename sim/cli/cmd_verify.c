@@ -5,6 +5,7 @@
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -116,7 +117,10 @@ static int parse(int argc, char **argv, verify_options *chosen)
         .command = "verify",
         .summary = "Drives the C model and the Verilog with the same random inputs and compares "
                    "every register and every named internal value after every clock.",
-        .details = "Exit status: 0 no mismatch, 1 mismatch or failure, 2 malformed command line.",
+        .details = "With --exhaustive: every n and every cosine code instead of random ones; see\n"
+                   "glint verify --exhaustive --help.\n"
+                   "\n"
+                   "Exit status: 0 no mismatch, 1 mismatch or failure, 2 malformed command line.",
         .options = options,
         .option_count = sizeof options / sizeof options[0],
     };
@@ -426,8 +430,18 @@ static int verify(const verify_options *chosen)
     return status;
 }
 
+static bool is_exhaustive(int argc, char **argv)
+{
+    for (int i = 1; i < argc; i++)
+        if (strcmp(argv[i], "--exhaustive") == 0)
+            return true;
+    return false;
+}
+
 int glint_cmd_verify(int argc, char **argv)
 {
+    if (is_exhaustive(argc, argv))
+        return glint_cmd_verify_exhaustive(argc, argv);
     verify_options chosen = {.circuit = ALL_CIRCUITS,
                              .form = ALL_FORMS,
                              .gate = ALL_GATES,

@@ -1,0 +1,361 @@
+/* `glint verify --exhaustive`: the Verilog against the C model over the whole domain. */
+#define _POSIX_C_SOURCE 200809L
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/parse.h"
+#include "lockstep/exhaustive.h"
+
+typedef struct exhaustive_options {
+    bool exhaustive, json, seed_given;
+    int gate, pipeline;
+    int64_t lanes, from, stride, seed, threads;
+    const char *shard;
+    int64_t shard_number, shard_count;
+} exhaustive_options;
+
+/* One run and what the progress line needs. */
+typedef struct run {
+    glint_exhaustive_options options;
+    glint_exhaustive_result result;
+    glint_error err;
+    glint_status status;
+    glint_progress progress;
+    double start, seconds;
+    char unit[64];
+} run;
+
+static const char *const gate_choices[] = {"cosine", "sign", "drawn", "all", NULL};
+static const char *const pipeline_choices[] = {"drawn", "pipelined", "all", NULL};
+static const char *const value_names[] = {"W", "red", "green", "blue"};
+
+static int refuse_shard(const char *text)
+{
+    glint_quoted quoted;
+    return glint_complain("verify", GLINT_EXIT_USAGE,
+                          "--shard: %s is not I/N with I from 1 to N and N from 1 to %u",
+                          glint_quote(text, &quoted), GLINT_N_COUNT);
+}
+
+static int parse_shard(exhaustive_options *chosen)
+{
+    char number[16];
+    const char *slash = strchr(chosen->shard, '/');
+    if (slash == NULL || slash - chosen->shard >= (ptrdiff_t)sizeof number)
+        return refuse_shard(chosen->shard);
+    (void)snprintf(number, sizeof number, "%.*s", (int)(slash - chosen->shard), chosen->shard);
+    if (!glint_parse_integer(slash + 1, 1, GLINT_N_COUNT, &chosen->shard_count) ||
+        !glint_parse_integer(number, 1, chosen->shard_count, &chosen->shard_number))
+        return refuse_shard(chosen->shard);
+    return GLINT_OPTIONS_RUN;
+}
+
+static int check(exhaustive_options *chosen)
+{
+    if ((chosen->lanes & (chosen->lanes - 1)) != 0)
+        return glint_complain("verify", GLINT_EXIT_USAGE, "--lanes: %d is not 1, 2, 4, 8, 16 or 0",
+                              (int)chosen->lanes);
+    if (chosen->seed_given && chosen->stride == 1)
+        return glint_complain("verify", GLINT_EXIT_USAGE,
+                              "--seed says where --stride begins; without it, nothing is random");
+    return parse_shard(chosen);
+}
+
+static int parse(int argc, char **argv, exhaustive_options *chosen)
+{
+    const glint_option options[] = {
+        {.name = "exhaustive",
+         .help = "this, instead of random inputs",
+         .kind = GLINT_OPTION_FLAG,
+         .flag = &chosen->exhaustive},
+        {.name = "gate",
+         .help = "what bounds the highlight",
+         .kind = GLINT_OPTION_CHOICE,
+         .choice = {&chosen->gate, gate_choices}},
+        {.name = "pipeline",
+         .help = "where the registers are",
+         .kind = GLINT_OPTION_CHOICE,
+         .choice = {&chosen->pipeline, pipeline_choices}},
+        {.name = "lanes",
+         .help = "cosines a clock: 1, 2, 4, 8 or 16; 0: the most that were built",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->lanes, 0, GLINT_LANES_MAX}},
+        {.name = "shard",
+         .placeholder = "I/N",
+         .help = "only those n with n mod N = I-1",
+         .kind = GLINT_OPTION_STRING,
+         .string = &chosen->shard},
+        {.name = "from",
+         .help = "the first n: what an interrupted run says to go on with",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->from, 0, GLINT_N_MAX}},
+        {.name = "stride",
+         .help = "only every N-th code, from a random one on",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->stride, 1, GLINT_EXHAUSTIVE_CODES}},
+        {.name = "seed",
+         .given = &chosen->seed_given,
+         .help = "of where the stride begins; without it one is taken from the time",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->seed, 0, INT64_MAX}},
+        {.name = "threads",
+         .help = "each with circuits of its own",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->threads, 1, GLINT_EXHAUSTIVE_THREADS_MAX}},
+        {.name = "json",
+         .help = "the result as JSON",
+         .kind = GLINT_OPTION_FLAG,
+         .flag = &chosen->json},
+    };
+    const glint_command_line line = {
+        .command = "verify",
+        .summary = "Compares the Verilog's W and colours with the C model's for every n and every "
+                   "cosine code, and for every W code that occurs with every colour.",
+        .details = "Exit status: 0 no mismatch, 1 mismatch or failure, 2 malformed command line.",
+        .options = options,
+        .option_count = sizeof options / sizeof options[0],
+    };
+    const int status = glint_options_parse(&line, argc, argv);
+    return status == GLINT_OPTIONS_RUN ? check(chosen) : status;
+}
+
+/* The most lanes built for these settings; 16 when there are none, which is then refused. */
+static int most_lanes(glint_gate gate, glint_pipeline pipeline)
+{
+    const glint_specular_config *built;
+    int lanes = 0;
+    for (int i = 0; (built = glint_rtl_built(i)) != NULL; i++)
+        if (built->gate == gate && built->pipeline == pipeline && built->lanes > lanes)
+            lanes = built->lanes;
+    return lanes != 0 ? lanes : GLINT_LANES_MAX;
+}
+
+static void choose_circuits(const exhaustive_options *chosen, glint_exhaustive_options *options)
+{
+    for (int g = 0; g < GLINT_GATE_COUNT; g++)
+        for (int p = 0; p < GLINT_PIPELINE_COUNT; p++) {
+            const glint_gate gate = (glint_gate)g;
+            const glint_pipeline pipeline = (glint_pipeline)p;
+            if ((chosen->gate != GLINT_GATE_COUNT && chosen->gate != g) ||
+                (chosen->pipeline != GLINT_PIPELINE_COUNT && chosen->pipeline != p))
+                continue;
+            options->config[options->configs++] = (glint_specular_config){
+                gate, pipeline,
+                chosen->lanes != 0 ? (int)chosen->lanes : most_lanes(gate, pipeline)};
+        }
+}
+
+/* Rate and time left are part of the unit that glint_progress shows. */
+static void show_progress(void *context, uint64_t done, uint64_t total)
+{
+    run *run = context;
+    const double rate = (double)done / (glint_seconds() - run->start);
+    (void)snprintf(run->unit, sizeof run->unit, "points, %.1f million a second, %.0f s left",
+                   rate / 1e6, (double)(total - done) / rate);
+    glint_progress_update(&run->progress, done, total);
+}
+
+static glint_exhaustive_circuit sum_of(const run *run)
+{
+    glint_exhaustive_circuit sum = {0};
+    for (int c = 0; c < run->options.configs; c++) {
+        sum.points += run->result.circuit[c].points;
+        sum.mismatches += run->result.circuit[c].mismatches;
+        sum.w_untried += run->result.circuit[c].w_untried;
+    }
+    return sum;
+}
+
+/* ---- What it prints -----------------------------------------------------------------------------
+ */
+
+static void print_stride(const exhaustive_options *chosen, FILE *out)
+{
+    if (chosen->stride != 1)
+        fprintf(out, " --stride %" PRId64 " --seed %" PRId64, chosen->stride, chosen->seed);
+}
+
+/* The point alone, and all that was tried with this n. */
+static void print_replay(const exhaustive_options *chosen, const glint_exhaustive_mismatch *first,
+                         FILE *out)
+{
+    fprintf(out,
+            "replay: build/glint verify --exhaustive --gate %s --pipeline %s --lanes %d --shard "
+            "%" PRIu32 "/%u",
+            glint_gate_name(first->config.gate), glint_pipeline_name(first->config.pipeline),
+            first->config.lanes, first->n + 1, GLINT_N_COUNT);
+    print_stride(chosen, out);
+    fprintf(out, "\n");
+}
+
+static void print_mismatch(const glint_exhaustive_mismatch *m, FILE *out)
+{
+    fprintf(out,
+            "  n %u, cosine 0x%05" PRIx32 ", lane %d: %s: model %" PRIu32 ", rtl %" PRIu32 ": ",
+            m->material.n, m->cos_code, m->lane, value_names[m->value], m->model, m->rtl);
+    fprintf(out,
+            "echo '%u 0x%" PRIx32 " %u %u %u' | build/glint eval --backend rtl --gate %s "
+            "--pipeline %s\n",
+            m->material.n, m->cos_code, m->material.r, m->material.g, m->material.b,
+            glint_gate_name(m->config.gate), glint_pipeline_name(m->config.pipeline));
+}
+
+static void print_mismatches(const exhaustive_options *chosen, const run *run, FILE *out)
+{
+    if (run->result.kept == 0)
+        return;
+    fprintf(out, "the first mismatches:\n");
+    for (int i = 0; i < run->result.kept; i++)
+        print_mismatch(&run->result.mismatch[i], out);
+    print_replay(chosen, &run->result.mismatch[0], out);
+}
+
+static void print_resume(const exhaustive_options *chosen, const run *run, FILE *out)
+{
+    if (run->status != GLINT_INTERRUPTED)
+        return;
+    fprintf(out,
+            "resume: build/glint verify --exhaustive --gate %s --pipeline %s --lanes %" PRId64
+            " --shard %s --from %" PRIu32,
+            gate_choices[chosen->gate], pipeline_choices[chosen->pipeline], chosen->lanes,
+            chosen->shard, run->result.next);
+    print_stride(chosen, out);
+    fprintf(out, "\n");
+}
+
+static void print_circuits(const run *run)
+{
+    for (int c = 0; c < run->options.configs; c++) {
+        const glint_specular_config *config = &run->options.config[c];
+        const glint_exhaustive_circuit *circuit = &run->result.circuit[c];
+        printf("gate %s, pipeline %s, lanes %d: %" PRIu64 " mismatches; %" PRIu32
+               " of %u W codes occurred; multipliers: %" PRIu64 " of %" PRIu64
+               " pairs of such a W and a colour\n",
+               glint_gate_name(config->gate), glint_pipeline_name(config->pipeline), config->lanes,
+               circuit->mismatches, circuit->w_codes, GLINT_EXHAUSTIVE_CODES, circuit->pairs,
+               circuit->pairs_total);
+    }
+}
+
+static void print_text(const exhaustive_options *chosen, const run *run)
+{
+    const glint_exhaustive_circuit sum = sum_of(run);
+    print_mismatches(chosen, run, stdout);
+    print_circuits(run);
+    printf("%" PRIu64 " mismatches of %" PRIu64 " comparisons: W and three colours of %" PRIu64
+           " points, %" PRIu32 " values of n, ",
+           sum.mismatches, sum.points * GLINT_EXHAUSTIVE_VALUES, sum.points, run->result.n_done);
+    if (chosen->stride != 1)
+        printf("stride %" PRId64 ", seed %" PRId64 ", ", chosen->stride, chosen->seed);
+    printf("%.1f s%s\n", run->seconds, run->status == GLINT_INTERRUPTED ? " (interrupted)" : "");
+    print_resume(chosen, run, stdout);
+}
+
+static void add_circuits(cJSON *json, const run *run)
+{
+    cJSON *list = cJSON_AddArrayToObject(json, "circuits");
+    for (int c = 0; c < run->options.configs; c++) {
+        const glint_specular_config *config = &run->options.config[c];
+        const glint_exhaustive_circuit *circuit = &run->result.circuit[c];
+        cJSON *entry = cJSON_CreateObject();
+        cJSON_AddStringToObject(entry, "gate", glint_gate_name(config->gate));
+        cJSON_AddStringToObject(entry, "pipeline", glint_pipeline_name(config->pipeline));
+        cJSON_AddNumberToObject(entry, "lanes", config->lanes);
+        cJSON_AddNumberToObject(entry, "points", (double)circuit->points);
+        cJSON_AddNumberToObject(entry, "mismatches", (double)circuit->mismatches);
+        cJSON_AddNumberToObject(entry, "w_codes", circuit->w_codes);
+        cJSON_AddNumberToObject(entry, "pairs", (double)circuit->pairs);
+        cJSON_AddNumberToObject(entry, "pairs_total", (double)circuit->pairs_total);
+        cJSON_AddItemToArray(list, entry);
+    }
+}
+
+static bool print_json(const exhaustive_options *chosen, const run *run)
+{
+    char seed[32]; /* a JSON number would lose the low bits of a large seed */
+    const glint_exhaustive_circuit sum = sum_of(run);
+    cJSON *json = cJSON_CreateObject();
+    cJSON_AddNumberToObject(json, "mismatches", (double)sum.mismatches);
+    cJSON_AddNumberToObject(json, "comparisons", (double)(sum.points * GLINT_EXHAUSTIVE_VALUES));
+    cJSON_AddNumberToObject(json, "points", (double)sum.points);
+    cJSON_AddNumberToObject(json, "n_done", run->result.n_done);
+    cJSON_AddNumberToObject(json, "next", run->result.next);
+    cJSON_AddStringToObject(json, "shard", chosen->shard);
+    cJSON_AddNumberToObject(json, "stride", (double)chosen->stride);
+    (void)snprintf(seed, sizeof seed, "%" PRId64, chosen->seed);
+    if (chosen->stride != 1)
+        cJSON_AddStringToObject(json, "seed", seed);
+    cJSON_AddBoolToObject(json, "interrupted", run->status == GLINT_INTERRUPTED);
+    cJSON_AddNumberToObject(json, "seconds", run->seconds);
+    add_circuits(json, run);
+    return glint_output_json(json);
+}
+
+/* The mismatches are for people; with --json they must not mix with the result. */
+static int report(const exhaustive_options *chosen, const run *run)
+{
+    const glint_exhaustive_circuit sum = sum_of(run);
+    if (!chosen->json) {
+        print_text(chosen, run);
+    } else {
+        print_mismatches(chosen, run, stderr);
+        print_resume(chosen, run, stderr);
+        if (!print_json(chosen, run))
+            return glint_complain("verify", GLINT_EXIT_FAILURE, "out of memory");
+    }
+    if (sum.w_untried != 0)
+        return glint_complain(
+            "verify", GLINT_EXIT_FAILURE,
+            "%" PRIu32 " W codes occurred that the multipliers were not tried with", sum.w_untried);
+    return run->status == GLINT_OK && sum.mismatches == 0 && sum.points != 0 ? GLINT_EXIT_OK
+                                                                             : GLINT_EXIT_FAILURE;
+}
+
+static int verify(const exhaustive_options *chosen)
+{
+    run run = {.options = {.from = (uint32_t)chosen->from,
+                           .shard = (uint32_t)chosen->shard_number,
+                           .shards = (uint32_t)chosen->shard_count,
+                           .stride = (uint32_t)chosen->stride,
+                           .seed = (uint64_t)chosen->seed,
+                           .threads = (int)chosen->threads,
+                           .stop = glint_stop_flag(),
+                           .progress = show_progress,
+                           .progress_context = &run}};
+    choose_circuits(chosen, &run.options);
+    glint_progress_begin(&run.progress, "verify", run.unit);
+    run.start = glint_seconds();
+    run.status = glint_exhaustive_run(&run.options, &run.result, &run.err);
+    run.seconds = glint_seconds() - run.start;
+    glint_progress_end(&run.progress);
+    if (run.status != GLINT_OK && run.status != GLINT_INTERRUPTED)
+        return glint_complain_error("verify", &run.err);
+    return report(chosen, &run);
+}
+
+static int64_t processors(void)
+{
+    const int64_t online = sysconf(_SC_NPROCESSORS_ONLN);
+    if (online < 1)
+        return 1;
+    return online < GLINT_EXHAUSTIVE_THREADS_MAX ? online : GLINT_EXHAUSTIVE_THREADS_MAX;
+}
+
+int glint_cmd_verify_exhaustive(int argc, char **argv)
+{
+    exhaustive_options chosen = {.gate = GLINT_GATE_COSINE,
+                                 .pipeline = GLINT_PIPELINE_PIPELINED,
+                                 .shard = "1/1",
+                                 .stride = 1,
+                                 .seed = (int64_t)time(NULL),
+                                 .threads = processors()};
+    const int status = parse(argc, argv, &chosen);
+    return status == GLINT_OPTIONS_RUN ? glint_output_finish("verify", verify(&chosen)) : status;
+}

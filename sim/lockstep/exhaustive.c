@@ -1,0 +1,458 @@
+#define _POSIX_C_SOURCE 200809L
+
+#include "lockstep/exhaustive.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "lockstep/random.h"
+
+enum {
+    RUN = 4096,        /* points shaded at a time: small enough for the caches */
+    N_MULTIPLIERS = 2, /* σ = 1: t is the cosine */
+    COLORS = GLINT_COLOR_MAX + 1,
+    QUARTERS = GLINT_N_COUNT / COLORS,
+};
+
+/* Points of one material: the codes list[begin…end−1], without a list the codes begin…end−1. */
+typedef struct sweep {
+    const uint32_t *list;
+    uint32_t begin, end;
+    glint_material material;
+} sweep;
+
+/* The cosine codes that with n = 2 give each W once. */
+typedef struct w_list {
+    uint32_t count;
+    uint32_t cos_code[GLINT_EXHAUSTIVE_CODES];
+    bool has[GLINT_EXHAUSTIVE_CODES]; /* by W */
+} w_list;
+
+typedef struct answers {
+    uint32_t w[RUN];
+    uint8_t r[RUN], g[RUN], b[RUN];
+} answers;
+
+typedef struct work {
+    const glint_exhaustive_options *options;
+    w_list *lists; /* one for each config */
+    uint32_t first;
+    uint32_t parts;            /* how many n there are from first on */
+    atomic_uint next;          /* the first part that no thread has taken */
+    atomic_bool failed;        /* a thread gave up, so that the others need not go on */
+    atomic_uint_fast64_t done; /* points */
+    uint64_t total;
+} work;
+
+typedef struct worker {
+    work *work;
+    pthread_t thread;
+    glint_rtl *rtl[GLINT_EXHAUSTIVE_CIRCUITS_MAX];
+    bool (*seen)[GLINT_EXHAUSTIVE_CODES]; /* the W codes that occurred, for each config */
+    uint32_t cos_code[RUN];
+    answers model, circuit;
+    glint_exhaustive_result found;
+    glint_status status;
+    glint_error err;
+} worker;
+
+uint32_t glint_exhaustive_offset(const glint_exhaustive_options *options, uint32_t n)
+{
+    glint_random random = {options->seed ^ ((uint64_t)n << 32)};
+    return glint_random_below(&random, options->stride);
+}
+
+/* ---- What there is to do ------------------------------------------------------------------------
+ */
+
+static sweep white_sweep(uint32_t n)
+{
+    return (sweep){.end = GLINT_EXHAUSTIVE_CODES,
+                   .material = {(uint16_t)n, GLINT_COLOR_MAX, GLINT_COLOR_MAX, GLINT_COLOR_MAX}};
+}
+
+/* Odd factors, so that each component takes each value. */
+static sweep colored_sweep(uint32_t n)
+{
+    return (sweep){.end = GLINT_EXHAUSTIVE_CODES,
+                   .material = {(uint16_t)n, (uint8_t)(37 * n + 11), (uint8_t)(101 * n + 71),
+                                (uint8_t)(197 * n + 139)}};
+}
+
+static sweep multiplier_sweep(uint32_t n, const w_list *list)
+{
+    const uint32_t quarter = n / COLORS;
+    return (sweep){.list = list->cos_code,
+                   .begin = list->count * quarter / QUARTERS,
+                   .end = list->count * (quarter + 1) / QUARTERS,
+                   .material = {N_MULTIPLIERS, (uint8_t)n, (uint8_t)(n + 85), (uint8_t)(n + 170)}};
+}
+
+static uint64_t sweep_points(const sweep *sweep, uint32_t offset, uint32_t stride)
+{
+    const uint32_t codes = sweep->end - sweep->begin;
+    return offset < codes ? (codes - offset - 1) / stride + 1 : 0;
+}
+
+static uint64_t count_points(const work *work)
+{
+    const glint_exhaustive_options *options = work->options;
+    uint64_t points = 0;
+    for (uint32_t part = 0; part < work->parts; part++) {
+        const uint32_t n = work->first + part * options->shards;
+        const uint32_t offset = glint_exhaustive_offset(options, n);
+        const sweep white = white_sweep(n);
+        const uint64_t each = 2 * sweep_points(&white, offset, options->stride);
+        for (int c = 0; c < options->configs; c++) {
+            const sweep multipliers = multiplier_sweep(n, &work->lists[c]);
+            points += each + sweep_points(&multipliers, offset, options->stride);
+        }
+    }
+    return points;
+}
+
+static glint_status list_ws(glint_gate gate, w_list *list)
+{
+    const glint_material material = {.n = N_MULTIPLIERS};
+    glint_status status = GLINT_OK;
+    for (uint32_t code = 0; code < GLINT_EXHAUSTIVE_CODES && status == GLINT_OK; code++) {
+        uint32_t w;
+        uint8_t r, g, b;
+        status = glint_specular_batch(gate, &material, &code, 1, &w, &r, &g, &b);
+        if (status == GLINT_OK && !list->has[w]) {
+            list->has[w] = true;
+            list->cos_code[list->count++] = code;
+        }
+    }
+    return status;
+}
+
+static glint_status check_options(const glint_exhaustive_options *options, glint_error *err)
+{
+    if (options->configs < 1 || options->configs > GLINT_EXHAUSTIVE_CIRCUITS_MAX)
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "%d circuits", options->configs);
+    if (options->from > GLINT_N_MAX)
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "n = %u is not in 0…%u", options->from,
+                          GLINT_N_MAX);
+    if (options->shards < 1 || options->shards > GLINT_N_COUNT || options->shard < 1 ||
+        options->shard > options->shards)
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no shard %u of %u", options->shard,
+                          options->shards);
+    if (options->stride < 1 || options->stride > GLINT_EXHAUSTIVE_CODES)
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "the stride %u is not in 1…%u", options->stride,
+                          GLINT_EXHAUSTIVE_CODES);
+    if (options->threads < 1 || options->threads > GLINT_EXHAUSTIVE_THREADS_MAX)
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "%d threads", options->threads);
+    return GLINT_OK;
+}
+
+static glint_status plan(work *work, const glint_exhaustive_options *options, glint_error *err)
+{
+    /* The first n of the shard that is not below from. */
+    const uint32_t behind =
+        (options->from + options->shards - (options->shard - 1)) % options->shards;
+    work->options = options;
+    work->first = options->from + (behind != 0 ? options->shards - behind : 0);
+    if (work->first > GLINT_N_MAX)
+        return glint_fail(err, GLINT_BAD_ARGUMENT,
+                          "nothing to compare: no n of shard %u/%u is %u or more", options->shard,
+                          options->shards, options->from);
+    work->parts = (GLINT_N_MAX - work->first) / options->shards + 1;
+    work->lists = calloc((size_t)options->configs, sizeof *work->lists);
+    if (work->lists == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the W codes");
+    for (int c = 0; c < options->configs; c++)
+        if (list_ws(options->config[c].gate, &work->lists[c]) != GLINT_OK)
+            return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no gate %d",
+                              (int)options->config[c].gate);
+    work->total = count_points(work);
+    return GLINT_OK;
+}
+
+/* ---- Comparing ----------------------------------------------------------------------------------
+ */
+
+static uint32_t value_of(const answers *answers, glint_exhaustive_value value, size_t i)
+{
+    switch (value) {
+    case GLINT_EXHAUSTIVE_R:
+        return answers->r[i];
+    case GLINT_EXHAUSTIVE_G:
+        return answers->g[i];
+    case GLINT_EXHAUSTIVE_B:
+        return answers->b[i];
+    default:
+        return answers->w[i];
+    }
+}
+
+static void keep_mismatch(glint_exhaustive_result *found, const glint_exhaustive_mismatch *mismatch)
+{
+    if (found->kept < GLINT_EXHAUSTIVE_KEPT)
+        found->mismatch[found->kept++] = *mismatch;
+}
+
+/* One by one, when it is known that the runs differ. */
+static void find_mismatches(worker *worker, int config, uint32_t n, const glint_material *material,
+                            size_t count)
+{
+    const glint_specular_config *settings = &worker->work->options->config[config];
+    for (size_t i = 0; i < count; i++)
+        for (int v = 0; v < GLINT_EXHAUSTIVE_VALUES; v++) {
+            const glint_exhaustive_value value = (glint_exhaustive_value)v;
+            const glint_exhaustive_mismatch mismatch = {.n = n,
+                                                        .config = *settings,
+                                                        .material = *material,
+                                                        .cos_code = worker->cos_code[i],
+                                                        .lane = (int)(i % (size_t)settings->lanes),
+                                                        .value = value,
+                                                        .model = value_of(&worker->model, value, i),
+                                                        .rtl =
+                                                            value_of(&worker->circuit, value, i)};
+            if (mismatch.model == mismatch.rtl)
+                continue;
+            worker->found.circuit[config].mismatches++;
+            keep_mismatch(&worker->found, &mismatch);
+        }
+}
+
+static bool equal(const answers *a, const answers *b, size_t count)
+{
+    return memcmp(a->w, b->w, count * sizeof a->w[0]) == 0 && memcmp(a->r, b->r, count) == 0 &&
+           memcmp(a->g, b->g, count) == 0 && memcmp(a->b, b->b, count) == 0;
+}
+
+/* The points that stand in worker->cos_code. */
+static glint_status compare_run(worker *worker, int config, uint32_t n,
+                                const glint_material *material, size_t count)
+{
+    answers *model = &worker->model, *circuit = &worker->circuit;
+    const glint_gate gate = worker->work->options->config[config].gate;
+    glint_status status = glint_specular_batch(gate, material, worker->cos_code, count, model->w,
+                                               model->r, model->g, model->b);
+    if (status != GLINT_OK)
+        return glint_fail(&worker->err, status, "the C model refuses n = %u", material->n);
+    status = glint_rtl_batch(worker->rtl[config], material, worker->cos_code, count, circuit->w,
+                             circuit->r, circuit->g, circuit->b, &worker->err);
+    if (status != GLINT_OK)
+        return status;
+    for (size_t i = 0; i < count; i++)
+        worker->seen[config][model->w[i]] = true;
+    if (!equal(model, circuit, count))
+        find_mismatches(worker, config, n, material, count);
+    worker->found.circuit[config].points += count;
+    worker->work->done += count;
+    return GLINT_OK;
+}
+
+static glint_status compare_sweep(worker *worker, int config, uint32_t n, const sweep *sweep)
+{
+    const glint_exhaustive_options *options = worker->work->options;
+    glint_status status = GLINT_OK;
+    uint32_t at = sweep->begin + glint_exhaustive_offset(options, n);
+    while (at < sweep->end && status == GLINT_OK) {
+        size_t count = 0;
+        for (; at < sweep->end && count < RUN; at += options->stride)
+            worker->cos_code[count++] = sweep->list != NULL ? sweep->list[at] : at;
+        status = compare_run(worker, config, n, &sweep->material, count);
+    }
+    return status;
+}
+
+static glint_status compare_n(worker *worker, int config, uint32_t n)
+{
+    const sweep white = white_sweep(n), colored = colored_sweep(n);
+    const sweep multipliers = multiplier_sweep(n, &worker->work->lists[config]);
+    glint_exhaustive_circuit *circuit = &worker->found.circuit[config];
+    glint_status status = compare_sweep(worker, config, n, &white);
+    if (status == GLINT_OK)
+        status = compare_sweep(worker, config, n, &colored);
+    const uint64_t before = circuit->points;
+    if (status == GLINT_OK)
+        status = compare_sweep(worker, config, n, &multipliers);
+    circuit->pairs += circuit->points - before;
+    return status;
+}
+
+/* ---- The threads --------------------------------------------------------------------------------
+ */
+
+static glint_status create_circuits(worker *worker)
+{
+    const glint_exhaustive_options *options = worker->work->options;
+    glint_status status = GLINT_OK;
+    for (int c = 0; c < options->configs && status == GLINT_OK; c++)
+        status = options->model != NULL
+                     ? glint_rtl_create_from(options->model, &options->config[c], &worker->rtl[c],
+                                             &worker->err)
+                     : glint_rtl_create_fast(&options->config[c], &worker->rtl[c], &worker->err);
+    return status;
+}
+
+/* The next n; false when there is none, or it is not to be begun. */
+static bool take_n(work *work, uint32_t *n)
+{
+    const glint_exhaustive_options *options = work->options;
+    if (work->failed || (options->stop != NULL && *options->stop))
+        return false;
+    const uint32_t part = atomic_fetch_add(&work->next, 1);
+    *n = work->first + part * options->shards;
+    return part < work->parts;
+}
+
+/* progress: may be NULL. */
+static void work_on(worker *worker, void (*progress)(void *, uint64_t, uint64_t))
+{
+    work *work = worker->work;
+    uint32_t n;
+    worker->status = create_circuits(worker);
+    while (worker->status == GLINT_OK && take_n(work, &n)) {
+        for (int c = 0; c < work->options->configs && worker->status == GLINT_OK; c++)
+            worker->status = compare_n(worker, c, n);
+        worker->found.n_done++;
+        if (progress != NULL)
+            progress(work->options->progress_context, work->done, work->total);
+    }
+    if (worker->status != GLINT_OK)
+        work->failed = true;
+    /* Here: Verilator wants a circuit destroyed by the thread that made it. */
+    for (int c = 0; c < GLINT_EXHAUSTIVE_CIRCUITS_MAX; c++)
+        glint_rtl_destroy(worker->rtl[c]);
+}
+
+static void *work_in_thread(void *context)
+{
+    work_on(context, NULL);
+    return NULL;
+}
+
+static void free_worker(worker *worker)
+{
+    if (worker == NULL)
+        return;
+    free(worker->seen);
+    free(worker);
+}
+
+static worker *make_worker(work *work)
+{
+    worker *made = calloc(1, sizeof *made);
+    if (made == NULL)
+        return NULL;
+    made->work = work;
+    made->seen = calloc((size_t)work->options->configs, sizeof *made->seen);
+    if (made->seen == NULL) {
+        free_worker(made);
+        return NULL;
+    }
+    return made;
+}
+
+/* The caller's thread works too; where no more threads are to be had, fewer do. */
+static void run_threads(worker *const *workers, int count)
+{
+    int started = 1;
+    while (started < count &&
+           pthread_create(&workers[started]->thread, NULL, work_in_thread, workers[started]) == 0)
+        started++;
+    work_on(workers[0], workers[0]->work->options->progress);
+    for (int i = 1; i < started; i++)
+        pthread_join(workers[i]->thread, NULL);
+}
+
+/* ---- What came of it ----------------------------------------------------------------------------
+ */
+
+static void add_circuit(glint_exhaustive_circuit *sum, worker *const *workers, int count,
+                        int config)
+{
+    const w_list *list = &workers[0]->work->lists[config];
+    sum->pairs_total = (uint64_t)list->count * COLORS;
+    for (int i = 0; i < count; i++) {
+        sum->points += workers[i]->found.circuit[config].points;
+        sum->mismatches += workers[i]->found.circuit[config].mismatches;
+        sum->pairs += workers[i]->found.circuit[config].pairs;
+    }
+    for (uint32_t w = 0; w < GLINT_EXHAUSTIVE_CODES; w++) {
+        bool seen = false;
+        for (int i = 0; i < count; i++)
+            seen |= workers[i]->seen[config][w];
+        sum->w_codes += seen;
+        sum->w_untried += seen && !list->has[w];
+    }
+}
+
+/* Each thread has kept its first mismatches with n rising: the smallest n among them is next. */
+static void merge_mismatches(glint_exhaustive_result *result, worker *const *workers, int count)
+{
+    int taken[GLINT_EXHAUSTIVE_THREADS_MAX] = {0};
+    const glint_exhaustive_mismatch *first;
+    do {
+        int from = 0;
+        first = NULL;
+        for (int i = 0; i < count; i++) {
+            const glint_exhaustive_result *found = &workers[i]->found;
+            if (taken[i] < found->kept &&
+                (first == NULL || found->mismatch[taken[i]].n < first->n)) {
+                first = &found->mismatch[taken[i]];
+                from = i;
+            }
+        }
+        taken[from]++;
+        if (first != NULL)
+            keep_mismatch(result, first);
+    } while (first != NULL && result->kept < GLINT_EXHAUSTIVE_KEPT);
+}
+
+static glint_status sum_up(const work *work, worker *const *workers, int count,
+                           glint_exhaustive_result *result, glint_error *err)
+{
+    const uint32_t taken = work->next < work->parts ? work->next : work->parts;
+    for (int c = 0; c < work->options->configs; c++)
+        add_circuit(&result->circuit[c], workers, count, c);
+    for (int i = 0; i < count; i++)
+        result->n_done += workers[i]->found.n_done;
+    merge_mismatches(result, workers, count);
+    result->next =
+        taken < work->parts ? work->first + taken * work->options->shards : GLINT_N_COUNT;
+    for (int i = 0; i < count; i++)
+        if (workers[i]->status != GLINT_OK)
+            return glint_fail(err, workers[i]->status, "%s", workers[i]->err.text);
+    if (taken < work->parts)
+        return glint_fail(err, GLINT_INTERRUPTED, "interrupted");
+    return GLINT_OK;
+}
+
+static glint_status run_planned(work *work, glint_exhaustive_result *result, glint_error *err)
+{
+    worker *workers[GLINT_EXHAUSTIVE_THREADS_MAX] = {NULL};
+    glint_status status = GLINT_OK;
+    int count = 0;
+    while (count < work->options->threads && (workers[count] = make_worker(work)) != NULL)
+        count++;
+    if (count == 0) {
+        status = glint_fail(err, GLINT_NO_MEMORY, "no memory for a thread's points");
+    } else {
+        run_threads(workers, count);
+        status = sum_up(work, workers, count, result, err);
+    }
+    for (int i = 0; i < count; i++)
+        free_worker(workers[i]);
+    return status;
+}
+
+glint_status glint_exhaustive_run(const glint_exhaustive_options *options,
+                                  glint_exhaustive_result *result, glint_error *err)
+{
+    work work = {0};
+    memset(result, 0, sizeof *result);
+    glint_status status = check_options(options, err);
+    if (status == GLINT_OK)
+        status = plan(&work, options, err);
+    if (status == GLINT_OK)
+        status = run_planned(&work, result, err);
+    free(work.lists);
+    return status;
+}

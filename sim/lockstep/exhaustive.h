@@ -1,0 +1,84 @@
+/* The Verilog against the C model over the whole domain: W and the three colours of every cosine
+ * code 0…2^18 with every n 0…1023, and every pair of a W code that occurs and a colour in the
+ * multipliers 13, 14 and 15.
+ *
+ * The work is cut by n. For each n and each circuit:
+ *   1. every cosine code with the colour 255,255,255;
+ *   2. every cosine code with a colour that n chooses;
+ *   3. the multipliers: with n = 2, where σ = 1 and t = cos γ, so that every t and with it every W
+ *      that can occur does occur, a quarter of those W codes with the colours c, c+85, c+170 (mod
+ *      256). The quarter is n / 256 and c is n mod 256: all n together try every W with every
+ *      colour in each multiplier. */
+#ifndef GLINT_SIM_EXHAUSTIVE_H
+#define GLINT_SIM_EXHAUSTIVE_H
+
+#include <stdbool.h>
+
+#include "rtl/rtl.h"
+
+#define GLINT_EXHAUSTIVE_CIRCUITS_MAX (GLINT_GATE_COUNT * GLINT_PIPELINE_COUNT)
+#define GLINT_EXHAUSTIVE_THREADS_MAX  64
+#define GLINT_EXHAUSTIVE_KEPT         16
+#define GLINT_EXHAUSTIVE_CODES        (GLINT_COS_ONE + 1u) /* of the cosine, and of W */
+
+typedef struct glint_exhaustive_options {
+    glint_specular_config config[GLINT_EXHAUSTIVE_CIRCUITS_MAX];
+    int configs;
+    const glint_rtl_model *model; /* NULL: the fast build for each config; else a test's own */
+    uint32_t from;                /* the first n, 0…1023 */
+    uint32_t shard, shards; /* those n with n mod shards = shard − 1; 1…shards, 1…1024 */
+    uint32_t stride; /* of the codes only every stride-th, 1…GLINT_EXHAUSTIVE_CODES; 1: all */
+    uint64_t seed;   /* of where the stride begins, for each n */
+    int threads;     /* 1…GLINT_EXHAUSTIVE_THREADS_MAX */
+    const volatile bool *stop;                                      /* may be NULL */
+    void (*progress)(void *context, uint64_t done, uint64_t total); /* points; may be NULL */
+    void *progress_context;
+} glint_exhaustive_options;
+
+typedef enum glint_exhaustive_value {
+    GLINT_EXHAUSTIVE_W,
+    GLINT_EXHAUSTIVE_R,
+    GLINT_EXHAUSTIVE_G,
+    GLINT_EXHAUSTIVE_B,
+    GLINT_EXHAUSTIVE_VALUES
+} glint_exhaustive_value;
+
+typedef struct glint_exhaustive_mismatch {
+    uint32_t n; /* the part of the work; material.n is 2 when it was the multipliers' */
+    glint_specular_config config;
+    glint_material material;
+    uint32_t cos_code;
+    int lane;
+    glint_exhaustive_value value;
+    uint32_t model, rtl;
+} glint_exhaustive_mismatch;
+
+/* What came of one circuit. */
+typedef struct glint_exhaustive_circuit {
+    uint64_t points;      /* compared, GLINT_EXHAUSTIVE_VALUES values each */
+    uint64_t mismatches;  /* values that differ */
+    uint64_t pairs;       /* of W and a colour that each multiplier was tried with */
+    uint64_t pairs_total; /* with all n and stride 1 */
+    uint32_t w_codes;     /* different W codes that occurred */
+    uint32_t w_untried;   /* of them, those that are not among the multipliers' */
+} glint_exhaustive_circuit;
+
+typedef struct glint_exhaustive_result {
+    glint_exhaustive_circuit circuit[GLINT_EXHAUSTIVE_CIRCUITS_MAX]; /* in the order of config */
+    uint32_t n_done;                                                 /* how many n */
+    uint32_t next; /* every chosen n below it is done; GLINT_N_COUNT: all are */
+    int kept;      /* the first mismatches, n rising */
+    glint_exhaustive_mismatch mismatch[GLINT_EXHAUSTIVE_KEPT];
+} glint_exhaustive_result;
+
+/* Where the stride begins for this n: 0…stride−1. */
+uint32_t glint_exhaustive_offset(const glint_exhaustive_options *options, uint32_t n);
+
+/* Runs it, one circuit of each config for each thread; progress is called by the caller's thread.
+ * GLINT_OK whatever it finds: the finding is in result. GLINT_INTERRUPTED when stopped: what was
+ * begun of an n is finished, and result->next says where to go on. GLINT_BAD_ARGUMENT for options
+ * out of range, or with no n among those chosen. */
+glint_status glint_exhaustive_run(const glint_exhaustive_options *options,
+                                  glint_exhaustive_result *result, glint_error *err);
+
+#endif
