@@ -271,7 +271,7 @@ $(BUILD)/wrong/glint: $(CLI_OBJECTS) $(BUILD)/wrong/rtl.o $(WRONG_OBJECTS) $(LIB
 	    $(LIBRARIES) $(LDLIBS)
 
 build-tests: $(TEST_PROGRAMS) $(BUILD)/glint $(BUILD)/glint-gen $(BUILD)/wrong/glint
-.PHONY: build-tests run-tests
+.PHONY: build-tests run-tests test-full
 
 run-tests: build-tests
 	GLINT=$(BUILD)/glint GLINT_BUILD=$(BUILD) tests/run.sh $(BUILD)/test-logs $(TEST_PROGRAMS)
@@ -280,6 +280,11 @@ test:
 	sim/deps.sh test
 	+$(MAKE) -j$(JOBS) build-tests
 	+$(MAKE) run-tests
+
+# The whole domain: every n and cosine code, every W that occurs with every colour, each gate and
+# pipeline.
+test-full: test
+	$(BUILD)/glint verify --exhaustive --gate all --pipeline all
 
 # The C code under AddressSanitizer and UBSan; the circuits are those of the plain build.
 sanitize:
@@ -386,6 +391,7 @@ help:
 	@echo "make demo      install what is missing, build, render the teapot by C and by Verilog, compare,"
 	@echo "               verify, write waveforms, say where to look"
 	@echo "make test      install what is missing, build, run every test"
+	@echo "make test-full the same, and every input of the specular device, C against Verilog"
 	@echo "make           build the command $(BUILD)/glint"
 	@echo "make bench     fragments, clocks and frames a second"
 	@echo "make report    the thesis's numbers, measured: $(BUILD)/report/divider.md"

@@ -11,9 +11,19 @@
 #include <verilated_fst_c.h>
 #include <verilated_syms.h>
 
+// Verilator keeps a pointer to the context that a thread used last, and takes signals' scopes out of
+// that one when a model goes. Declared first, so that it goes last and leaves no dangling pointer.
+struct ThreadContextGuard {
+    ~ThreadContextGuard()
+    {
+        Verilated::threadContextp(Verilated::defaultContextp());
+    }
+};
+
 template <class Model> struct Circuit {
     static constexpr uint64_t HALF_PERIOD = 5; // ns, in a waveform
 
+    ThreadContextGuard guard;
     // The model keeps a pointer to its context, so the context is declared (and outlives it) first.
     VerilatedContext context;
     Model model{&context, "TOP"};
@@ -28,6 +38,8 @@ template <class Model> struct Circuit {
     ~Circuit()
     {
         trace_close();
+        // Whichever circuit and thread came last: this model's scopes are in this context.
+        Verilated::threadContextp(&context);
         model.final();
     }
 

@@ -1,7 +1,7 @@
 /* The Verilated specular device behind a plain C interface.
  *
  * One glint_rtl is one instance of rtl/specular_device.v with a context of its own: instances share
- * nothing and may run in different threads.
+ * nothing and may run, and be destroyed, in different threads.
  *
  * The Makefile Verilates every setting (each gate, both pipelines, 1 to 16 lanes) with all named
  * signals kept readable: what lockstep and waveforms need. Keeping them costs about a third of the

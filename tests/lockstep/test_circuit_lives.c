@@ -1,0 +1,112 @@
+/* Circuits come and go in any order and in any thread, and those that stay still work. */
+#include <pthread.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "rtl/divider_rtl.h"
+#include "rtl/rtl.h"
+
+#define CIRCUITS 4
+
+static const glint_specular_config config = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 4};
+
+static glint_rtl *created(void)
+{
+    glint_rtl *rtl;
+    glint_error err;
+    if (glint_rtl_create(&config, &rtl, &err) != GLINT_OK) {
+        fail_msg("%s", err.text);
+    }
+    return rtl;
+}
+
+/* The centre of a highlight leaves the circuit as the colour it came with. */
+static void assert_works(glint_rtl *rtl)
+{
+    const glint_material material = {80, 200, 100, 50};
+    const uint32_t cos_code = GLINT_COS_ONE;
+    uint8_t r, g, b;
+    uint32_t w;
+    glint_error err;
+    assert_int_equal(glint_rtl_batch(rtl, &material, &cos_code, 1, &w, &r, &g, &b, &err), GLINT_OK);
+    assert_true(w == GLINT_W_ONE && r == 200 && g == 100 && b == 50);
+    assert_true(glint_rtl_signal_bits(rtl, 0) == 80); /* register 2 */
+}
+
+static void in_any_order(void **state)
+{
+    (void)state;
+    static const int orders[][CIRCUITS] = {{0, 1, 2, 3}, {3, 2, 1, 0}, {2, 0, 3, 1}};
+    for (size_t o = 0; o < sizeof orders / sizeof orders[0]; o++) {
+        glint_rtl *rtl[CIRCUITS];
+        for (int i = 0; i < CIRCUITS; i++) {
+            rtl[i] = created();
+        }
+        for (int i = 0; i < CIRCUITS; i++) {
+            glint_rtl_destroy(rtl[orders[o][i]]);
+            for (int j = i + 1; j < CIRCUITS; j++) {
+                assert_works(rtl[orders[o][j]]);
+            }
+        }
+    }
+}
+
+static void *destroy_in_thread(void *rtl)
+{
+    glint_rtl_destroy(rtl);
+    return NULL;
+}
+
+static void in_another_thread(void **state)
+{
+    (void)state;
+    glint_rtl *rtl[CIRCUITS];
+    pthread_t thread[CIRCUITS];
+    for (int i = 0; i < CIRCUITS; i++) {
+        rtl[i] = created();
+    }
+    for (int i = 0; i < CIRCUITS - 1; i++) {
+        assert_int_equal(pthread_create(&thread[i], NULL, destroy_in_thread, rtl[i]), 0);
+    }
+    for (int i = 0; i < CIRCUITS - 1; i++) {
+        assert_int_equal(pthread_join(thread[i], NULL), 0);
+    }
+    assert_works(rtl[CIRCUITS - 1]);
+    glint_rtl_destroy(rtl[CIRCUITS - 1]);
+    glint_rtl *after = created();
+    assert_works(after);
+    glint_rtl_destroy(after);
+}
+
+static void with_dividers_between(void **state)
+{
+    (void)state;
+    glint_error err;
+    glint_divider_rtl *divider;
+    const glint_division division = {{255, -255, 7}, 5};
+    glint_quotients quotients;
+    glint_rtl *first = created();
+    assert_int_equal(glint_divider_rtl_create(GLINT_DIVIDER_PIPELINED, 12, &divider, &err),
+                     GLINT_OK);
+    glint_rtl_destroy(first);
+    assert_int_equal(glint_divider_rtl_batch(divider, &division, 1, &quotients, &err), GLINT_OK);
+    assert_int_equal(quotients.code[0], -quotients.code[1]);
+    glint_rtl *second = created();
+    glint_divider_rtl_destroy(divider);
+    assert_works(second);
+    glint_rtl_destroy(second);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(in_any_order),
+        cmocka_unit_test(in_another_thread),
+        cmocka_unit_test(with_dividers_between),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,158 @@
+/* `glint verify --exhaustive`: that it covers what it says, finds what is wrong, and can be cut in
+ * parts. The whole domain is for `make test-full`. */
+#define _XOPEN_SOURCE 700
+
+#include <inttypes.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cjson/cJSON.h>
+#include <cmocka.h>
+
+#include "../scratch.h"
+#include "glint_specular.h"
+
+#include "../cli/run.h"
+
+static double number(const cJSON *json, const char *name)
+{
+    const cJSON *item = cJSON_GetObjectItemCaseSensitive(json, name);
+    assert_true(cJSON_IsNumber(item));
+    return item->valuedouble;
+}
+
+/* The result of a run that must end with this status; to be deleted. */
+static cJSON *result_of(const char *options, int status)
+{
+    char command_line[512];
+    (void)snprintf(command_line, sizeof command_line, "verify --exhaustive --json %s", options);
+    outcome done = run(command_line, "");
+    assert_int_equal(done.status, status);
+    cJSON *json = cJSON_Parse(done.out);
+    assert_non_null(json);
+    forget(&done);
+    return json;
+}
+
+/* One n whole: both colours at every cosine code, and its part of the multipliers' pairs. */
+static void one_n_is_covered_whole(void **state)
+{
+    (void)state;
+    cJSON *json = result_of("--shard 81/1024", 0);
+    const cJSON *circuit =
+        cJSON_GetArrayItem(cJSON_GetObjectItemCaseSensitive(json, "circuits"), 0);
+    const double codes = GLINT_COS_ONE + 1.0;
+    assert_true(number(json, "n_done") == 1);
+    assert_true(number(json, "mismatches") == 0);
+    assert_true(number(json, "points") == 2 * codes + number(circuit, "pairs"));
+    assert_true(number(json, "comparisons") == 4 * number(json, "points"));
+    assert_true(number(circuit, "pairs") > 0);
+    cJSON_Delete(json);
+}
+
+static void every_gate_and_pipeline_is_equal(void **state)
+{
+    (void)state;
+    cJSON *json = result_of("--gate all --pipeline all --stride 4093 --seed 1", 0);
+    assert_true(number(json, "n_done") == 1024);
+    assert_true(number(json, "mismatches") == 0);
+    assert_true(number(json, "comparisons") == 4 * number(json, "points"));
+    const cJSON *circuit;
+    cJSON_ArrayForEach(circuit, cJSON_GetObjectItemCaseSensitive(json, "circuits"))
+    {
+        assert_true(number(circuit, "points") >= 2.0 * 1024 * (GLINT_COS_ONE / 4093));
+    }
+    assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItemCaseSensitive(json, "circuits")), 6);
+    cJSON_Delete(json);
+}
+
+/* The shards together are the whole. */
+static void shards_make_up_the_domain(void **state)
+{
+    (void)state;
+    double points = 0, done = 0;
+    cJSON *whole = result_of("--stride 4093 --seed 9", 0);
+    for (int shard = 1; shard <= 3; shard++) {
+        char options[64];
+        (void)snprintf(options, sizeof options, "--stride 4093 --seed 9 --shard %d/3", shard);
+        cJSON *json = result_of(options, 0);
+        points += number(json, "points");
+        done += number(json, "n_done");
+        cJSON_Delete(json);
+    }
+    assert_true(done == number(whole, "n_done"));
+    assert_true(points == number(whole, "points"));
+    cJSON_Delete(whole);
+}
+
+/* What --from leaves out is what an interrupted run had done. */
+static void a_run_can_be_resumed(void **state)
+{
+    (void)state;
+    cJSON *rest = result_of("--from 1000 --stride 4093 --seed 9", 0);
+    assert_true(number(rest, "n_done") == 24);
+    cJSON_Delete(rest);
+}
+
+static void threads_change_nothing(void **state)
+{
+    (void)state;
+    cJSON *one = result_of("--threads 1 --stride 4093 --seed 2", 0);
+    cJSON *five = result_of("--threads 5 --stride 4093 --seed 2", 0);
+    assert_true(number(one, "points") == number(five, "points"));
+    cJSON_Delete(one);
+    cJSON_Delete(five);
+}
+
+static void what_makes_no_sense_is_refused(void **state)
+{
+    (void)state;
+    static const char *const options[] = {"--shard 3/2", "--shard 0/2", "--shard x", "--from 1024",
+                                          "--stride 0",  "--seed 1",    "--lanes 3"};
+    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
+        char command_line[128];
+        (void)snprintf(command_line, sizeof command_line, "verify --exhaustive %s", options[i]);
+        outcome done = run(command_line, "");
+        if (done.status != 2) {
+            fail_msg("%s: exit status %d", options[i], done.status);
+        }
+        assert_string_equal(done.out, "");
+        forget(&done);
+    }
+}
+
+/* The command with the circuit whose multipliers 13, 14, 15 cut off: it must be found, with threads
+ * that each have a circuit of their own, and each mismatch must name the point. */
+static void a_wrong_circuit_is_found(void **state)
+{
+    (void)state;
+    static char wrong[1024];
+    static char right[1024];
+    const char *build = getenv("GLINT_BUILD");
+    (void)snprintf(right, sizeof right, "GLINT=%s", glint_under_test());
+    (void)snprintf(wrong, sizeof wrong, "GLINT=%s/wrong/glint", build != NULL ? build : "build");
+    assert_int_equal(putenv(wrong), 0);
+    outcome done = run("verify --exhaustive --stride 4093 --seed 3 --threads 4", "");
+    assert_int_equal(putenv(right), 0);
+    assert_int_equal(done.status, 1);
+    assert_says(done.out, "the first mismatches:");
+    assert_says(done.out, "red: model ");
+    assert_says(done.out, "replay: ");
+    forget(&done);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_n_is_covered_whole),
+        cmocka_unit_test(every_gate_and_pipeline_is_equal),
+        cmocka_unit_test(shards_make_up_the_domain),
+        cmocka_unit_test(a_run_can_be_resumed),
+        cmocka_unit_test(threads_change_nothing),
+        cmocka_unit_test(what_makes_no_sense_is_refused),
+        cmocka_unit_test(a_wrong_circuit_is_found),
+    };
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
+}
