@@ -270,7 +270,8 @@ static void a_directory_that_cannot_be_is_a_failure(void **state)
     char command_line[1100], expected[1200];
     snprintf(command_line, sizeof command_line, "report divider --out %s", scratch_path("file/x"));
     snprintf(expected, sizeof expected,
-             "glint report: %s: cannot make this directory: File exists\n", scratch_path("file/x"));
+             "glint report: %s: cannot make this directory: Not a directory\n",
+             scratch_path("file/x"));
     outcome done = run(command_line, "");
     assert_outcome(&done, 1, expected);
     assert_string_equal(done.out, "");
