@@ -2,9 +2,9 @@
  *
  *     glint-gen FILE KIND
  *
- * KIND: formats (rtl/glint_formats.vh), sigma-rom, limit-rom, reciprocal-rom (rtl/…_rom.v), signals
- * (the Verilator configuration that makes the named signals readable). FILE is written beside, then
- * renamed. */
+ * KIND: formats (rtl/glint_formats.vh), sigma-rom, limit-rom, reciprocal-rom (rtl/…_rom.v),
+ * signals, divider-signals (the Verilator configurations that make the named signals readable).
+ * FILE is written beside, then renamed. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -137,9 +137,10 @@ static void write_reciprocal_rom(FILE *out)
             GLINT_DIVIDER_K_BITS);
     for (int shifts = GLINT_DIVIDER_SHIFTS_MIN; shifts <= GLINT_DIVIDER_SHIFTS_MAX; shifts++)
         write_reciprocals(out, shifts);
-    fprintf(out, "        end else begin : g_table\n"
-                 "            // There is no such module: elaboration stops here.\n"
-                 "            SHIFTS_must_be_%d_to_%d error();\n",
+    fprintf(out,
+            "        end else begin : g_table\n"
+            "            // There is no such module: elaboration stops here.\n"
+            "            SHIFTS_must_be_%d_to_%d error();\n",
             GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX);
     fprintf(out, "        end\n    endgenerate\nendmodule\n\n`default_nettype wire\n");
 }

@@ -1,4 +1,5 @@
-// The shim over one Verilated build of specular_device: with divider_shim.cpp the only C++ of the project.
+// The shim over one Verilated build of specular_device. It, divider_shim.cpp and what they share,
+// circuit.hpp, are the only C++ of the project.
 //
 // Compiled once for each build, with MODEL (the class), GLINT_MODEL_TABLE (the name of the table to
 // define), its settings (GLINT_MODEL_GATE, _PIPELINE, _LANES) and whether its signals are readable
