@@ -339,6 +339,10 @@ lint-c: $(BUILD)/rtl_models.h
 	clang -std=c17 -O3 -fsyntax-only $(WARNINGS) -Icmodel -Isim -I$(BUILD) $(PACKAGE_CFLAGS) \
 	    -isystem $(VERILATOR_ROOT_DIR)/include $(C_SOURCES)
 
+# ---- Longer checks: mutation, proofs, netlists, coverage, fuzzing, each with its own rules ----------
+
+include $(wildcard tests/*/rules.mk)
+
 # ---- What a user calls -----------------------------------------------------------------------------
 
 demo:

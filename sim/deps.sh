@@ -12,14 +12,18 @@ checks="$build libcmocka-dev iverilog yosys clang valgrind"
 view='gtkwave xvfb xauth imagemagick'
 meshes='assimp-testmodels glmark2-data'
 plots='gnuplot-nox'
+solvers='boolector z3'
 
 # The one table: what each goal needs.
 packages_of() {
     case $1 in
     build | demo | bench | wave | install) echo "$build" ;;
-    lint) echo "$checks" ;;
+    lint | mutation | netlist) echo "$checks" ;;
+    formal) echo "yosys $solvers make" ;;
+    coverage) echo "$checks gcovr $view $meshes $plots" ;;
+    fuzz) echo "$checks" ;;
     report) echo "$build $plots" ;;
-    test) echo "$checks $view $meshes $plots" ;;
+    test) echo "$checks $view $meshes $plots $solvers" ;;
     gtkwave) echo "$view" ;;
     *) return 1 ;;
     esac
@@ -47,7 +51,7 @@ installed $package
     done
 }
 
-[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build demo bench wave report install lint test gtkwave)"
+[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build demo bench wave report install lint test gtkwave mutation netlist formal coverage fuzz)"
 
 needed=
 for goal in "$@"; do

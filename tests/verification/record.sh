@@ -1,0 +1,41 @@
+#!/bin/sh
+# Notes one result for the table in docs/verification.md. `make verification` collects them.
+#
+#   tests/verification/record.sh NAME WHAT METHOD CASES UNIT FAILED SECONDS COMMAND
+#
+# NAME     lower-case name, the same for each run of the same check: a later run replaces it; names
+#          sort into the table's order, so begin with one of model- rtl- netlist- formal- mutation-
+#          coverage- fuzz- abuse-
+# WHAT     what is shown, a short phrase; METHOD by what (lockstep, exhaustion, SAT, …)
+# CASES    how many, a whole number above 0, of UNIT (points, mutants, …); FAILED of them
+# SECONDS  elapsed; COMMAND what repeats it
+#
+# Written to the directory GLINT_RECORDS; without it nothing is noted. Exit status 1 when a field is
+# not as said here: a check over no cases is no check.
+set -eu
+
+fail() {
+    echo "tests/verification/record.sh: $*" >&2
+    exit 1
+}
+
+[ $# -eq 8 ] || fail "eight fields, not $#: NAME WHAT METHOD CASES UNIT FAILED SECONDS COMMAND"
+case $1 in
+'' | *[!a-z0-9-]*) fail "NAME \"$1\" is not of a-z 0-9 -" ;;
+esac
+case $4 in
+'' | 0* | *[!0-9]*) fail "$1: CASES \"$4\" is no whole number above 0" ;;
+esac
+case $6 in
+'' | *[!0-9]*) fail "$1: FAILED \"$6\" is no whole number" ;;
+esac
+case $7 in
+'' | *[!0-9.]*) fail "$1: SECONDS \"$7\" is no number" ;;
+esac
+
+[ -n "${GLINT_RECORDS:-}" ] || exit 0
+mkdir -p "$GLINT_RECORDS"
+name=$1
+shift
+printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$@" >"$GLINT_RECORDS/$name.new"
+mv "$GLINT_RECORDS/$name.new" "$GLINT_RECORDS/$name.tsv"
