@@ -397,6 +397,7 @@ help:
 	@echo "make test      install what is missing, build, run every test"
 	@echo "make test-full the same, and every input of the specular device, C against Verilog"
 	@echo "make           build the command $(BUILD)/glint"
+	@echo "make verification  all of it, and the table in docs/verification.md"
 	@echo "make bench     fragments, clocks and frames a second"
 	@echo "make report    the thesis's numbers, measured: $(BUILD)/report/divider.md"
 	@echo "make wave      the waveforms with their GTKWave save files"

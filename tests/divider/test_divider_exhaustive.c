@@ -1,5 +1,7 @@
 /* The Verilog of both forms of the divider, for every number of shifts, every k and every
  * difference that the pins can carry: against the C model, and the two forms against each other. */
+#define _XOPEN_SOURCE 700
+
 #include <inttypes.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -10,6 +12,7 @@
 
 #include <cmocka.h>
 
+#include "../record.h"
 #include "rtl/divider_rtl.h"
 
 enum {
@@ -118,6 +121,7 @@ static void fill_divisions_of_three(void)
 static void the_pipelined_form_equals_the_model(void **state)
 {
     (void)state;
+    const double begin = child_seconds();
     uint64_t compared = 0;
     fill_divisions_of_every_component();
     for (int n = N_FIRST; n <= N_LAST; n++) {
@@ -128,12 +132,15 @@ static void the_pipelined_form_equals_the_model(void **state)
     }
     print_message("pipelined: 0 mismatches of %" PRIu64 " quotients\n", compared);
     assert_true(compared == UINT64_C(11) * K_COUNT * D_COUNT * 3);
+    record("rtl-4-divider-pipelined", "RTL = C model: pipelined divider, every k and difference",
+           "exhaustion, n = 6…16", compared, "quotients", child_seconds() - begin);
 }
 
 /* The sequential form against the model, and both forms against each other. */
 static void the_sequential_form_equals_both(void **state)
 {
     (void)state;
+    const double begin = child_seconds();
     uint64_t compared = 0;
     fill_divisions_of_three();
     for (int n = N_FIRST; n <= N_LAST; n++) {
@@ -155,6 +162,8 @@ static void the_sequential_form_equals_both(void **state)
                   "pipelined form\n",
                   compared);
     assert_true(compared == UINT64_C(11) * K_COUNT * GROUPS * 3);
+    record("rtl-3-divider-sequential", "RTL = C model: sequential divider, every k and difference",
+           "exhaustion, n = 6…16", compared, "quotients", child_seconds() - begin);
 }
 
 /* The claim in the words of its users: the table's k, 0 and one beyond, differences −255…255. It
