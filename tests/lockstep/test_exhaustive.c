@@ -14,7 +14,13 @@
 #include "../scratch.h"
 #include "glint_specular.h"
 
+#include "../child.h"
 #include "../cli/run.h"
+#include "../terminal.h"
+
+enum {
+    SECONDS = 120 /* it takes one; a busy machine, many times that */
+};
 
 static double number(const cJSON *json, const char *name)
 {
@@ -26,7 +32,7 @@ static double number(const cJSON *json, const char *name)
 /* The result of a run that must end with this status; to be deleted. */
 static cJSON *result_of(const char *options, int status)
 {
-    char command_line[512];
+    char command_line[600];
     (void)snprintf(command_line, sizeof command_line, "verify --exhaustive --json %s", options);
     outcome done = run(command_line, "");
     assert_int_equal(done.status, status);
@@ -96,6 +102,83 @@ static void a_run_can_be_resumed(void **state)
     cJSON_Delete(rest);
 }
 
+/* ---- Ctrl-C -------------------------------------------------------------------------------------
+ */
+
+/* Starts a run on a terminal of its own, waits until it shows progress, and interrupts it: its
+ * standard output, to be freed. shown: what stood on the terminal. */
+static char *interrupt_run(const char *options, char *shown, size_t size)
+{
+    char words[512];
+    char *argv[RUN_ARGUMENTS_MAX + 2] = {(char *)(uintptr_t)glint_under_test()};
+    (void)snprintf(words, sizeof words, "verify --exhaustive %s", options);
+    split_words(words, argv + 1);
+    terminal terminal = terminal_open();
+    const pid_t child =
+        child_start((const char *const *)argv, scratch_path("interrupted.out"), terminal.name);
+    terminal_wait_for(&terminal, " s left", SECONDS, shown, size);
+    assert_int_equal(kill(child, SIGINT), 0);
+    assert_int_equal(child_wait(child, SECONDS), 1);
+    terminal_close(&terminal);
+    return scratch_read(scratch_path("interrupted.out"), NULL);
+}
+
+/* A number in front of `word` in a text; fails the test when it is not there. */
+static double number_before(const char *text, const char *word)
+{
+    const char *at = strstr(text, word);
+    assert_non_null(at);
+    while (at > text && strchr("0123456789.", at[-1]) != NULL) {
+        at--;
+    }
+    return strtod(at, NULL);
+}
+
+/* What an interrupted run did and what its own resume command does make up the whole. */
+static void an_interrupted_run_says_how_to_go_on(void **state)
+{
+    (void)state;
+    static const char options[] = "--gate all --pipeline all --stride 97 --seed 9 --threads 1";
+    char shown[4096];
+    char resume[512];
+    cJSON *whole = result_of(options, 0);
+    char *part = interrupt_run(options, shown, sizeof shown);
+    assert_says(part, " (interrupted)\n");
+    const double points = number_before(part, " points,");
+    const double n = number_before(part, " values of n,");
+    assert_true(points > 0 && points < number(whole, "points"));
+    assert_true(n > 0 && n < 1024);
+    const char *line = strstr(part, "\nresume: build/glint verify --exhaustive ");
+    assert_non_null(line);
+    line += strlen("\nresume: build/glint verify --exhaustive ");
+    (void)snprintf(resume, sizeof resume, "%.*s", (int)strcspn(line, "\n"), line);
+    cJSON *rest = result_of(resume, 0);
+    assert_true(points + number(rest, "points") == number(whole, "points"));
+    assert_true(n + number(rest, "n_done") == 1024);
+    cJSON_Delete(rest);
+    cJSON_Delete(whole);
+    free(part);
+}
+
+/* On a terminal: how much, how fast, how long still; the line is wiped at the end. */
+static void progress_tells_rate_and_time_left(void **state)
+{
+    (void)state;
+    char shown[4096];
+    char *out = interrupt_run("--threads 2", shown, sizeof shown);
+    assert_says(shown, "\rglint verify: ");
+    assert_says(shown, " points, ");
+    const double total = number_before(shown, " points, ");
+    const double rate = number_before(shown, " million a second, ");
+    const double left = number_before(shown, " s left");
+    assert_true(rate > 0);
+    /* The first line comes after one value of n: the time left is that of nearly all points. */
+    assert_true(left <= total / (rate - 0.06) / 1e6 + 1);
+    assert_true(left >= 0.9 * total / (rate + 0.06) / 1e6 - 1);
+    assert_null(strstr(out, "left"));
+    free(out);
+}
+
 static void threads_change_nothing(void **state)
 {
     (void)state;
@@ -150,6 +233,8 @@ int main(void)
         cmocka_unit_test(every_gate_and_pipeline_is_equal),
         cmocka_unit_test(shards_make_up_the_domain),
         cmocka_unit_test(a_run_can_be_resumed),
+        cmocka_unit_test(an_interrupted_run_says_how_to_go_on),
+        cmocka_unit_test(progress_tells_rate_and_time_left),
         cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(what_makes_no_sense_is_refused),
         cmocka_unit_test(a_wrong_circuit_is_found),
