@@ -372,7 +372,7 @@ wave:
 report:
 	sim/deps.sh report
 	+$(MAKE) -j$(JOBS) $(BUILD)/glint
-	$(BUILD)/glint report divider --out $(BUILD)/report
+	$(BUILD)/glint report --out $(BUILD)/report
 
 VERSION = $(shell sed -n 's/.*GLINT_VERSION "\(.*\)"/\1/p' sim/cli/version.h)
 DEST    = $(DESTDIR)$(PREFIX)
@@ -399,7 +399,7 @@ help:
 	@echo "make           build the command $(BUILD)/glint"
 	@echo "make verification  all of it, and the table in docs/verification.md"
 	@echo "make bench     fragments, clocks and frames a second"
-	@echo "make report    the thesis's numbers, measured: $(BUILD)/report/divider.md"
+	@echo "make report    what the thesis claims, measured: $(BUILD)/report/index.html"
 	@echo "make wave      the waveforms with their GTKWave save files"
 	@echo "make lint      Verilator, Icarus, Yosys and both C compilers over everything"
 	@echo "make sanitize  the tests under AddressSanitizer and UBSan"

@@ -27,7 +27,8 @@ static int parse(int argc, char **argv, compare_options *chosen)
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
-    const glint_positional positionals[] = {{"A.png", &chosen->a}, {"B.png", &chosen->b}};
+    const glint_positional positionals[] = {{.name = "A.png", .value = &chosen->a},
+                                            {.name = "B.png", .value = &chosen->b}};
     const glint_command_line line = {
         .command = "compare",
         .summary = "Compares two pictures of one size, A the reference: pixels that differ, the "

@@ -11,11 +11,14 @@
 #include "cli/output.h"
 #include "cli/parse.h"
 #include "report/divider_report.h"
+#include "report/file_text.h"
+#include "report/place.h"
+#include "report/report.h"
 
 typedef struct report_options {
     const char *subject, *out;
     int64_t threads;
-    bool json;
+    bool quick, json;
 } report_options;
 
 static int parse(int argc, char **argv, report_options *chosen)
@@ -30,24 +33,29 @@ static int parse(int argc, char **argv, report_options *chosen)
          .help = "for the frames; the files are the same",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, GLINT_THREADS_MAX}},
+        {.name = "quick",
+         .help = "the whole report on coarser grids and with smaller frames, in seconds",
+         .kind = GLINT_OPTION_FLAG,
+         .flag = &chosen->quick},
         {.name = "json",
-         .help = "print what divider.json holds instead of the summary",
+         .help = "print what index.json (divider.json) holds instead of the summary",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
-    const glint_positional positionals[] = {{"divider", &chosen->subject}};
+    const glint_positional positionals[] = {
+        {.name = "divider", .value = &chosen->subject, .optional = true}};
     const glint_command_line line = {
         .command = "report",
-        .summary = "Measures what the thesis says of the shift-accumulate divider (section 2.4): "
-                   "errors of the increment and of the last pixel by number of shifts, operations "
-                   "of its triangle, whole frames by Gouraud's shading; each number beside the "
-                   "thesis's own.",
+        .summary = "Measures what the thesis claims: each of its figures and tables that can be "
+                   "computed again, each claim with a verdict, the number and the conditions. With "
+                   "the word divider: only what section 2.4 says of the shift-accumulate divider.",
         .details =
-            "Files: divider.md to read, divider.json, figure-2.12.svg and .png (by gnuplot,\n"
-            "from figure-2.12.dat), and the frames with their difference pictures.\n"
+            "Files: index.html (self-contained), index.md, index.json, and the data, plots (by\n"
+            "gnuplot) and pictures they are made of; of the divider alone divider.md,\n"
+            "divider.json, figure-2.12.svg and .png, and the frames.\n"
             "\n"
-            "Exit status: 0 all written, 1 failed, or no gnuplot and so all but the figure,\n"
-            "2 malformed command line. A number that does not hold is no failure.",
+            "Exit status: 0 all written, 1 failed, or no gnuplot and so all but the figures,\n"
+            "2 malformed command line. A claim that does not hold is no failure.",
         .options = options,
         .option_count = sizeof options / sizeof options[0],
         .positionals = positionals,
@@ -55,9 +63,14 @@ static int parse(int argc, char **argv, report_options *chosen)
     };
     const int status = glint_options_parse(&line, argc, argv);
     glint_quoted quoted;
-    if (status == GLINT_OPTIONS_RUN && strcmp(chosen->subject, "divider") != 0)
+    if (status != GLINT_OPTIONS_RUN || chosen->subject == NULL)
+        return status;
+    if (strcmp(chosen->subject, "divider") != 0)
         return glint_complain("report", GLINT_EXIT_USAGE, "there is no report on %s: only divider",
                               glint_quote(chosen->subject, &quoted));
+    if (chosen->quick)
+        return glint_complain("report", GLINT_EXIT_USAGE,
+                              "--quick goes with the whole report, not with divider");
     return status;
 }
 
@@ -82,7 +95,7 @@ static void print_frames(const glint_divider_scene *scenes)
         }
 }
 
-static void print_summary(const report_options *chosen, const glint_divider_report *report)
+static void print_divider_summary(const report_options *chosen, const glint_divider_report *report)
 {
     print_claims(&report->claims);
     printf("last pixel of a span within half a level: from %d shifts on\n",
@@ -92,6 +105,16 @@ static void print_summary(const report_options *chosen, const glint_divider_repo
            report->plotted ? ", figure-2.12.svg, figure-2.12.png" : "");
 }
 
+static int finish(bool plotted, const char *missing)
+{
+    const int status = glint_output_finish("report", GLINT_EXIT_OK);
+    if (status != GLINT_EXIT_OK || plotted)
+        return status;
+    return glint_complain("report", GLINT_EXIT_FAILURE,
+                          "there is no gnuplot (package gnuplot-nox), so %s were not made",
+                          missing);
+}
+
 static int report_divider(const report_options *chosen, glint_divider_report *report)
 {
     glint_error err;
@@ -99,15 +122,75 @@ static int report_divider(const report_options *chosen, glint_divider_report *re
                                   &err) != GLINT_OK)
         return glint_complain_error("report", &err);
     if (!chosen->json)
-        print_summary(chosen, report);
+        print_divider_summary(chosen, report);
     else if (!glint_output_json(glint_divider_report_json(report)))
         return glint_complain("report", GLINT_EXIT_FAILURE, "out of memory");
-    const int status = glint_output_finish("report", GLINT_EXIT_OK);
-    if (status != GLINT_EXIT_OK || report->plotted)
-        return status;
-    return glint_complain("report", GLINT_EXIT_FAILURE,
-                          "there is no gnuplot (package gnuplot-nox), so figure-2.12.svg and "
-                          "figure-2.12.png were not made");
+    return finish(report->plotted, "figure-2.12.svg and figure-2.12.png");
+}
+
+static int on_divider(const report_options *chosen)
+{
+    glint_divider_report *report = calloc(1, sizeof *report);
+    if (report == NULL)
+        return glint_complain("report", GLINT_EXIT_FAILURE, "no memory");
+    const int status = report_divider(chosen, report);
+    free(report);
+    return status;
+}
+
+static void show_section(void *context, const char *section, int done, int count)
+{
+    (void)context;
+    fprintf(stderr, "\r\033[Kglint report: %d of %d: %s", done + 1, count, section);
+}
+
+/* The file as it is on the disk, to standard output. */
+static bool print_json_file(const char *directory)
+{
+    glint_place place;
+    char *text;
+    size_t size;
+    if (glint_place_in(directory, "index.json", &place, NULL) != GLINT_OK ||
+        glint_file_text(place.path, &text, &size, NULL) != GLINT_OK)
+        return false;
+    fwrite(text, 1, size, stdout);
+    free(text);
+    return true;
+}
+
+static void print_summary(const report_options *chosen, const glint_report_result *result)
+{
+    glint_findings_print(result->findings, stdout);
+    printf("%d hold, %d do not hold, %d cannot be decided as stated; %.1f s\n"
+           "wrote %s/index.html, index.md and index.json\n",
+           glint_findings_count(result->findings, GLINT_HOLDS),
+           glint_findings_count(result->findings, GLINT_DOES_NOT_HOLD),
+           glint_findings_count(result->findings, GLINT_CANNOT_BE_DECIDED), result->seconds,
+           chosen->out);
+}
+
+static int on_everything(const report_options *chosen)
+{
+    glint_error err;
+    glint_report_result result;
+    const bool shown = isatty(STDERR_FILENO) == 1;
+    const glint_report_options options = {.directory = chosen->out,
+                                          .threads = (int)chosen->threads,
+                                          .quick = chosen->quick,
+                                          .stop = glint_stop_flag(),
+                                          .progress = shown ? show_section : NULL};
+    const glint_status status = glint_report_make(&options, &result, &err);
+    if (shown)
+        fputs("\r\033[K", stderr);
+    if (status != GLINT_OK)
+        return glint_complain_error("report", &err);
+    if (!chosen->json)
+        print_summary(chosen, &result);
+    else if (!print_json_file(chosen->out))
+        return glint_complain("report", GLINT_EXIT_FAILURE, "cannot read %s/index.json again",
+                              chosen->out);
+    glint_findings_destroy(result.findings);
+    return finish(result.plotted, "the figures");
 }
 
 static int64_t online_cores(void)
@@ -122,10 +205,5 @@ int glint_cmd_report(int argc, char **argv)
     const int parsed = parse(argc, argv, &chosen);
     if (parsed != GLINT_OPTIONS_RUN)
         return parsed;
-    glint_divider_report *report = calloc(1, sizeof *report);
-    if (report == NULL)
-        return glint_complain("report", GLINT_EXIT_FAILURE, "no memory");
-    const int status = report_divider(&chosen, report);
-    free(report);
-    return status;
+    return chosen.subject != NULL ? on_divider(&chosen) : on_everything(&chosen);
 }

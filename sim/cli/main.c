@@ -19,7 +19,7 @@ static const struct {
     {"compare", "how two PNG pictures differ", glint_cmd_compare},
     {"verify", "C model and Verilog in lockstep, every register, every clock", glint_cmd_verify},
     {"wave", "a waveform of a short scene, with a GTKWave save file", glint_cmd_wave},
-    {"report", "the thesis's numbers on the divider, measured", glint_cmd_report},
+    {"report", "what the thesis claims, measured, as a page to read", glint_cmd_report},
     {"bench", "fragments, divisions, clocks and frames a second", glint_cmd_bench},
 };
 

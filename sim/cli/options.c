@@ -249,7 +249,7 @@ static int take_help(const glint_command_line *line, const char *token)
 
 static int check_complete(const glint_command_line *line, const bool *given, size_t taken)
 {
-    if (taken < line->positional_count) {
+    if (taken < line->positional_count && !line->positionals[taken].optional) {
         return glint_complain(line->command, GLINT_EXIT_USAGE,
                               "%s is missing (see glint %s --help)", line->positionals[taken].name,
                               line->command);

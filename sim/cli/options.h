@@ -80,6 +80,7 @@ typedef struct glint_option {
 typedef struct glint_positional {
     const char *name;   /* FILE.png, for --help and messages */
     const char **value; /* points into argv */
+    bool optional;      /* may be left out; those after it are optional too */
 } glint_positional;
 
 typedef struct glint_command_line {
@@ -88,7 +89,7 @@ typedef struct glint_command_line {
     const char *details; /* more text below the options, already broken into lines; may be NULL */
     const glint_option *options;
     size_t option_count;                 /* at most GLINT_OPTIONS_MAX */
-    const glint_positional *positionals; /* all of them are required */
+    const glint_positional *positionals;
     size_t positional_count;
 } glint_command_line;
 

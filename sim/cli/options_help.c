@@ -155,7 +155,8 @@ static void print_usage(const glint_command_line *line)
     }
     printf(" [OPTION]...");
     for (size_t i = 0; i < line->positional_count; i++) {
-        printf(" %s", line->positionals[i].name);
+        const glint_positional *positional = &line->positionals[i];
+        printf(positional->optional ? " [%s]" : " %s", positional->name);
     }
     putchar('\n');
 }

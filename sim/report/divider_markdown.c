@@ -3,17 +3,17 @@
 
 #include <inttypes.h>
 
-static void write_claims(FILE *out, const glint_claims *claims)
+static void write_claims(FILE *out, const glint_claims *claims, const char *level)
 {
     int held = 0;
     for (int i = 0; i < claims->count; i++)
         held += claims->claim[i].holds;
     fprintf(out,
-            "## What the thesis says\n\n"
+            "%s What the thesis says\n\n"
             "Every number of section 2.4 beside the measured one. A number holds when the measured "
             "one,\nrounded to the digits that the thesis prints, is the same: %d of %d do.\n\n"
             "| | thesis | measured | |\n|---|---:|---:|---|\n",
-            held, claims->count);
+            level, held, claims->count);
     for (int i = 0; i < claims->count; i++) {
         const glint_claim *claim = &claims->claim[i];
         fprintf(out, "| %s | %.*f | %.8g | %s%s%s |\n", claim->what, claim->decimals, claim->stated,
@@ -32,13 +32,13 @@ static void write_increment_table(FILE *out, const glint_divider_error *errors)
                 errors[i].relative_k, 100.0 * errors[i].relative_mean);
 }
 
-static void write_increment(FILE *out, const glint_divider_report *report)
+static void write_increment(FILE *out, const glint_divider_report *report, const char *level)
 {
     fprintf(out,
-            "\n## Error of one increment\n\n"
+            "\n%s Error of one increment\n\n"
             "For a difference of 255 and spans of k = %d to %d; k = 1 is exact. The circuit's "
             "table holds 2^n/k\nrounded to nearest:\n\n",
-            GLINT_ERROR_K_MIN, GLINT_DIVIDER_K_MAX);
+            level, GLINT_ERROR_K_MIN, GLINT_DIVIDER_K_MAX);
     write_increment_table(out, report->error[GLINT_BITS_ROUNDED]);
     fprintf(out, "\nA table of truncated bits would give:\n\n");
     write_increment_table(out, report->error[GLINT_BITS_TRUNCATED]);
@@ -69,14 +69,15 @@ static void write_last_pixel_table(FILE *out, const glint_divider_error *errors)
     }
 }
 
-static void write_last_pixel(FILE *out, const glint_divider_report *report)
+static void write_last_pixel(FILE *out, const glint_divider_report *report, const char *level)
 {
     fprintf(out,
-            "\n## Error at the last pixel of a span\n\n"
+            "\n%s Error at the last pixel of a span\n\n"
             "The increment is added k times, and its error with it. Before rounding: for a "
             "difference of 255. Shown:\nas the span unit gives the last pixel, rounded half up to "
             "8 bits, the largest over every difference\n-255 to 255 and every k, rising from 0 or "
-            "falling from 255.\n\n");
+            "falling from 255.\n\n",
+            level);
     write_last_pixel_table(out, report->error[GLINT_BITS_ROUNDED]);
     fprintf(out,
             "\nFrom %d shifts on the last pixel is within half a level for every k, and what is "
@@ -136,11 +137,13 @@ static void write_count_table(FILE *out, const glint_table_21 *table)
     write_ratios(out, totals);
 }
 
-static void write_table_21(FILE *out, const glint_table_21 *table)
+static void write_table_21(FILE *out, const glint_table_21 *table, const char *level)
 {
-    fprintf(out, "\n## Table 2.1: operations of one triangle\n\n"
-                 "Counted by the rasterizer's span unit while it works on the thesis's triangle, "
-                 "AB 7/8, AC 9/12, BC 16/4\n(dx/dy), three colour components:\n\n");
+    fprintf(out,
+            "\n%s Table 2.1: operations of one triangle\n\n"
+            "Counted by the rasterizer's span unit while it works on the thesis's triangle, "
+            "AB 7/8, AC 9/12, BC 16/4\n(dx/dy), three colour components:\n\n",
+            level);
     write_count_table(out, table);
     fprintf(
         out,
@@ -186,11 +189,11 @@ static void write_pictures(FILE *out, const glint_divider_scene *scene)
             first->picture, first->difference_picture);
 }
 
-static void write_frames(FILE *out, const glint_divider_scene *scenes)
+static void write_frames(FILE *out, const glint_divider_scene *scenes, const char *level)
 {
     fprintf(
         out,
-        "\n## Whole frames\n\n"
+        "\n%s Whole frames\n\n"
         "Gouraud's shading, %dx%d, against the same frame with exact values along edges and "
         "spans, rounded half up.\nEach model as fine as it is by default, and with triangles of "
         "about 100 pixels. Section 3.4 reads an NMSE of\nup to 0.0001 as no visible difference, "
@@ -200,7 +203,7 @@ static void write_frames(FILE *out, const glint_divider_scene *scenes)
         "up, which the least error below turns down.\n\n"
         "| model | triangles drawn | divisions | shifts | NMSE | largest, levels | pixels that "
         "differ | |\n|---|---:|---:|---:|---:|---:|---:|---|\n",
-        GLINT_DIVIDER_FRAME_WIDTH, GLINT_DIVIDER_FRAME_HEIGHT, GLINT_DIVIDER_SHIFTS_MAX,
+        level, GLINT_DIVIDER_FRAME_WIDTH, GLINT_DIVIDER_FRAME_HEIGHT, GLINT_DIVIDER_SHIFTS_MAX,
         GLINT_DIVIDER_K_MAX);
     for (int i = 0; i < GLINT_DIVIDER_SCENES; i++)
         for (int j = 0; j < GLINT_DIVIDER_FRAMES; j++)
@@ -209,14 +212,19 @@ static void write_frames(FILE *out, const glint_divider_scene *scenes)
         write_pictures(out, &scenes[i]);
 }
 
+void glint_divider_write_parts(FILE *out, const glint_divider_report *report, const char *level)
+{
+    write_claims(out, &report->claims, level);
+    write_increment(out, report, level);
+    write_last_pixel(out, report, level);
+    write_table_21(out, &report->table, level);
+    write_frames(out, report->scenes, level);
+}
+
 void glint_divider_write_markdown(FILE *out, const glint_divider_report *report)
 {
     fprintf(out, "# The shift-accumulate divider in numbers\n\n"
                  "Made by `glint report divider`. The circuit, and what the thesis leaves open "
                  "about it, is in the project's\ndocs/divider.md.\n\n");
-    write_claims(out, &report->claims);
-    write_increment(out, report);
-    write_last_pixel(out, report);
-    write_table_21(out, &report->table);
-    write_frames(out, report->scenes);
+    glint_divider_write_parts(out, report, "##");
 }

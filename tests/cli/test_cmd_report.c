@@ -284,7 +284,8 @@ static void the_command_line_is_read_strictly(void **state)
     static const struct {
         const char *command_line, *err;
     } refusals[] = {
-        {"report", "glint report: divider is missing (see glint report --help)\n"},
+        {"report divider --quick",
+         "glint report: --quick goes with the whole report, not with divider\n"},
         {"report specular", "glint report: there is no report on \"specular\": only divider\n"},
         {"report divider divider", "glint report: unexpected argument \"divider\"\n"},
         {"report divider --threads 0",

@@ -1,0 +1,7 @@
+#include "report/sections.h"
+
+const glint_report_entry glint_report_sections[] = {
+    {"Division by shifts (section 2.4, figure 2.12, Table 2.1)", "divider", glint_section_divider},
+};
+const int glint_report_section_count =
+    sizeof glint_report_sections / sizeof glint_report_sections[0];
