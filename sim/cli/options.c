@@ -39,67 +39,21 @@ const char *const glint_divider_form_names[] = {
 #define FIRST_OPTION 256
 #define HELP_OPTION  (FIRST_OPTION + GLINT_OPTIONS_MAX)
 
-/* Copies the next part of text, up to separator or the end, into part; returns what follows it, or
- * NULL at the end of text. A part too long for any number comes out empty, which no number is. */
-static const char *next_part(const char *text, char separator, char part[64])
+static bool store_color(const glint_option *option, const char *text)
 {
-    const char *end = strchr(text, separator);
-    const size_t length = end != NULL ? (size_t)(end - text) : strlen(text);
-    part[0] = '\0';
-    if (length < 64) {
-        memcpy(part, text, length);
-        part[length] = '\0';
-    }
-    return end != NULL ? end + 1 : NULL;
-}
-
-static bool parse_integers(const char *text, char separator, int count, int64_t min, int64_t max,
-                           int64_t *value)
-{
-    char part[64];
-    for (int i = 0; i < count; i++) {
-        if (text == NULL) {
-            return false;
-        }
-        text = next_part(text, separator, part);
-        if (!glint_parse_integer(part, min, max, &value[i])) {
-            return false;
-        }
-    }
-    return text == NULL;
-}
-
-static bool parse_reals(const char *text, double min, double max, double value[3])
-{
-    char part[64];
-    for (int i = 0; i < 3; i++) {
-        if (text == NULL) {
-            return false;
-        }
-        text = next_part(text, ',', part);
-        if (!glint_parse_real(part, min, max, &value[i])) {
-            return false;
-        }
-    }
-    return text == NULL;
-}
-
-static bool store_integers(const glint_option *option, const char *text)
-{
-    int64_t value[3];
-    if (!parse_integers(text, ',', 3, option->integers.min, option->integers.max, value)) {
+    glint_rgb rgb;
+    if (!glint_parse_color(text, &rgb)) {
         return false;
     }
-    for (int i = 0; i < 3; i++) {
-        option->integers.value[i] = (int)value[i];
-    }
+    const uint8_t components[3] = {rgb.r, rgb.g, rgb.b};
+    memcpy(option->color, components, sizeof components);
     return true;
 }
 
 static bool store_reals(const glint_option *option, const char *text)
 {
     double value[3];
-    if (!parse_reals(text, option->reals.min, option->reals.max, value)) {
+    if (!glint_parse_reals(text, ',', 3, option->reals.min, option->reals.max, value)) {
         return false;
     }
     memcpy(option->reals.value, value, sizeof value);
@@ -109,7 +63,7 @@ static bool store_reals(const glint_option *option, const char *text)
 static bool store_size(const glint_option *option, const char *text)
 {
     int64_t side[2];
-    if (!parse_integers(text, 'x', 2, 1, option->size.max, side)) {
+    if (!glint_parse_integers(text, 'x', 2, 1, option->size.max, side)) {
         return false;
     }
     *option->size.width = (int)side[0];
@@ -156,8 +110,8 @@ static bool store(const glint_option *option, const char *text)
         return store_size(option, text);
     case GLINT_OPTION_REALS:
         return store_reals(option, text);
-    case GLINT_OPTION_INTEGERS:
-        return store_integers(option, text);
+    case GLINT_OPTION_COLOR:
+        return store_color(option, text);
     }
     return false;
 }
@@ -182,7 +136,7 @@ static int refuse_unknown(const glint_command_line *line, const char *token)
 {
     char name[64];
     glint_quoted quoted;
-    next_part(token, '=', name);
+    glint_next_part(token, '=', name);
     return glint_complain(line->command, GLINT_EXIT_USAGE,
                           "unknown option %s (see glint %s --help)",
                           glint_quote(*name != '\0' ? name : token, &quoted), line->command);

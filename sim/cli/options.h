@@ -35,9 +35,9 @@ typedef enum glint_option_kind {
     GLINT_OPTION_REAL,
     GLINT_OPTION_CHOICE,
     GLINT_OPTION_STRING,
-    GLINT_OPTION_SIZE,     /* WxH */
-    GLINT_OPTION_REALS,    /* three numbers, X,Y,Z */
-    GLINT_OPTION_INTEGERS, /* three integers, R,G,B */
+    GLINT_OPTION_SIZE,  /* WxH */
+    GLINT_OPTION_REALS, /* three numbers, X,Y,Z */
+    GLINT_OPTION_COLOR, /* any form of glint_parse_color() */
 } glint_option_kind;
 
 typedef struct glint_option {
@@ -70,10 +70,7 @@ typedef struct glint_option {
             double *value; /* three */
             double min, max;
         } reals;
-        struct {
-            int *value; /* three */
-            int min, max;
-        } integers;
+        uint8_t *color; /* three: R, G, B */
     };
 } glint_option;
 
@@ -88,7 +85,7 @@ typedef struct glint_command_line {
     const char *summary; /* what it does, a sentence or a few */
     const char *details; /* more text below the options, already broken into lines; may be NULL */
     const glint_option *options;
-    size_t option_count;                 /* at most GLINT_OPTIONS_MAX */
+    size_t option_count; /* at most GLINT_OPTIONS_MAX */
     const glint_positional *positionals;
     size_t positional_count;
 } glint_command_line;

@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "cli/parse.h"
+
 #define PAGE_WIDTH  80
 #define HELP_COLUMN 28
 
@@ -49,9 +51,8 @@ void glint_option_expectation(const glint_option *option, char *text, size_t siz
         snprintf(text, size, "three numbers from %g to %g with commas between", option->reals.min,
                  option->reals.max);
         break;
-    case GLINT_OPTION_INTEGERS:
-        snprintf(text, size, "three integers from %d to %d with commas between",
-                 option->integers.min, option->integers.max);
+    case GLINT_OPTION_COLOR:
+        snprintf(text, size, "a colour: %s", GLINT_COLOR_FORMS);
         break;
     }
 }
@@ -59,10 +60,9 @@ void glint_option_expectation(const glint_option *option, char *text, size_t siz
 static void placeholder(const glint_option *option, char *text, size_t size)
 {
     static const char *const usual[] = {
-        [GLINT_OPTION_FLAG] = "",       [GLINT_OPTION_INTEGER] = "N",
-        [GLINT_OPTION_REAL] = "X",      [GLINT_OPTION_CHOICE] = "",
-        [GLINT_OPTION_STRING] = "TEXT", [GLINT_OPTION_SIZE] = "WxH",
-        [GLINT_OPTION_REALS] = "X,Y,Z", [GLINT_OPTION_INTEGERS] = "R,G,B",
+        [GLINT_OPTION_FLAG] = "",       [GLINT_OPTION_INTEGER] = "N",   [GLINT_OPTION_REAL] = "X",
+        [GLINT_OPTION_CHOICE] = "",     [GLINT_OPTION_STRING] = "TEXT", [GLINT_OPTION_SIZE] = "WxH",
+        [GLINT_OPTION_REALS] = "X,Y,Z", [GLINT_OPTION_COLOR] = "COLOR",
     };
     if (option->placeholder != NULL) {
         snprintf(text, size, "%s", option->placeholder);
@@ -99,9 +99,8 @@ static void current_value(const glint_option *option, char *text, size_t size)
         snprintf(text, size, "%g,%g,%g", option->reals.value[0], option->reals.value[1],
                  option->reals.value[2]);
         break;
-    case GLINT_OPTION_INTEGERS:
-        snprintf(text, size, "%d,%d,%d", option->integers.value[0], option->integers.value[1],
-                 option->integers.value[2]);
+    case GLINT_OPTION_COLOR:
+        snprintf(text, size, "%d,%d,%d", option->color[0], option->color[1], option->color[2]);
         break;
     }
 }

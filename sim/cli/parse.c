@@ -55,6 +55,116 @@ bool glint_parse_real(const char *token, double min, double max, double *value)
     return true;
 }
 
+const char *glint_next_part(const char *text, char separator, char part[64])
+{
+    const char *end = strchr(text, separator);
+    const size_t length = end != NULL ? (size_t)(end - text) : strlen(text);
+    part[0] = '\0';
+    if (length < 64) {
+        memcpy(part, text, length);
+        part[length] = '\0';
+    }
+    return end != NULL ? end + 1 : NULL;
+}
+
+bool glint_parse_integers(const char *token, char separator, int count, int64_t min, int64_t max,
+                          int64_t *value)
+{
+    char part[64];
+    for (int i = 0; i < count; i++) {
+        if (token == NULL) {
+            return false;
+        }
+        token = glint_next_part(token, separator, part);
+        if (!glint_parse_integer(part, min, max, &value[i])) {
+            return false;
+        }
+    }
+    return token == NULL;
+}
+
+bool glint_parse_reals(const char *token, char separator, int count, double min, double max,
+                       double *value)
+{
+    char part[64];
+    for (int i = 0; i < count; i++) {
+        if (token == NULL) {
+            return false;
+        }
+        token = glint_next_part(token, separator, part);
+        if (!glint_parse_real(part, min, max, &value[i])) {
+            return false;
+        }
+    }
+    return token == NULL;
+}
+
+/* ---- Colours --------------------------------------------------------------------------------- */
+
+#define DEGREES 360.0
+#define PERCENT 100.0
+
+static bool parse_rgb(const char *text, glint_rgb *value)
+{
+    int64_t part[3];
+    if (!glint_parse_integers(text, ',', 3, 0, 255, part)) {
+        return false;
+    }
+    *value = (glint_rgb){(uint8_t)part[0], (uint8_t)part[1], (uint8_t)part[2]};
+    return true;
+}
+
+static bool parse_hex_rgb(const char *digits, glint_rgb *value)
+{
+    if (strlen(digits) != 6 || digits[strspn(digits, "0123456789abcdefABCDEF")] != '\0') {
+        return false;
+    }
+    const unsigned long code = strtoul(digits, NULL, 16);
+    *value = (glint_rgb){(uint8_t)(code >> 16), (uint8_t)(code >> 8), (uint8_t)code};
+    return true;
+}
+
+static bool parse_hsv(const char *text, glint_rgb *value)
+{
+    double part[3];
+    if (!glint_parse_reals(text, ',', 3, 0, DEGREES, part)) {
+        return false;
+    }
+    const glint_hsv hsv = {part[0], part[1] / PERCENT, part[2] / PERCENT};
+    return glint_rgb_of_hsv(&hsv, value) == GLINT_OK;
+}
+
+static bool parse_cmyk(const char *text, glint_rgb *value)
+{
+    double part[4];
+    if (!glint_parse_reals(text, ',', 4, 0, PERCENT, part)) {
+        return false;
+    }
+    const glint_cmyk cmyk = {part[0] / PERCENT, part[1] / PERCENT, part[2] / PERCENT,
+                             part[3] / PERCENT};
+    return glint_rgb_of_cmyk(&cmyk, value) == GLINT_OK;
+}
+
+bool glint_parse_color(const char *token, glint_rgb *value)
+{
+    static const struct {
+        const char *prefix;
+        bool (*parse)(const char *text, glint_rgb *value);
+    } forms[] = {
+        {"#", parse_hex_rgb},
+        {"rgb:", parse_rgb},
+        {"hsv:", parse_hsv},
+        {"cmyk:", parse_cmyk},
+    };
+    for (size_t i = 0; i < sizeof forms / sizeof forms[0]; i++) {
+        const size_t length = strlen(forms[i].prefix);
+        if (strncmp(token, forms[i].prefix, length) == 0) {
+            return forms[i].parse(token + length, value);
+        }
+    }
+    return parse_rgb(token, value);
+}
+
 /* Writes one character as a message shows it; returns how many characters that took. */
 static size_t quote_character(unsigned char c, char out[4])
 {

@@ -9,6 +9,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "color/color.h"
+
 /* Decimal digits, with or without a sign. */
 bool glint_parse_integer(const char *token, int64_t min, int64_t max, int64_t *value);
 
@@ -17,6 +19,23 @@ bool glint_parse_hex(const char *token, uint64_t max, uint64_t *value);
 
 /* A decimal number such as 1, -0.5, .5, 2e-3. */
 bool glint_parse_real(const char *token, double min, double max, double *value);
+
+/* Count of them with a separator between, each within the same min…max. */
+bool glint_parse_integers(const char *token, char separator, int count, int64_t min, int64_t max,
+                          int64_t *value);
+bool glint_parse_reals(const char *token, char separator, int count, double min, double max,
+                       double *value);
+
+/* A colour (thesis section 1.4): R,G,B or rgb:R,G,B, integers 0…255; #rrggbb; hsv:H,S,V, degrees
+ * 0…360 and percents; cmyk:C,M,Y,K, percents. GLINT_COLOR_FORMS says so to a user. */
+bool glint_parse_color(const char *token, glint_rgb *value);
+
+#define GLINT_COLOR_FORMS                                                                          \
+    "R,G,B (0 to 255), #rrggbb, hsv:H,S,V (0 to 360, %, %) or cmyk:C,M,Y,K (%)"
+
+/* Copies the next part of text, up to separator or the end, into part; returns what follows it, or
+ * NULL at the end of text. A part too long for any number comes out empty, which no number is. */
+const char *glint_next_part(const char *text, char separator, char part[64]);
 
 /* A token for a message: in double quotes, control characters written \xNN, cut with "..." when
  * long. Returns quoted->text. */

@@ -15,7 +15,7 @@ typedef struct raw_options {
     int shading, backend, gate, pipeline, lanes;
     int width, height;
     double light[3];
-    int color[3], highlight[3];
+    uint8_t color[3], highlight[3];
     double ia, ie, ka, kd, ks;
     double yaw, pitch, fov, distance;
     bool json;
@@ -84,6 +84,9 @@ static const char details[] =
     "by the divider (--backend real: exactly), gouraud-perspective interpolates on the\n"
     "object, phong computes it for each pixel.\n"
     "\n"
+    "A COLOR is R,G,B or rgb:R,G,B, each 0 to 255; #rrggbb; hsv:H,S,V, degrees and\n"
+    "percents; cmyk:C,M,Y,K, percents.\n"
+    "\n"
     "--backend both renders by c and by rtl and compares. Where they differ, FILE.png\n"
     "is the frame of rtl, FILE-c.png that of c, FILE-diff.png shows the difference,\n"
     "and the exit status is 1.";
@@ -106,11 +109,7 @@ static const char details[] =
     }
 #define COLOR(NAME, HELP, FIELD)                                                                   \
     {                                                                                              \
-        .name = NAME, .help = HELP, .kind = GLINT_OPTION_INTEGERS, .integers = {                   \
-            raw->FIELD,                                                                            \
-            0,                                                                                     \
-            GLINT_COLOR_MAX                                                                        \
-        }                                                                                          \
+        .name = NAME, .help = HELP, .kind = GLINT_OPTION_COLOR, .color = raw->FIELD                \
     }
 
 static int parse_raw(int argc, char **argv, raw_options *raw)
@@ -202,8 +201,8 @@ static glint_scene scene_of(const raw_options *raw)
     };
     for (int i = 0; i < 3; i++) {
         scene.light[i] = (float)raw->light[i];
-        scene.color[i] = (uint8_t)raw->color[i];
-        scene.highlight[i] = (uint8_t)raw->highlight[i];
+        scene.color[i] = raw->color[i];
+        scene.highlight[i] = raw->highlight[i];
     }
     return scene;
 }

@@ -155,6 +155,23 @@ static void each_option_changes_the_picture(void **state)
     glint_image_destroy(usual);
 }
 
+static void a_color_is_the_same_in_every_form(void **state)
+{
+    (void)state;
+    static const char *const forms[] = {"rgb:51,102,153", "#336699", "hsv:210,66.6666667,60",
+                                        "cmyk:66.6666667,33.3333333,0,40"};
+    glint_image *usual = rendered("--size 160x120 --color 51,102,153 --highlight 51,102,153");
+    for (size_t i = 0; i < sizeof forms / sizeof forms[0]; i++) {
+        char options[128];
+        snprintf(options, sizeof options, "--size 160x120 --color %s --highlight %s", forms[i],
+                 forms[i]);
+        glint_image *same = rendered(options);
+        assert_int_equal(differing_pixels(usual, same), 0);
+        glint_image_destroy(same);
+    }
+    glint_image_destroy(usual);
+}
+
 static void threads_lanes_and_pipeline_do_not_change_the_picture(void **state)
 {
     (void)state;
@@ -369,6 +386,7 @@ int main(void)
         cmocka_unit_test(both_backends_are_equal),
         cmocka_unit_test(foreign_meshes_are_equal_by_both_backends),
         cmocka_unit_test(each_option_changes_the_picture),
+        cmocka_unit_test(a_color_is_the_same_in_every_form),
         cmocka_unit_test(threads_lanes_and_pipeline_do_not_change_the_picture),
         cmocka_unit_test(few_shifts_change_a_gouraud_picture),
         cmocka_unit_test(the_divisions_are_told_of),

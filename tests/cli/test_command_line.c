@@ -109,6 +109,11 @@ static void a_wrong_subcommand_is_refused(void **state)
     assert_refused(refusals, sizeof refusals / sizeof refusals[0]);
 }
 
+#define COLOR_REFUSAL(TEXT)                                                                        \
+    "glint render: --color: \"" TEXT                                                               \
+    "\" is not a colour: R,G,B (0 to 255), #rrggbb, hsv:H,S,V (0 "                                 \
+    "to 360, %, %) or cmyk:C,M,Y,K (%)\n"
+
 static void options_are_read_strictly(void **state)
 {
     (void)state;
@@ -159,10 +164,22 @@ static void options_are_read_strictly(void **state)
                                 "to 1e+06 with commas between\n"},
         {"render --light 1,2,nan", "glint render: --light: \"1,2,nan\" is not three numbers from "
                                    "-1e+06 to 1e+06 with commas between\n"},
-        {"render --color 1,2,256", "glint render: --color: \"1,2,256\" is not three integers from "
-                                   "0 to 255 with commas between\n"},
-        {"render --color 1,2,3,4", "glint render: --color: \"1,2,3,4\" is not three integers from "
-                                   "0 to 255 with commas between\n"},
+        {"render --color 1,2,256", COLOR_REFUSAL("1,2,256")},
+        {"render --color 1,2,3,4", COLOR_REFUSAL("1,2,3,4")},
+        {"render --color 1.5,2,3", COLOR_REFUSAL("1.5,2,3")},
+        {"render --color red", COLOR_REFUSAL("red")},
+        {"render --color #12345", COLOR_REFUSAL("#12345")},
+        {"render --color #1234567", COLOR_REFUSAL("#1234567")},
+        {"render --color #12345g", COLOR_REFUSAL("#12345g")},
+        {"render --color rgb:1,2", COLOR_REFUSAL("rgb:1,2")},
+        {"render --color hsv:361,0,0", COLOR_REFUSAL("hsv:361,0,0")},
+        {"render --color hsv:0,101,0", COLOR_REFUSAL("hsv:0,101,0")},
+        {"render --color hsv:1,2", COLOR_REFUSAL("hsv:1,2")},
+        {"render --color hsv:nan,0,0", COLOR_REFUSAL("hsv:nan,0,0")},
+        {"render --color cmyk:0,0,0", COLOR_REFUSAL("cmyk:0,0,0")},
+        {"render --color cmyk:0,0,0,100.1", COLOR_REFUSAL("cmyk:0,0,0,100.1")},
+        {"render --color HSV:1,2,3", COLOR_REFUSAL("HSV:1,2,3")},
+        {"render --color hsv:", COLOR_REFUSAL("hsv:")},
         {"render --threads 65", "glint render: --threads: \"65\" is not an integer from 1 to 64\n"},
         {"eval points.csv", "glint eval: unexpected argument \"points.csv\"\n"},
         {"eval --backend both", "glint eval: --backend: \"both\" is not one of c, rtl, real\n"},

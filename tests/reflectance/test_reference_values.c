@@ -88,7 +88,7 @@ static void quadratic_table_is_that_of_2_8(void **state)
         assert_true(glint_quadratic_a(n) > glint_quadratic_a(n - 1));
     }
     assert_close(glint_quadratic_a(2), 1.0, 1e-15, "a", 2, 0);
-    /* a → 2n(1 − e^-1/2) − … : √e of the inflection, for a highlight without end. */
+    /* Narrow highlights: t^(n−1) → e^-1/2 and 1 − t → 1/(2n). */
     assert_close(glint_quadratic_a(1e6) / 1e6, 2.0 * (1.0 - exp(-0.5)), 1e-6, "a/n", 1e6, 0);
     /* n → 1: the limit that takes the place of 0/0. */
     assert_close(glint_quadratic_a(1.0 + 1e-9), 0.0, 2e-8, "a", 1, 0);
