@@ -1,6 +1,7 @@
 #include "report/sections.h"
 
 const glint_report_entry glint_report_sections[] = {
+    {"The lobes (sections 2.1 to 2.3, figures 2.2 to 2.7 and 2.10)", "lobes", glint_section_lobes},
     {"Division by shifts (section 2.4, figure 2.12, Table 2.1)", "divider", glint_section_divider},
 };
 const int glint_report_section_count =

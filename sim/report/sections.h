@@ -13,6 +13,7 @@ typedef struct glint_report_entry {
 extern const glint_report_entry glint_report_sections[];
 extern const int glint_report_section_count;
 
+glint_report_section glint_section_lobes;
 glint_report_section glint_section_divider;
 
 #endif

@@ -1,0 +1,93 @@
+/* See lobe_errors.h. Exponents are shared out among threads; results do not depend on how. */
+#include "report/lobe_errors.h"
+
+#include <stdatomic.h>
+
+#include "render/pool.h"
+#include "render/render.h"
+
+static const double few[] = {1, 2, 3, 5, 8, 13, 20, 35, 50, 80, 100, 200, 500, 1000};
+
+void glint_exponents_of(bool quick, glint_exponents *exponents)
+{
+    exponents->count = quick ? (int)(sizeof few / sizeof few[0]) : 1000;
+    for (int i = 0; i < exponents->count; i++)
+        exponents->n[i] = quick ? few[i] : i + 1;
+}
+
+typedef struct sweep {
+    const glint_report *report;
+    glint_reflectance_model model;
+    double level;
+    const glint_exponents *exponents;
+    glint_accuracy *by_n;
+    _Atomic int next;
+    _Atomic int failed; /* a glint_status */
+    glint_error err[GLINT_THREADS_MAX];
+} sweep;
+
+static glint_status measure_one(sweep *sweep, int i, glint_error *err)
+{
+    const glint_reflectance_parameters parameters = {.n = sweep->exponents->n[i],
+                                                     .f0 = GLINT_F0_DEFAULT};
+    glint_reflectance prepared;
+    glint_status status = glint_report_go_on(sweep->report, err);
+    if (status == GLINT_OK)
+        status = glint_reflectance_prepare(sweep->model, &parameters, &prepared, err);
+    if (status == GLINT_OK)
+        status = glint_accuracy_measure(&prepared, sweep->level, &sweep->by_n[i], err);
+    return status;
+}
+
+static void measure_some(void *context, int worker)
+{
+    sweep *sweep = context;
+    for (int i = sweep->next++; i < sweep->exponents->count && sweep->failed == 0;
+         i = sweep->next++) {
+        const glint_status status = measure_one(sweep, i, &sweep->err[worker]);
+        if (status != GLINT_OK)
+            sweep->failed = (int)status;
+    }
+}
+
+glint_status glint_lobe_errors(const glint_report *report, glint_reflectance_model model,
+                               double level, const glint_exponents *exponents, glint_accuracy *by_n,
+                               glint_error *err)
+{
+    sweep sweep = {
+        .report = report, .model = model, .level = level, .exponents = exponents, .by_n = by_n};
+    glint_pool *pool;
+    const glint_status status = glint_pool_create(report->threads, &pool, err);
+    if (status != GLINT_OK)
+        return status;
+    glint_pool_run(pool, measure_some, &sweep);
+    glint_pool_destroy(pool);
+    for (int i = 0; sweep.failed != 0 && i < GLINT_THREADS_MAX; i++)
+        if (sweep.err[i].text[0] != '\0')
+            return glint_fail(err, (glint_status)sweep.failed, "%s", sweep.err[i].text);
+    return GLINT_OK;
+}
+
+static void keep(glint_worst *worst, double error, double n, double cosine)
+{
+    if (error > worst->error)
+        *worst = (glint_worst){error, n, cosine};
+}
+
+glint_lobe_worst glint_lobe_worst_of(const glint_exponents *exponents, const glint_accuracy *by_n,
+                                     double n_from)
+{
+    glint_lobe_worst worst = {0};
+    for (int i = 0; i < exponents->count; i++) {
+        const double n = exponents->n[i];
+        const glint_accuracy *a = &by_n[i];
+        if (n < n_from)
+            continue;
+        keep(&worst.absolute, a->absolute.error, n, a->absolute.cosine);
+        keep(&worst.epicentre_absolute, a->epicentre_absolute.error, n,
+             a->epicentre_absolute.cosine);
+        keep(&worst.epicentre_relative, a->epicentre_relative.error, n,
+             a->epicentre_relative.cosine);
+    }
+    return worst;
+}

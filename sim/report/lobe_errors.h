@@ -1,0 +1,50 @@
+/* How far the lobes are from exact cosⁿ, over many n; and the device, code by code. */
+#ifndef GLINT_SIM_REPORT_LOBE_ERRORS_H
+#define GLINT_SIM_REPORT_LOBE_ERRORS_H
+
+#include <stdint.h>
+
+#include "reflectance/accuracy.h"
+#include "report/section.h"
+
+/* The exponents of a report: all of 1…1000, or some when it is to be quick. */
+typedef struct glint_exponents {
+    double n[1000];
+    int count;
+} glint_exponents;
+
+void glint_exponents_of(bool quick, glint_exponents *exponents);
+
+/* Measures a model at each exponent (accuracy.h) into by_n, as many as there are exponents. */
+glint_status glint_lobe_errors(const glint_report *report, glint_reflectance_model model,
+                               double level, const glint_exponents *exponents, glint_accuracy *by_n,
+                               glint_error *err);
+
+/* A largest error over all exponents. */
+typedef struct glint_worst {
+    double error, n, cosine;
+} glint_worst;
+
+typedef struct glint_lobe_worst {
+    glint_worst absolute, epicentre_absolute, epicentre_relative;
+} glint_lobe_worst;
+
+/* Those from exponent n_from on. */
+glint_lobe_worst glint_lobe_worst_of(const glint_exponents *exponents, const glint_accuracy *by_n,
+                                     double n_from);
+
+/* The device at every cosine code of each exponent. */
+typedef struct glint_device_errors {
+    uint64_t points;
+    uint64_t differing;              /* W of the Verilog from W of the C model */
+    glint_lobe_worst model;          /* the C model, from exact cosⁿ */
+    glint_lobe_worst verilog;        /* the same of the Verilog under Verilator */
+    double model_last, verilog_last; /* the absolute errors at the last exponent */
+    glint_worst rounding;            /* of the C model, from (2.15) in double precision */
+} glint_device_errors;
+
+glint_status glint_device_errors_measure(const glint_report *report, double level,
+                                         const glint_exponents *exponents,
+                                         glint_device_errors *errors, glint_error *err);
+
+#endif
