@@ -1,0 +1,214 @@
+/* `glint report`: the whole of it, at reduced size. */
+#define _XOPEN_SOURCE 700
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cjson/cJSON.h>
+#include <cmocka.h>
+
+#include "../scratch.h"
+#include "run.h"
+
+static char *summary; /* what the run for all tests printed */
+
+static outcome report(const char *options)
+{
+    char command_line[1200];
+    snprintf(command_line, sizeof command_line, "report --quick --out %s%s", scratch_path("report"),
+             options);
+    return run(command_line, "");
+}
+
+static char *read_report(const char *name)
+{
+    char inside[128];
+    snprintf(inside, sizeof inside, "report/%s", name);
+    return scratch_read(scratch_path(inside), NULL);
+}
+
+static int make_report(void **state)
+{
+    if (scratch_make(state) != 0)
+        return -1;
+    outcome done = report("");
+    const int failed = done.status != 0;
+    if (failed)
+        print_error("exit status %d, standard error \"%s\"\n", done.status, done.err);
+    summary = strdup(done.out);
+    forget(&done);
+    return failed || summary == NULL ? -1 : 0;
+}
+
+static int forget_report(void **state)
+{
+    free(summary);
+    return scratch_remove(state);
+}
+
+static cJSON *read_json(void)
+{
+    char *text = read_report("index.json");
+    cJSON *json = cJSON_Parse(text);
+    assert_non_null(json);
+    free(text);
+    return json;
+}
+
+/* The claim of a place in the thesis that has the words. */
+static const cJSON *claim(const cJSON *json, const char *where, const char *words)
+{
+    const cJSON *entry;
+    cJSON_ArrayForEach(entry, cJSON_GetObjectItem(json, "claims"))
+    {
+        if (strcmp(cJSON_GetObjectItem(entry, "where")->valuestring, where) == 0 &&
+            strstr(cJSON_GetObjectItem(entry, "claim")->valuestring, words) != NULL)
+            return entry;
+    }
+    fail_msg("no claim of %s with \"%s\"", where, words);
+    return NULL;
+}
+
+static const char *text_of(const cJSON *entry, const char *name)
+{
+    return cJSON_GetObjectItem(entry, name)->valuestring;
+}
+
+static void claims_have_their_verdicts(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *where, *words, *verdict, *measured;
+    } expected[] = {
+        {"2.1", "Schlick's function (2.1)", "does not hold", "10.31 %"},
+        {"2.7, 3.4", "Schlick's function (2.1)", "holds", "10.31 %"},
+        {"2.7", "Modified Schlick (2.2)", "does not hold", "24.2 % as printed"},
+        {"Table 3.2, 3.4", "cos^a", "cannot be decided", "1.49 %"},
+        {"2.2", "levels of 0.56", "does not hold", "3.16 % at n = 1000"},
+        {"(2.8)", "tabulated", "does not hold", "1 of 1000"},
+        {"(2.13), (2.14)", "integral", "holds", "equal to within"},
+        {"2.3", "n = 2…1000", "holds", "0.0913"},
+        {"2.3", "at most 0.1, n = 1", "does not hold", "0.1111"},
+        {"2.7, 3.1", "in the epicentre", "does not hold", "14.7 %"},
+        {"2.3", "√(1+2n)/n", "holds", "0.368"},
+        {"2.3", "√(6n−3)/(n−2)", "does not hold", "there W is zero"},
+        {"3.1", "4 times below", "does not hold", "0.70 times"},
+        {"2.4", "largest absolute error, k = 2...16", "holds", "0.44270833"},
+    };
+    cJSON *json = read_json();
+    for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
+        const cJSON *found = claim(json, expected[i].where, expected[i].words);
+        assert_string_equal(text_of(found, "verdict"), expected[i].verdict);
+        assert_says(text_of(found, "measured"), expected[i].measured);
+    }
+    cJSON_Delete(json);
+}
+
+/* A claim without the conditions of its number says little: only those of section 2.4, exact
+ * arithmetic over a whole table, may have none. */
+static void claims_have_their_conditions(void **state)
+{
+    (void)state;
+    cJSON *json = read_json();
+    const cJSON *entry;
+    int count = 0;
+    cJSON_ArrayForEach(entry, cJSON_GetObjectItem(json, "claims"))
+    {
+        assert_true(text_of(entry, "measured")[0] != '\0');
+        if (strcmp(text_of(entry, "where"), "2.4") != 0 && text_of(entry, "conditions")[0] == '\0')
+            fail_msg("no conditions: %s", text_of(entry, "claim"));
+        count++;
+    }
+    assert_true(count > 30);
+    cJSON_Delete(json);
+}
+
+static void the_device_stands_beside_the_formulas(void **state)
+{
+    (void)state;
+    cJSON *json = read_json();
+    const cJSON *lobes = cJSON_GetObjectItem(json, "lobes");
+    const cJSON *formula = cJSON_GetObjectItem(lobes, "cosine-quadratic");
+    const cJSON *device = cJSON_GetObjectItem(lobes, "device");
+    const cJSON *verilog = cJSON_GetObjectItem(lobes, "device-verilog");
+    const double of_formula = cJSON_GetObjectItem(formula, "absolute")->valuedouble;
+    const double of_device = cJSON_GetObjectItem(device, "absolute")->valuedouble;
+    assert_true(fabs(of_formula - 1.0 / 9.0) < 1e-9);
+    assert_true(of_device != of_formula && fabs(of_device - of_formula) < 4e-5);
+    assert_true(of_device == cJSON_GetObjectItem(verilog, "absolute")->valuedouble);
+    char *text = read_report("index.md");
+    assert_says(text, " 0 of 3670030 values of W differ");
+    free(text);
+    cJSON_Delete(json);
+}
+
+static void the_page_stands_alone(void **state)
+{
+    (void)state;
+    char *page = read_report("index.html");
+    assert_says(page, "<title>What the thesis claims, measured</title>");
+    assert_says(page, "<span class=\"not\"><strong>does not hold</strong></span>");
+    for (const char *at = strstr(page, "src=\""); at != NULL; at = strstr(at + 5, "src=\""))
+        assert_memory_equal(at + 5, "data:image/", 11);
+    assert_null(strstr(page, "<script"));
+    assert_null(strstr(page, "href=\"http"));
+    free(page);
+}
+
+static void figures_are_drawn(void **state)
+{
+    (void)state;
+    static const char *const figures[] = {"2.2", "2.3",  "2.4",  "2.5",   "2.6",
+                                          "2.7", "2.10", "2.12", "family"};
+    char *page = read_report("index.md");
+    for (size_t i = 0; i < sizeof figures / sizeof figures[0]; i++) {
+        char expected[64];
+        snprintf(expected, sizeof expected, "](figure-%s.svg)", figures[i]);
+        assert_says(page, expected);
+        snprintf(expected, sizeof expected, "figure-%s.svg", figures[i]);
+        char *drawn = read_report(expected);
+        assert_says(drawn, "</svg>");
+        free(drawn);
+    }
+    free(page);
+}
+
+static void the_summary_counts_the_verdicts(void **state)
+{
+    (void)state;
+    cJSON *json = read_json();
+    const cJSON *entry;
+    int holds = 0, others = 0, open = 0;
+    cJSON_ArrayForEach(entry, cJSON_GetObjectItem(json, "claims"))
+    {
+        const char *verdict = text_of(entry, "verdict");
+        holds += strcmp(verdict, "holds") == 0;
+        others += strcmp(verdict, "does not hold") == 0;
+        open += strcmp(verdict, "cannot be decided") == 0;
+    }
+    char expected[128];
+    snprintf(expected, sizeof expected, "%d hold, %d do not hold, %d cannot be decided as stated; ",
+             holds, others, open);
+    assert_says(summary, expected);
+    char *text = read_report("index.md");
+    assert_says(text, "cannot be decided as stated.\n");
+    assert_says(text, "with `--quick`");
+    free(text);
+    cJSON_Delete(json);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(claims_have_their_verdicts),
+        cmocka_unit_test(claims_have_their_conditions),
+        cmocka_unit_test(the_device_stands_beside_the_formulas),
+        cmocka_unit_test(the_page_stands_alone),
+        cmocka_unit_test(figures_are_drawn),
+        cmocka_unit_test(the_summary_counts_the_verdicts),
+    };
+    return cmocka_run_group_tests(tests, make_report, forget_report);
+}
