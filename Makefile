@@ -181,6 +181,9 @@ $(BUILD)/sim/rtl/rtl.o $(BUILD)/sim/rtl/divider_rtl.o: $(BUILD)/rtl_models.h
 # The reader of FST files comes with Verilator.
 $(BUILD)/sim/wave/waveform.o: CFLAGS_ALL += -isystem $(VERILATOR_ROOT_DIR)/include
 
+# Loops whose speed is measured; see the file.
+$(BUILD)/sim/bench/formulas.o: CFLAGS_ALL += -ffast-math
+
 $(BUILD)/libglint-sim.a: $(SIM_OBJECTS)
 	rm -f $@
 	ar rcs $@ $^

@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "backend/backend.h"
+#include "bench/formulas.h"
 #include "glint_divider.h"
 
 #define GLINT_BENCH_N      60   /* exponent of all kernels */
@@ -40,6 +41,17 @@ const char *glint_bench_name(glint_bench_candidate candidate);
 /* Measures all candidates for about `seconds` each (0.01…60). */
 glint_status glint_bench_kernels(double seconds, const volatile bool *stop,
                                  glint_bench_rates *rates, glint_error *err);
+
+/* Points a second on one thread, and the same divided by those of Schlick's formula (2.1) by the
+ * same kind of loop. */
+typedef struct glint_bench_formula_rates {
+    double scalar[GLINT_FORMULA_COUNT], vectorised[GLINT_FORMULA_COUNT];
+    double scalar_to_schlick[GLINT_FORMULA_COUNT], vectorised_to_schlick[GLINT_FORMULA_COUNT];
+} glint_bench_formula_rates;
+
+/* Measures every formula, scalar and vectorised, for about `seconds` each (0.01…60). */
+glint_status glint_bench_formulas(double seconds, const volatile bool *stop,
+                                  glint_bench_formula_rates *rates, glint_error *err);
 
 #define GLINT_BENCH_SHIFTS    GLINT_DIVIDER_SHIFTS_DEFAULT /* of all divisions */
 #define GLINT_BENCH_DIVISIONS 3072 /* of a pass, of one component each; k evenly random in 1…16 */

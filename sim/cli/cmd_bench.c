@@ -19,6 +19,7 @@ typedef struct bench_options {
 
 typedef struct bench_results {
     glint_bench_rates points;
+    glint_bench_formula_rates formulas;
     glint_bench_divider_rates dividers;
     glint_bench_frame frames[GLINT_BENCH_FRAMES];
 } bench_results;
@@ -42,10 +43,10 @@ static int parse(int argc, char **argv, bench_options *chosen)
     };
     const glint_command_line line = {
         .command = "bench",
-        .summary =
-            "Measures the C model, the Verilated circuit at each lane count, powf, pow and "
-            "Schlick's formula side by side; the divider in C and in both forms of its circuit "
-            "beside the machine's own division; then whole frames by each backend.",
+        .summary = "Measures the C model, the Verilated circuit at each lane count, powf, pow and "
+                   "Schlick's formula side by side; each formula that stands for cos^n, scalar and "
+                   "vectorised; the divider in C and in both forms of its circuit "
+                   "beside the machine's own division; then whole frames by each backend.",
         .options = options,
         .option_count = sizeof options / sizeof options[0],
     };
@@ -77,6 +78,17 @@ static void print_kernels(const glint_bench_rates *rates)
     printf("C batch to powf %.1f, best RTL (%d lanes) to powf %.2f\n",
            rates->to_powf[GLINT_BENCH_C_BATCH], rates->lanes[best_rtl(rates)],
            rates->to_powf[best_rtl(rates)]);
+}
+
+static void print_formulas(const glint_bench_formula_rates *rates)
+{
+    printf("formulas: the same points; %s;\nmillion points a second scalar and vectorised, each "
+           "with its ratio to Schlick's formula\n",
+           glint_formula_flags());
+    for (int i = 0; i < GLINT_FORMULA_COUNT; i++)
+        printf("  %-16s %9.1f %8.2f %12.1f %8.2f\n", glint_formula_names[i],
+               rates->scalar[i] * 1e-6, rates->scalar_to_schlick[i], rates->vectorised[i] * 1e-6,
+               rates->vectorised_to_schlick[i]);
 }
 
 static void print_dividers(const glint_bench_divider_rates *rates)
@@ -135,6 +147,24 @@ static void add_kernels(cJSON *json, const glint_bench_rates *rates)
     cJSON_AddNumberToObject(ratios, "best_rtl_lanes", rates->lanes[best_rtl(rates)]);
 }
 
+static void add_formulas(cJSON *json, const glint_bench_formula_rates *rates)
+{
+    cJSON *formulas = cJSON_AddObjectToObject(json, "formulas");
+    cJSON_AddStringToObject(formulas, "compiled", glint_formula_flags());
+    cJSON *list = cJSON_AddArrayToObject(formulas, "loops");
+    for (int i = 0; i < GLINT_FORMULA_COUNT; i++) {
+        cJSON *entry = cJSON_CreateObject();
+        cJSON_AddStringToObject(entry, "name", glint_formula_names[i]);
+        cJSON_AddNumberToObject(entry, "million_points_per_second_scalar", rates->scalar[i] * 1e-6);
+        cJSON_AddNumberToObject(entry, "million_points_per_second_vectorised",
+                                rates->vectorised[i] * 1e-6);
+        cJSON_AddNumberToObject(entry, "scalar_ratio_to_schlick", rates->scalar_to_schlick[i]);
+        cJSON_AddNumberToObject(entry, "vectorised_ratio_to_schlick",
+                                rates->vectorised_to_schlick[i]);
+        cJSON_AddItemToArray(list, entry);
+    }
+}
+
 static void add_dividers(cJSON *json, const glint_bench_divider_rates *rates)
 {
     cJSON *list = cJSON_AddArrayToObject(json, "divisions");
@@ -173,6 +203,7 @@ static bool print_json(const bench_results *results, int threads)
     cJSON_AddNumberToObject(json, "shifts", GLINT_BENCH_SHIFTS);
     cJSON_AddNumberToObject(json, "threads", threads);
     add_kernels(json, &results->points);
+    add_formulas(json, &results->formulas);
     add_dividers(json, &results->dividers);
     add_frames(json, results->frames);
     return glint_output_json(json);
@@ -186,6 +217,12 @@ static glint_status measure(const bench_options *chosen, bench_results *results,
     glint_status status = glint_bench_kernels(chosen->seconds, stop, &results->points, err);
     if (status == GLINT_OK && !chosen->json) {
         print_kernels(&results->points);
+        fflush(stdout);
+    }
+    if (status == GLINT_OK)
+        status = glint_bench_formulas(chosen->seconds, stop, &results->formulas, err);
+    if (status == GLINT_OK && !chosen->json) {
+        print_formulas(&results->formulas);
         fflush(stdout);
     }
     if (status == GLINT_OK)

@@ -15,5 +15,6 @@ extern const int glint_report_section_count;
 
 glint_report_section glint_section_lobes;
 glint_report_section glint_section_divider;
+glint_report_section glint_section_speed;
 
 #endif

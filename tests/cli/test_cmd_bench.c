@@ -30,6 +30,9 @@ static void the_json_has_all_parts(void **state)
 {
     (void)state;
     static const char *const points[] = {"million_points_per_second", "ratio_to_powf", NULL};
+    static const char *const loops[] = {
+        "million_points_per_second_scalar", "million_points_per_second_vectorised",
+        "scalar_ratio_to_schlick", "vectorised_ratio_to_schlick", NULL};
     static const char *const divisions[] = {"million_divisions_per_second", "ratio_to_integer",
                                             "ratio_to_float", NULL};
     static const char *const frames[] = {"width", "height", "fragments", "frames_per_second", NULL};
@@ -38,6 +41,9 @@ static void the_json_has_all_parts(void **state)
     cJSON *json = cJSON_Parse(done.out);
     assert_true(cJSON_IsObject(json));
     expect_entries(json, "points", 10, points);
+    const cJSON *formulas = cJSON_GetObjectItem(json, "formulas");
+    assert_non_null(strstr(cJSON_GetObjectItem(formulas, "compiled")->valuestring, "-O3"));
+    expect_entries(formulas, "loops", 6, loops);
     expect_entries(json, "divisions", 6, divisions);
     expect_entries(json, "frames", 12, frames);
     cJSON_Delete(json);
@@ -47,10 +53,17 @@ static void the_json_has_all_parts(void **state)
 static void the_text_has_all_parts(void **state)
 {
     (void)state;
-    static const char *const parts[] = {
-        "points: ",           "\n  powf ",           "\n  rtl-16 ",
-        "\ndivisions: ",      "\n  integer ",        "\n  rtl-sequential ",
-        "\n  rtl-pipelined ", "\nframes: 1 thread,", "\n  sphere "};
+    static const char *const parts[] = {"points: ",
+                                        "\n  powf ",
+                                        "\n  rtl-16 ",
+                                        "\nformulas: ",
+                                        "\n  cosine-quadratic ",
+                                        "\ndivisions: ",
+                                        "\n  integer ",
+                                        "\n  rtl-sequential ",
+                                        "\n  rtl-pipelined ",
+                                        "\nframes: 1 thread,",
+                                        "\n  sphere "};
     outcome done = run("bench --seconds 0.01 --threads 1", "");
     assert_outcome(&done, 0, "");
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
