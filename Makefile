@@ -178,8 +178,8 @@ SIM_OBJECTS := $(SIM_SOURCES:%.c=$(BUILD)/%.o)
 CLI_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard sim/cli/*.c))
 
 $(BUILD)/sim/rtl/rtl.o $(BUILD)/sim/rtl/divider_rtl.o: $(BUILD)/rtl_models.h
-# The reader of FST files comes with Verilator.
-$(BUILD)/sim/wave/waveform.o: CFLAGS_ALL += -isystem $(VERILATOR_ROOT_DIR)/include
+# The reader and the writer of FST files come with Verilator.
+$(BUILD)/sim/wave/waveform.o $(BUILD)/sim/failure/wave.o: CFLAGS_ALL += -isystem $(VERILATOR_ROOT_DIR)/include
 
 # Loops whose speed is measured; see the file.
 $(BUILD)/sim/bench/formulas.o: CFLAGS_ALL += -ffast-math

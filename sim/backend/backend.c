@@ -8,7 +8,9 @@
 
 struct glint_backend {
     glint_backend_config config;
-    glint_rtl *rtl; /* kind rtl only */
+    glint_rtl *rtl;                /* kind rtl only, like circuit */
+    glint_specular_config circuit; /* that was chosen */
+    glint_backend_watch *watch;
 };
 
 /* The fastest lane count in the bench. */
@@ -16,10 +18,10 @@ struct glint_backend {
 
 static glint_status create_circuit(glint_backend *backend, glint_error *err)
 {
-    const glint_specular_config config = {backend->config.gate, backend->config.pipeline,
-                                          backend->config.lanes != 0 ? backend->config.lanes
-                                                                     : FAST_LANES};
-    return glint_rtl_create_fast(&config, &backend->rtl, err);
+    backend->circuit =
+        (glint_specular_config){backend->config.gate, backend->config.pipeline,
+                                backend->config.lanes != 0 ? backend->config.lanes : FAST_LANES};
+    return glint_rtl_create_fast(&backend->circuit, &backend->rtl, err);
 }
 
 glint_status glint_backend_create(const glint_backend_config *config, glint_backend **backend,
@@ -70,6 +72,85 @@ static void shade_real(glint_gate gate, const glint_material *material, const ui
     }
 }
 
+void glint_backend_set_watch(glint_backend *backend, glint_backend_watch *watch)
+{
+    backend->watch = watch;
+}
+
+/* What came of a run; w may be NULL. */
+typedef struct shaded {
+    const uint32_t *w;
+    const uint8_t *r, *g, *b;
+} shaded;
+
+static uint32_t value_of(const shaded *of, glint_answer_value value, size_t i)
+{
+    switch (value) {
+    case GLINT_ANSWER_R:
+        return of->r[i];
+    case GLINT_ANSWER_G:
+        return of->g[i];
+    case GLINT_ANSWER_B:
+        return of->b[i];
+    default:
+        return of->w != NULL ? of->w[i] : 0;
+    }
+}
+
+/* Notes the first answer that is not the model's. */
+static void compare_run(const glint_backend *backend, const glint_material *material,
+                        const uint32_t *cos_code, size_t count, const shaded *model,
+                        const shaded *rtl)
+{
+    glint_backend_watch *watch = backend->watch;
+    for (size_t i = 0; i < count && !watch->found; i++)
+        for (int v = 0; v < GLINT_ANSWER_VALUES && !watch->found; v++) {
+            const glint_answer_value value = (glint_answer_value)v;
+            if (value_of(model, value, i) == value_of(rtl, value, i))
+                continue;
+            watch->found = true;
+            watch->setting = (glint_setting){.specular = backend->circuit};
+            glint_answer_keep_points(&watch->answer, backend->circuit.lanes, material, cos_code,
+                                     count, i);
+            watch->answer.value = value;
+            watch->answer.model = (int32_t)value_of(model, value, i);
+            watch->answer.rtl = (int32_t)value_of(rtl, value, i);
+        }
+}
+
+static glint_status watch_run(const glint_backend *backend, const glint_material *material,
+                              const uint32_t *cos_code, size_t count, const shaded *rtl,
+                              glint_error *err)
+{
+    uint32_t *w = rtl->w != NULL ? malloc(count * sizeof *w) : NULL;
+    uint8_t *colors = malloc(3 * count);
+    if (colors == NULL || (w == NULL && rtl->w != NULL)) {
+        free(w);
+        free(colors);
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory to hold a run against the model");
+    }
+    const glint_status status =
+        glint_specular_batch(backend->config.gate, material, cos_code, count, w, colors,
+                             colors + count, colors + 2 * count);
+    if (status == GLINT_OK)
+        compare_run(backend, material, cos_code, count,
+                    &(shaded){w, colors, colors + count, colors + 2 * count}, rtl);
+    free(w);
+    free(colors);
+    return status;
+}
+
+static glint_status shade_rtl(glint_backend *backend, const glint_material *material,
+                              const uint32_t *cos_code, size_t count, uint32_t *w_code, uint8_t *r,
+                              uint8_t *g, uint8_t *b, glint_error *err)
+{
+    const glint_status status =
+        glint_rtl_batch(backend->rtl, material, cos_code, count, w_code, r, g, b, err);
+    if (status != GLINT_OK || count == 0 || backend->watch == NULL)
+        return status;
+    return watch_run(backend, material, cos_code, count, &(shaded){w_code, r, g, b}, err);
+}
+
 glint_status glint_backend_shade(glint_backend *backend, const glint_material *material,
                                  const uint32_t *cos_code, size_t count, uint32_t *w_code,
                                  uint8_t *r, uint8_t *g, uint8_t *b, glint_error *err)
@@ -80,7 +161,7 @@ glint_status glint_backend_shade(glint_backend *backend, const glint_material *m
                           GLINT_N_MAX);
     switch (backend->config.kind) {
     case GLINT_BACKEND_RTL:
-        return glint_rtl_batch(backend->rtl, material, cos_code, count, w_code, r, g, b, err);
+        return shade_rtl(backend, material, cos_code, count, w_code, r, g, b, err);
     case GLINT_BACKEND_REAL:
         shade_real(gate, material, cos_code, count, w_code, r, g, b);
         return GLINT_OK;

@@ -5,7 +5,14 @@
 #ifndef GLINT_SIM_BACKEND_H
 #define GLINT_SIM_BACKEND_H
 
-#include "glint_specular.h"
+#include "lockstep/answer.h"
+
+/* The first answer of any circuit under watch that is not the C model's. */
+typedef struct glint_backend_watch {
+    bool found;
+    glint_setting setting; /* of that circuit */
+    glint_answer answer;
+} glint_backend_watch;
 
 typedef enum glint_backend_kind {
     GLINT_BACKEND_C,    /* glint_specular_batch() */
@@ -28,6 +35,10 @@ typedef struct glint_backend glint_backend;
 glint_status glint_backend_create(const glint_backend_config *config, glint_backend **backend,
                                   glint_error *err);
 void glint_backend_destroy(glint_backend *backend); /* NULL is allowed */
+
+/* From now on every answer of kind rtl is held against the C model's, and the first that differs is
+ * noted in watch; NULL: no more. One watch may serve several backends, all of one thread. */
+void glint_backend_set_watch(glint_backend *backend, glint_backend_watch *watch);
 
 /* Shades a run of count fragments with one material. cos_code: U1.18, 0…GLINT_COS_CODE_MAX.
  * w_code (may be NULL): W, U1.18. r, g, b: the highlight's colour, 8 bits. Backend real rounds

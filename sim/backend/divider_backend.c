@@ -8,6 +8,7 @@
 struct glint_divider_backend {
     glint_divider_config config;
     glint_divider_rtl *rtl; /* kind rtl only */
+    glint_backend_watch *watch;
 };
 
 glint_status glint_divider_backend_create(const glint_divider_config *config,
@@ -65,6 +66,47 @@ static void divide_exactly(int shifts, const glint_division *divisions, size_t c
     }
 }
 
+void glint_divider_backend_set_watch(glint_divider_backend *backend, glint_backend_watch *watch)
+{
+    backend->watch = watch;
+}
+
+/* Notes the first quotient that is not the model's. */
+static void compare_run(const glint_divider_backend *backend, const glint_division *divisions,
+                        size_t count, const glint_quotients *model, const glint_quotients *rtl)
+{
+    const glint_divider_config *config = &backend->config;
+    glint_backend_watch *watch = backend->watch;
+    for (size_t i = 0; i < count && !watch->found; i++)
+        for (int c = 0; c < GLINT_DIVIDER_COMPONENTS && !watch->found; c++) {
+            if (model[i].code[c] == rtl[i].code[c])
+                continue;
+            watch->found = true;
+            watch->setting =
+                (glint_setting){.is_divider = true, .form = config->form, .shifts = config->shifts};
+            glint_answer_keep_divisions(&watch->answer, divisions, count, i);
+            watch->answer.value = (glint_answer_value)(GLINT_ANSWER_R + c);
+            watch->answer.model = model[i].code[c];
+            watch->answer.rtl = rtl[i].code[c];
+        }
+}
+
+static glint_status divide_rtl(glint_divider_backend *backend, const glint_division *divisions,
+                               size_t count, glint_quotients *quotients, glint_error *err)
+{
+    glint_status status = glint_divider_rtl_batch(backend->rtl, divisions, count, quotients, err);
+    if (status != GLINT_OK || count == 0 || backend->watch == NULL)
+        return status;
+    glint_quotients *model = malloc(count * sizeof *model);
+    if (model == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory to hold a run against the model");
+    status = glint_divide_batch(backend->config.shifts, divisions, count, model);
+    if (status == GLINT_OK)
+        compare_run(backend, divisions, count, model, quotients);
+    free(model);
+    return status;
+}
+
 glint_status glint_divider_backend_divide(glint_divider_backend *backend,
                                           const glint_division *divisions, size_t count,
                                           glint_quotients *quotients, glint_error *err)
@@ -75,7 +117,7 @@ glint_status glint_divider_backend_divide(glint_divider_backend *backend,
         return GLINT_OK;
     }
     if (backend->config.kind == GLINT_BACKEND_RTL)
-        return glint_divider_rtl_batch(backend->rtl, divisions, count, quotients, err);
+        return divide_rtl(backend, divisions, count, quotients, err);
     if (glint_divide_batch(shifts, divisions, count, quotients) != GLINT_OK)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "no divider with %d shifts", shifts);
     return GLINT_OK;

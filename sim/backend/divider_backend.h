@@ -21,6 +21,9 @@ glint_status glint_divider_backend_create(const glint_divider_config *config,
                                           glint_divider_backend **backend, glint_error *err);
 void glint_divider_backend_destroy(glint_divider_backend *backend); /* NULL is allowed */
 
+/* As glint_backend_set_watch(). */
+void glint_divider_backend_set_watch(glint_divider_backend *backend, glint_backend_watch *watch);
+
 /* Divides count times. Quotients are codes with `shifts` fraction bits, S9.n. A k that is 0 or
  * beyond the table gives quotient 0 and out_of_table, with every kind. */
 glint_status glint_divider_backend_divide(glint_divider_backend *backend,

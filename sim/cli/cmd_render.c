@@ -5,29 +5,32 @@
 #include <strings.h>
 
 #include "cli/commands.h"
+#include "cli/failure_output.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/render_options.h"
 #include "cli/render_report.h"
+#include "failure/frame.h"
 #include "file/new_file.h"
 #include "file/same.h"
 
 /* The files that a run may write; all allocated. */
 typedef struct outputs {
     char *frame, *frame_c, *diff;
+    char *failure; /* a directory */
 } outputs;
 
-/* FILE.png with an ending before the suffix: FILE-c.png. Returns NULL without memory. */
+/* FILE.png with an ending in place of the suffix: FILE-c.png. Returns NULL without memory. */
 static char *beside(const char *path, const char *ending)
 {
     size_t stem = strlen(path);
     if (stem >= 4 && strcasecmp(path + stem - 4, ".png") == 0) {
         stem -= 4;
     }
-    const size_t size = stem + strlen(ending) + sizeof ".png";
+    const size_t size = stem + strlen(ending) + 1;
     char *name = malloc(size);
     if (name != NULL) {
-        snprintf(name, size, "%.*s%s.png", (int)stem, path, ending);
+        snprintf(name, size, "%.*s%s", (int)stem, path, ending);
     }
     return name;
 }
@@ -37,14 +40,17 @@ static void free_outputs(outputs *files)
     free(files->frame);
     free(files->frame_c);
     free(files->diff);
+    free(files->failure);
 }
 
 static glint_status name_outputs(const char *out, outputs *files, glint_error *err)
 {
     files->frame = malloc(strlen(out) + 1);
-    files->frame_c = beside(out, "-c");
-    files->diff = beside(out, "-diff");
-    if (files->frame == NULL || files->frame_c == NULL || files->diff == NULL) {
+    files->frame_c = beside(out, "-c.png");
+    files->diff = beside(out, "-diff.png");
+    files->failure = beside(out, "-failure");
+    if (files->frame == NULL || files->frame_c == NULL || files->diff == NULL ||
+        files->failure == NULL) {
         return glint_fail(err, GLINT_NO_MEMORY, "no memory");
     }
     strcpy(files->frame, out);
@@ -157,26 +163,49 @@ static glint_status check_outputs(const glint_render_options *chosen, const outp
     return status;
 }
 
-static glint_status run(const glint_render_options *chosen, const outputs *files,
+static glint_status run(const glint_render_options *chosen, const outputs *files, glint_mesh **mesh,
                         glint_render_result *result, glint_error *err)
 {
-    glint_mesh *mesh = NULL;
     glint_status status = check_outputs(chosen, files, err);
     if (status == GLINT_OK) {
-        status = load_mesh(chosen, &mesh, err);
+        status = load_mesh(chosen, mesh, err);
     }
     if (status == GLINT_OK) {
-        status = render_all(chosen, mesh, result, err);
+        status = render_all(chosen, *mesh, result, err);
     }
     if (status == GLINT_OK) {
         status = write_all(result, files, err);
     }
-    glint_mesh_destroy(mesh);
     return status;
 }
 
-static int report(const glint_render_options *chosen, const outputs *files,
-                  const glint_render_result *result)
+/* The packet of two frames that differ. The report is for people; with --json it must not mix with
+ * the result. */
+static void explain(const glint_render_options *chosen, const char *command, const glint_mesh *mesh,
+                    const outputs *files, const glint_render_result *result)
+{
+    glint_scene scene = chosen->scene;
+    scene.mesh = mesh;
+    const glint_packet_frames frames = {result->frame[0].image, result->frame[1].image};
+    const glint_frame_pair pair = {.scene = &scene,
+                                   .backend = &chosen->backend,
+                                   .model = frames.model,
+                                   .rtl = frames.rtl,
+                                   .difference = &result->difference};
+    glint_failure *failure;
+    glint_error err;
+    if (glint_failure_of_frame(&pair, glint_stop_flag(), &failure, &err) != GLINT_OK) {
+        (void)glint_complain_error("render", &err);
+        return;
+    }
+    (void)snprintf(failure->command, sizeof failure->command, "%s", command);
+    glint_failure_output("render", failure, &frames, files->failure, GLINT_FAILURE_REPORT,
+                         chosen->json ? stderr : stdout);
+    glint_failure_destroy(failure);
+}
+
+static int report(const glint_render_options *chosen, const char *command, const glint_mesh *mesh,
+                  const outputs *files, const glint_render_result *result)
 {
     if (!chosen->json) {
         glint_render_report_text(chosen, result);
@@ -184,12 +213,15 @@ static int report(const glint_render_options *chosen, const outputs *files,
     } else if (!glint_render_report_json(chosen, result)) {
         return glint_complain("render", GLINT_EXIT_FAILURE, "no memory");
     }
+    if (glint_render_differs(result)) {
+        explain(chosen, command, mesh, files, result);
+    }
     const int status = glint_output_finish("render", GLINT_EXIT_OK);
     if (status != GLINT_EXIT_OK || !glint_render_differs(result)) {
         return status;
     }
-    return glint_complain("render", GLINT_EXIT_FAILURE, "c and rtl differ: see %s, %s and %s",
-                          files->frame, files->frame_c, files->diff);
+    return glint_complain("render", GLINT_EXIT_FAILURE, "c and rtl differ: see %s, %s, %s and %s",
+                          files->frame, files->frame_c, files->diff, files->failure);
 }
 
 static void free_result(glint_render_result *result)
@@ -207,22 +239,26 @@ int glint_cmd_render(int argc, char **argv)
     if (parsed != GLINT_OPTIONS_RUN) {
         return parsed;
     }
+    char command[GLINT_FAILURE_COMMAND];
+    glint_failure_command(argc, argv, command, sizeof command);
     glint_error err;
+    glint_mesh *mesh = NULL;
     outputs files = {0};
     glint_render_result result = {0};
     glint_status status = name_outputs(chosen.out, &files, &err);
     if (status == GLINT_OK) {
-        status = run(&chosen, &files, &result, &err);
+        status = run(&chosen, &files, &mesh, &result, &err);
     }
     int exit_status;
     if (status == GLINT_OK) {
-        exit_status = report(&chosen, &files, &result);
+        exit_status = report(&chosen, command, mesh, &files, &result);
     } else {
         exit_status = glint_complain(
             "render", status == GLINT_BAD_ARGUMENT ? GLINT_EXIT_USAGE : GLINT_EXIT_FAILURE, "%s",
             err.text);
     }
     free_result(&result);
+    glint_mesh_destroy(mesh);
     free_outputs(&files);
     return exit_status;
 }

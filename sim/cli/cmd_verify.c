@@ -10,11 +10,9 @@
 #include <unistd.h>
 
 #include "cli/commands.h"
+#include "cli/failure_output.h"
 #include "cli/options.h"
 #include "cli/output.h"
-#include "lockstep/divider_failure.h"
-#include "lockstep/divider_lockstep.h"
-#include "lockstep/failure.h"
 #include "lockstep/lockstep.h"
 
 #define SETTINGS_MAX 64
@@ -35,22 +33,19 @@ typedef struct verify_options {
     bool of_specular, of_divider; /* an option that only this circuit has was given */
 } verify_options;
 
-/* One setting's run and what came of it: of the specular device or of a divider. */
-typedef struct setting {
-    bool is_divider;
-    glint_lockstep_options specular;
-    glint_lockstep_result specular_result;
-    glint_divider_lockstep_options divider;
-    glint_divider_lockstep_result divider_result;
+/* One setting's run and what came of it. */
+typedef struct task {
+    glint_lockstep_options options;
+    glint_lockstep_result result;
     glint_status status;
     glint_error err;
     _Atomic uint64_t done;
-} setting;
+} task;
 
 typedef struct verification {
-    setting settings[SETTINGS_MAX];
+    task tasks[SETTINGS_MAX];
     int count;
-    _Atomic int next;     /* the first setting that no thread has taken */
+    _Atomic int next;     /* the first task that no thread has taken */
     _Atomic int finished; /* threads */
 } verification;
 
@@ -105,7 +100,7 @@ static int parse(int argc, char **argv, verify_options *chosen)
          .integer = {&chosen->threads, 1, THREADS_MAX}},
         {.name = "out",
          .placeholder = "DIR",
-         .help = "where the waveform of a mismatch goes; made if needed",
+         .help = "where the packets of mismatches go, for glint replay; made if needed",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
         {.name = "json",
@@ -116,7 +111,8 @@ static int parse(int argc, char **argv, verify_options *chosen)
     const glint_command_line line = {
         .command = "verify",
         .summary = "Drives the C model and the Verilog with the same random inputs and compares "
-                   "every register and every named internal value after every clock.",
+                   "every register and every named internal value after every clock. A mismatch "
+                   "leaves a packet: a report, a waveform of both, and what glint replay needs.",
         .details = "With --exhaustive: every n and every cosine code instead of random ones; see\n"
                    "glint verify --exhaustive --help.\n"
                    "\n"
@@ -165,37 +161,33 @@ static void count_done(void *context, uint64_t done, uint64_t total)
     *(_Atomic uint64_t *)context = done;
 }
 
+static void add_task(const verify_options *chosen, verification *all, const glint_setting *setting)
+{
+    if (all->count == SETTINGS_MAX)
+        return;
+    task *task = &all->tasks[all->count++];
+    task->options = (glint_lockstep_options){.setting = *setting,
+                                             .clocks = (uint64_t)chosen->clocks,
+                                             .seed = (uint64_t)chosen->seed,
+                                             .stop = glint_stop_flag(),
+                                             .progress = count_done,
+                                             .progress_context = &task->done};
+}
+
 static void choose_specular(const verify_options *chosen, verification *all)
 {
     const glint_specular_config *config;
-    for (int i = 0; all->count < SETTINGS_MAX && (config = glint_rtl_built(i)) != NULL; i++) {
-        if (!is_chosen(chosen, config))
-            continue;
-        setting *setting = &all->settings[all->count++];
-        setting->specular = (glint_lockstep_options){.config = *config,
-                                                     .clocks = (uint64_t)chosen->clocks,
-                                                     .seed = (uint64_t)chosen->seed,
-                                                     .stop = glint_stop_flag(),
-                                                     .progress = count_done,
-                                                     .progress_context = &setting->done};
-    }
+    for (int i = 0; (config = glint_rtl_built(i)) != NULL; i++)
+        if (is_chosen(chosen, config))
+            add_task(chosen, all, &(glint_setting){.specular = *config});
 }
 
 static void choose_divider(const verify_options *chosen, verification *all, glint_divider_form form)
 {
-    for (int shifts = GLINT_DIVIDER_SHIFTS_MIN; shifts <= GLINT_DIVIDER_SHIFTS_MAX; shifts++) {
-        if (all->count == SETTINGS_MAX || (chosen->shifts != 0 && chosen->shifts != shifts))
-            continue;
-        setting *setting = &all->settings[all->count++];
-        setting->is_divider = true;
-        setting->divider = (glint_divider_lockstep_options){.form = form,
-                                                            .shifts = shifts,
-                                                            .clocks = (uint64_t)chosen->clocks,
-                                                            .seed = (uint64_t)chosen->seed,
-                                                            .stop = glint_stop_flag(),
-                                                            .progress = count_done,
-                                                            .progress_context = &setting->done};
-    }
+    for (int shifts = GLINT_DIVIDER_SHIFTS_MIN; shifts <= GLINT_DIVIDER_SHIFTS_MAX; shifts++)
+        if (chosen->shifts == 0 || chosen->shifts == shifts)
+            add_task(chosen, all,
+                     &(glint_setting){.is_divider = true, .form = form, .shifts = shifts});
 }
 
 static void choose_settings(const verify_options *chosen, verification *all)
@@ -207,23 +199,14 @@ static void choose_settings(const verify_options *chosen, verification *all)
             choose_divider(chosen, all, (glint_divider_form)f);
 }
 
-static const glint_lockstep_result *result_of(const setting *setting)
-{
-    return setting->is_divider ? &setting->divider_result.found : &setting->specular_result;
-}
-
 static void *verify_settings(void *context)
 {
     verification *all = context;
     int i;
     while ((i = all->next++) < all->count) {
-        setting *setting = &all->settings[i];
-        setting->status =
-            setting->is_divider
-                ? glint_divider_lockstep_run(&setting->divider, &setting->divider_result,
-                                             &setting->err)
-                : glint_lockstep_run(&setting->specular, &setting->specular_result, &setting->err);
-        setting->done = result_of(setting)->clocks;
+        task *task = &all->tasks[i];
+        task->status = glint_lockstep_run(&task->options, &task->result, &task->err);
+        task->done = task->result.clocks;
     }
     all->finished++;
     return NULL;
@@ -236,7 +219,7 @@ static void show_progress(const verification *all, int threads, uint64_t clocks_
     while (all->finished < threads) {
         uint64_t done = 0;
         for (int i = 0; i < all->count; i++)
-            done += all->settings[i].done;
+            done += all->tasks[i].done;
         glint_progress_update(&progress, done, clocks_each * (uint64_t)all->count);
         nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
     }
@@ -269,99 +252,72 @@ static sums add_up(const verification *all)
 {
     sums sums = {0};
     for (int i = 0; i < all->count; i++) {
-        const setting *setting = &all->settings[i];
-        const glint_lockstep_result *result = result_of(setting);
+        const glint_lockstep_result *result = &all->tasks[i].result;
         sums.mismatches += result->mismatches;
         sums.comparisons += result->comparisons;
         sums.clocks += result->clocks;
         sums.settings += result->comparisons != 0;
-        sums.interrupted |= setting->status == GLINT_INTERRUPTED;
+        sums.interrupted |= all->tasks[i].status == GLINT_INTERRUPTED;
     }
     return sums;
 }
 
-static glint_status report_specular(const verify_options *chosen, setting *setting, FILE *out,
-                                    glint_failure_files *files)
+/* The command that runs this setting again, whole. */
+static void write_command(const verify_options *chosen, const glint_setting *setting, char *text,
+                          size_t size)
 {
-    glint_lockstep_report(out, &setting->specular, &setting->specular_result);
-    return glint_lockstep_failure_wave(&setting->specular, &setting->specular_result, chosen->out,
-                                       files, &setting->err);
+    char options[GLINT_SETTING_OPTIONS];
+    glint_setting_options(setting, options);
+    (void)snprintf(text, size, "build/glint verify %s --seed %" PRId64 " --clocks %" PRId64,
+                   options, chosen->seed, chosen->clocks);
 }
 
-static glint_status report_divider(const verify_options *chosen, setting *setting, FILE *out,
-                                   glint_failure_files *files)
+/* The packet of a setting that failed, and what it says. */
+static void report_failure(const verify_options *chosen, task *task, glint_failure_detail detail,
+                           FILE *out)
 {
-    glint_divider_lockstep_report(out, &setting->divider, &setting->divider_result);
-    return glint_divider_failure_wave(&setting->divider, &setting->divider_result, chosen->out,
-                                      files, &setting->err);
-}
-
-/* The command that runs this setting again. */
-static void print_replay(const verify_options *chosen, const setting *setting, FILE *out)
-{
-    const glint_specular_config *config = &setting->specular.config;
-    fprintf(out, "replay: build/glint verify ");
-    if (setting->is_divider)
-        fprintf(out, "--circuit divider --form %s --shifts %d",
-                glint_divider_form_name(setting->divider.form), setting->divider.shifts);
-    else
-        fprintf(out, "--circuit specular --gate %s --pipeline %s --lanes %d",
-                glint_gate_name(config->gate), glint_pipeline_name(config->pipeline),
-                config->lanes);
-    fprintf(out, " --seed %" PRId64 " --clocks %" PRId64 "\n", chosen->seed, chosen->clocks);
-}
-
-/* The text, the waveform and the replay command of a setting that failed. */
-static void report_failure(const verify_options *chosen, setting *setting, FILE *out)
-{
-    /* The replay for the waveform is wanted after Ctrl-C too. */
-    setting->specular.stop = NULL;
-    setting->divider.stop = NULL;
-    glint_failure_files files;
-    const glint_status status = setting->is_divider ? report_divider(chosen, setting, out, &files)
-                                                    : report_specular(chosen, setting, out, &files);
-    if (status == GLINT_OK)
-        fprintf(out, "look:   gtkwave %s %s\n", files.waveform, files.save_file);
-    else
-        (void)glint_complain_error("verify", &setting->err);
-    print_replay(chosen, setting, out);
-}
-
-/* One more setting that failed: how often, and how to see it. */
-static void report_briefly(const verify_options *chosen, const setting *setting, FILE *out)
-{
-    const glint_lockstep_result *result = result_of(setting);
-    fprintf(out, "also %" PRIu64 " mismatches of %" PRIu64 ": ", result->mismatches,
-            result->comparisons);
-    print_replay(chosen, setting, out);
+    char name[GLINT_SETTING_TEXT], directory[FILENAME_MAX];
+    glint_failure *failure;
+    if (glint_failure_of_lockstep(&task->options, &task->result, &failure, &task->err) !=
+        GLINT_OK) {
+        (void)glint_complain_error("verify", &task->err);
+        return;
+    }
+    write_command(chosen, &failure->setting, failure->command, sizeof failure->command);
+    glint_setting_name(&failure->setting, name);
+    (void)snprintf(directory, sizeof directory, "%s/%s", chosen->out, name);
+    if (detail == GLINT_FAILURE_BRIEFLY)
+        fprintf(out, "also %" PRIu64 " mismatches of %" PRIu64 ", ", task->result.mismatches,
+                task->result.comparisons);
+    glint_failure_output("verify", failure, NULL, directory, detail, out);
+    glint_failure_destroy(failure);
 }
 
 static int report_all(const verify_options *chosen, verification *all, FILE *out)
 {
     int status = GLINT_EXIT_OK;
+    glint_failure_detail detail = GLINT_FAILURE_REPORT;
     for (int i = 0; i < all->count; i++) {
-        setting *setting = &all->settings[i];
-        if (result_of(setting)->mismatches != 0) {
+        task *task = &all->tasks[i];
+        if (task->result.mismatches != 0) {
+            report_failure(chosen, task, detail, out);
             /* A fault that all settings share would be told over and over. */
-            if (status == GLINT_EXIT_OK)
-                report_failure(chosen, setting, out);
-            else
-                report_briefly(chosen, setting, out);
+            detail = GLINT_FAILURE_BRIEFLY;
             status = GLINT_EXIT_FAILURE;
-        } else if (setting->status != GLINT_OK && setting->status != GLINT_INTERRUPTED) {
-            status = glint_complain_error("verify", &setting->err);
+        } else if (task->status != GLINT_OK && task->status != GLINT_INTERRUPTED) {
+            status = glint_complain_error("verify", &task->err);
         }
     }
     return status;
 }
 
-static void describe(cJSON *entry, const setting *setting)
+static void describe(cJSON *entry, const glint_setting *setting)
 {
-    const glint_specular_config *config = &setting->specular.config;
+    const glint_specular_config *config = &setting->specular;
     cJSON_AddStringToObject(entry, "circuit", setting->is_divider ? "divider" : "specular");
     if (setting->is_divider) {
-        cJSON_AddStringToObject(entry, "form", glint_divider_form_name(setting->divider.form));
-        cJSON_AddNumberToObject(entry, "shifts", setting->divider.shifts);
+        cJSON_AddStringToObject(entry, "form", glint_divider_form_name(setting->form));
+        cJSON_AddNumberToObject(entry, "shifts", setting->shifts);
         return;
     }
     cJSON_AddStringToObject(entry, "gate", glint_gate_name(config->gate));
@@ -383,12 +339,12 @@ static bool print_json(const verify_options *chosen, const verification *all, co
     cJSON_AddNumberToObject(json, "seconds", seconds);
     cJSON *list = cJSON_AddArrayToObject(json, "settings");
     for (int i = 0; i < all->count; i++) {
-        const setting *setting = &all->settings[i];
+        const task *task = &all->tasks[i];
         cJSON *entry = cJSON_CreateObject();
-        describe(entry, setting);
-        cJSON_AddNumberToObject(entry, "clocks", (double)result_of(setting)->clocks);
-        cJSON_AddNumberToObject(entry, "comparisons", (double)result_of(setting)->comparisons);
-        cJSON_AddNumberToObject(entry, "mismatches", (double)result_of(setting)->mismatches);
+        describe(entry, &task->options.setting);
+        cJSON_AddNumberToObject(entry, "clocks", (double)task->result.clocks);
+        cJSON_AddNumberToObject(entry, "comparisons", (double)task->result.comparisons);
+        cJSON_AddNumberToObject(entry, "mismatches", (double)task->result.mismatches);
         cJSON_AddItemToArray(list, entry);
     }
     return glint_output_json(json);

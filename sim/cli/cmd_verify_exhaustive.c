@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "cli/commands.h"
+#include "cli/failure_output.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/parse.h"
@@ -17,7 +18,7 @@ typedef struct exhaustive_options {
     bool exhaustive, json, seed_given;
     int gate, pipeline;
     int64_t lanes, from, stride, seed, threads;
-    const char *shard;
+    const char *shard, *out;
     int64_t shard_number, shard_count;
 } exhaustive_options;
 
@@ -34,7 +35,6 @@ typedef struct run {
 
 static const char *const gate_choices[] = {"cosine", "sign", "drawn", "all", NULL};
 static const char *const pipeline_choices[] = {"drawn", "pipelined", "all", NULL};
-static const char *const value_names[] = {"W", "red", "green", "blue"};
 
 static int refuse_shard(const char *text)
 {
@@ -109,6 +109,11 @@ static int parse(int argc, char **argv, exhaustive_options *chosen)
          .help = "each with circuits of its own",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, GLINT_EXHAUSTIVE_THREADS_MAX}},
+        {.name = "out",
+         .placeholder = "DIR",
+         .help = "where the packet of the first mismatch goes, for glint replay; made if needed",
+         .kind = GLINT_OPTION_STRING,
+         .string = &chosen->out},
         {.name = "json",
          .help = "the result as JSON",
          .kind = GLINT_OPTION_FLAG,
@@ -176,35 +181,58 @@ static glint_exhaustive_circuit sum_of(const run *run)
 /* ---- What it prints -----------------------------------------------------------------------------
  */
 
-static void print_stride(const exhaustive_options *chosen, FILE *out)
+/* " --stride N --seed N", or nothing. */
+#define STRIDE_TEXT 80
+static void stride_options(const exhaustive_options *chosen, char text[STRIDE_TEXT])
 {
+    text[0] = '\0';
     if (chosen->stride != 1)
-        fprintf(out, " --stride %" PRId64 " --seed %" PRId64, chosen->stride, chosen->seed);
+        (void)snprintf(text, STRIDE_TEXT, " --stride %" PRId64 " --seed %" PRId64, chosen->stride,
+                       chosen->seed);
 }
 
-/* The point alone, and all that was tried with this n. */
-static void print_replay(const exhaustive_options *chosen, const glint_exhaustive_mismatch *first,
-                         FILE *out)
+/* All that was tried with this n. */
+static void write_command(const exhaustive_options *chosen, const glint_exhaustive_mismatch *first,
+                          char *text, size_t size)
 {
-    fprintf(out,
-            "replay: build/glint verify --exhaustive --gate %s --pipeline %s --lanes %d --shard "
-            "%" PRIu32 "/%u",
-            glint_gate_name(first->config.gate), glint_pipeline_name(first->config.pipeline),
-            first->config.lanes, first->n + 1, GLINT_N_COUNT);
-    print_stride(chosen, out);
-    fprintf(out, "\n");
+    char stride[STRIDE_TEXT];
+    stride_options(chosen, stride);
+    (void)snprintf(text, size,
+                   "build/glint verify --exhaustive --gate %s --pipeline %s --lanes %d --shard "
+                   "%" PRIu32 "/%u%s",
+                   glint_gate_name(first->config.gate), glint_pipeline_name(first->config.pipeline),
+                   first->config.lanes, first->n + 1, GLINT_N_COUNT, stride);
 }
 
 static void print_mismatch(const glint_exhaustive_mismatch *m, FILE *out)
 {
+    const glint_answer *answer = &m->answer;
     fprintf(out,
-            "  n %u, cosine 0x%05" PRIx32 ", lane %d: %s: model %" PRIu32 ", rtl %" PRIu32 ": ",
-            m->material.n, m->cos_code, m->lane, value_names[m->value], m->model, m->rtl);
-    fprintf(out,
-            "echo '%u 0x%" PRIx32 " %u %u %u' | build/glint eval --backend rtl --gate %s "
-            "--pipeline %s\n",
-            m->material.n, m->cos_code, m->material.r, m->material.g, m->material.b,
-            glint_gate_name(m->config.gate), glint_pipeline_name(m->config.pipeline));
+            "  n %u, cosine 0x%05" PRIx32 ", R,G,B %u,%u,%u, lane %d: %s: model %" PRId32
+            ", rtl %" PRId32 "\n",
+            answer->material.n, answer->cos_code[answer->at], answer->material.r,
+            answer->material.g, answer->material.b, answer->at % m->config.lanes,
+            glint_answer_value_name(answer->value), answer->model, answer->rtl);
+}
+
+/* The packet of the first mismatch, and what it says. */
+static void report_failure(const exhaustive_options *chosen, const glint_exhaustive_mismatch *first,
+                           FILE *out)
+{
+    char name[GLINT_SETTING_TEXT], directory[FILENAME_MAX];
+    const glint_setting setting = {.specular = first->config};
+    glint_failure *failure;
+    glint_error err;
+    if (glint_failure_of_answer(GLINT_FAILURE_EXHAUSTIVE, &setting, &first->answer, &failure,
+                                &err) != GLINT_OK) {
+        (void)glint_complain_error("verify", &err);
+        return;
+    }
+    write_command(chosen, first, failure->command, sizeof failure->command);
+    glint_setting_name(&setting, name);
+    (void)snprintf(directory, sizeof directory, "%s/%s_exhaustive", chosen->out, name);
+    glint_failure_output("verify", failure, NULL, directory, GLINT_FAILURE_REPORT, out);
+    glint_failure_destroy(failure);
 }
 
 static void print_mismatches(const exhaustive_options *chosen, const run *run, FILE *out)
@@ -214,20 +242,20 @@ static void print_mismatches(const exhaustive_options *chosen, const run *run, F
     fprintf(out, "the first mismatches:\n");
     for (int i = 0; i < run->result.kept; i++)
         print_mismatch(&run->result.mismatch[i], out);
-    print_replay(chosen, &run->result.mismatch[0], out);
+    report_failure(chosen, &run->result.mismatch[0], out);
 }
 
 static void print_resume(const exhaustive_options *chosen, const run *run, FILE *out)
 {
+    char stride[STRIDE_TEXT];
     if (run->status != GLINT_INTERRUPTED)
         return;
+    stride_options(chosen, stride);
     fprintf(out,
             "resume: build/glint verify --exhaustive --gate %s --pipeline %s --lanes %" PRId64
-            " --shard %s --from %" PRIu32,
+            " --shard %s --from %" PRIu32 "%s\n",
             gate_choices[chosen->gate], pipeline_choices[chosen->pipeline], chosen->lanes,
-            chosen->shard, run->result.next);
-    print_stride(chosen, out);
-    fprintf(out, "\n");
+            chosen->shard, run->result.next, stride);
 }
 
 static void print_circuits(const run *run)
@@ -251,7 +279,7 @@ static void print_text(const exhaustive_options *chosen, const run *run)
     print_circuits(run);
     printf("%" PRIu64 " mismatches of %" PRIu64 " comparisons: W and three colours of %" PRIu64
            " points, %" PRIu32 " values of n, ",
-           sum.mismatches, sum.points * GLINT_EXHAUSTIVE_VALUES, sum.points, run->result.n_done);
+           sum.mismatches, sum.points * GLINT_ANSWER_VALUES, sum.points, run->result.n_done);
     if (chosen->stride != 1)
         printf("stride %" PRId64 ", seed %" PRId64 ", ", chosen->stride, chosen->seed);
     printf("%.1f s%s\n", run->seconds, run->status == GLINT_INTERRUPTED ? " (interrupted)" : "");
@@ -283,7 +311,7 @@ static bool print_json(const exhaustive_options *chosen, const run *run)
     const glint_exhaustive_circuit sum = sum_of(run);
     cJSON *json = cJSON_CreateObject();
     cJSON_AddNumberToObject(json, "mismatches", (double)sum.mismatches);
-    cJSON_AddNumberToObject(json, "comparisons", (double)(sum.points * GLINT_EXHAUSTIVE_VALUES));
+    cJSON_AddNumberToObject(json, "comparisons", (double)(sum.points * GLINT_ANSWER_VALUES));
     cJSON_AddNumberToObject(json, "points", (double)sum.points);
     cJSON_AddNumberToObject(json, "n_done", run->result.n_done);
     cJSON_AddNumberToObject(json, "next", run->result.next);
@@ -355,7 +383,8 @@ int glint_cmd_verify_exhaustive(int argc, char **argv)
                                  .shard = "1/1",
                                  .stride = 1,
                                  .seed = (int64_t)time(NULL),
-                                 .threads = processors()};
+                                 .threads = processors(),
+                                 .out = "glint-failure"};
     const int status = parse(argc, argv, &chosen);
     return status == GLINT_OPTIONS_RUN ? glint_output_finish("verify", verify(&chosen)) : status;
 }

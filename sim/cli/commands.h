@@ -9,6 +9,7 @@ int glint_cmd_render(int argc, char **argv);
 int glint_cmd_compare(int argc, char **argv);
 int glint_cmd_verify(int argc, char **argv);
 int glint_cmd_verify_exhaustive(int argc, char **argv); /* verify with --exhaustive */
+int glint_cmd_replay(int argc, char **argv);
 int glint_cmd_wave(int argc, char **argv);
 int glint_cmd_divide(int argc, char **argv);
 int glint_cmd_report(int argc, char **argv);

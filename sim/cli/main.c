@@ -18,6 +18,7 @@ static const struct {
     {"render", "a lit mesh as a PNG, every highlight by the device", glint_cmd_render},
     {"compare", "how two PNG pictures differ", glint_cmd_compare},
     {"verify", "C model and Verilog in lockstep, every register, every clock", glint_cmd_verify},
+    {"replay", "a mismatch that verify or render left in a packet, again", glint_cmd_replay},
     {"wave", "a waveform of a short scene, with a GTKWave save file", glint_cmd_wave},
     {"report", "what the thesis claims, measured, as a page to read", glint_cmd_report},
     {"bench", "fragments, divisions, clocks and frames a second", glint_cmd_bench},

@@ -89,7 +89,7 @@ static const char details[] =
     "\n"
     "--backend both renders by c and by rtl and compares. Where they differ, FILE.png\n"
     "is the frame of rtl, FILE-c.png that of c, FILE-diff.png shows the difference,\n"
-    "and the exit status is 1.";
+    "FILE-failure is a packet for glint replay, and the exit status is 1.";
 
 #define INTEGER(NAME, HELP, FIELD, MIN, MAX)                                                       \
     {                                                                                              \

@@ -26,37 +26,6 @@ static void print_frame(const glint_render_frame *frame)
            1e-6 * per_second((double)stats->fragments, stats));
 }
 
-static const uint8_t *pixel(const glint_render_frame *frame, int x, int y)
-{
-    return frame->image->rgb + 3 * ((size_t)y * (size_t)frame->image->width + (size_t)x);
-}
-
-/* The first differing pixel, both values, and how to ask both backends for that fragment alone. */
-static void print_first(const glint_render_options *chosen, const glint_render_result *result)
-{
-    const int x = result->difference.first_x;
-    const int y = result->difference.first_y;
-    printf("first at x=%d y=%d:", x, y);
-    for (int i = 0; i < 2; i++) {
-        const uint8_t *rgb = pixel(&result->frame[i], x, y);
-        printf(" %s %u,%u,%u", glint_backend_names[result->frame[i].kind], rgb[0], rgb[1], rgb[2]);
-    }
-    putchar('\n');
-
-    uint32_t code;
-    glint_material material;
-    if (!glint_renderer_fragment(result->frame[1].renderer, x, y, &code, &material)) {
-        return;
-    }
-    for (int i = 0; i < 2; i++) {
-        printf("replay: echo %u 0x%" PRIx32 " %u %u %u | glint eval --backend %s --gate %s "
-               "--pipeline %s\n",
-               material.n, code, material.r, material.g, material.b,
-               glint_backend_names[result->frame[i].kind], glint_gate_names[chosen->backend.gate],
-               glint_pipeline_names[chosen->backend.pipeline]);
-    }
-}
-
 static bool divider_works(const glint_render_options *chosen)
 {
     return chosen->scene.shading == GLINT_SHADING_GOURAUD &&
@@ -80,9 +49,6 @@ void glint_render_report_text(const glint_render_options *chosen, const glint_re
     if (result->frame_count == 2) {
         printf("%" PRIu64 " differing pixels of %" PRIu64 "\n", result->difference.differing_pixels,
                result->difference.pixels);
-    }
-    if (glint_render_differs(result)) {
-        print_first(chosen, result);
     }
 }
 

@@ -30,6 +30,11 @@ glint_status glint_image_write_png(const glint_image *image, const char *path, g
  * GLINT_BAD_INPUT for a file that is no whole PNG or has a side above GLINT_IMAGE_SIDE_MAX. */
 glint_status glint_image_read_png(const char *path, glint_image **image, glint_error *err);
 
+/* The square of side × side pixels with (x, y) in its middle, moved where it would reach beyond the
+ * picture and cut to what there is of it; each pixel as a square of factor × factor. */
+glint_status glint_image_crop(const glint_image *image, int x, int y, int side, int factor,
+                              glint_image **crop, glint_error *err);
+
 /* How two pictures of one size differ, from the reference a to b. */
 typedef struct glint_image_difference {
     uint64_t pixels;           /* compared: all of the frame */

@@ -174,47 +174,46 @@ static glint_status plan(work *work, const glint_exhaustive_options *options, gl
 /* ---- Comparing ----------------------------------------------------------------------------------
  */
 
-static uint32_t value_of(const answers *answers, glint_exhaustive_value value, size_t i)
+static uint32_t value_of(const answers *answers, glint_answer_value value, size_t i)
 {
     switch (value) {
-    case GLINT_EXHAUSTIVE_R:
+    case GLINT_ANSWER_R:
         return answers->r[i];
-    case GLINT_EXHAUSTIVE_G:
+    case GLINT_ANSWER_G:
         return answers->g[i];
-    case GLINT_EXHAUSTIVE_B:
+    case GLINT_ANSWER_B:
         return answers->b[i];
     default:
         return answers->w[i];
     }
 }
 
-static void keep_mismatch(glint_exhaustive_result *found, const glint_exhaustive_mismatch *mismatch)
+static void count_mismatch(worker *worker, int config, uint32_t n, const glint_material *material,
+                           size_t count, size_t at, glint_answer_value value)
 {
-    if (found->kept < GLINT_EXHAUSTIVE_KEPT)
-        found->mismatch[found->kept++] = *mismatch;
+    const glint_specular_config *settings = &worker->work->options->config[config];
+    glint_exhaustive_result *found = &worker->found;
+    found->circuit[config].mismatches++;
+    if (found->kept == GLINT_EXHAUSTIVE_KEPT)
+        return;
+    glint_exhaustive_mismatch *kept = &found->mismatch[found->kept++];
+    kept->n = n;
+    kept->config = *settings;
+    glint_answer_keep_points(&kept->answer, settings->lanes, material, worker->cos_code, count, at);
+    kept->answer.value = value;
+    kept->answer.model = (int32_t)value_of(&worker->model, value, at);
+    kept->answer.rtl = (int32_t)value_of(&worker->circuit, value, at);
 }
 
 /* One by one, when it is known that the runs differ. */
 static void find_mismatches(worker *worker, int config, uint32_t n, const glint_material *material,
                             size_t count)
 {
-    const glint_specular_config *settings = &worker->work->options->config[config];
     for (size_t i = 0; i < count; i++)
-        for (int v = 0; v < GLINT_EXHAUSTIVE_VALUES; v++) {
-            const glint_exhaustive_value value = (glint_exhaustive_value)v;
-            const glint_exhaustive_mismatch mismatch = {.n = n,
-                                                        .config = *settings,
-                                                        .material = *material,
-                                                        .cos_code = worker->cos_code[i],
-                                                        .lane = (int)(i % (size_t)settings->lanes),
-                                                        .value = value,
-                                                        .model = value_of(&worker->model, value, i),
-                                                        .rtl =
-                                                            value_of(&worker->circuit, value, i)};
-            if (mismatch.model == mismatch.rtl)
-                continue;
-            worker->found.circuit[config].mismatches++;
-            keep_mismatch(&worker->found, &mismatch);
+        for (int v = 0; v < GLINT_ANSWER_VALUES; v++) {
+            const glint_answer_value value = (glint_answer_value)v;
+            if (value_of(&worker->model, value, i) != value_of(&worker->circuit, value, i))
+                count_mismatch(worker, config, n, material, count, i, value);
         }
 }
 
@@ -402,7 +401,7 @@ static void merge_mismatches(glint_exhaustive_result *result, worker *const *wor
         }
         taken[from]++;
         if (first != NULL)
-            keep_mismatch(result, first);
+            result->mismatch[result->kept++] = *first;
     } while (first != NULL && result->kept < GLINT_EXHAUSTIVE_KEPT);
 }
 

@@ -14,7 +14,7 @@
 
 #include <stdbool.h>
 
-#include "rtl/rtl.h"
+#include "lockstep/answer.h"
 
 #define GLINT_EXHAUSTIVE_CIRCUITS_MAX (GLINT_GATE_COUNT * GLINT_PIPELINE_COUNT)
 #define GLINT_EXHAUSTIVE_THREADS_MAX  64
@@ -35,27 +35,15 @@ typedef struct glint_exhaustive_options {
     void *progress_context;
 } glint_exhaustive_options;
 
-typedef enum glint_exhaustive_value {
-    GLINT_EXHAUSTIVE_W,
-    GLINT_EXHAUSTIVE_R,
-    GLINT_EXHAUSTIVE_G,
-    GLINT_EXHAUSTIVE_B,
-    GLINT_EXHAUSTIVE_VALUES
-} glint_exhaustive_value;
-
 typedef struct glint_exhaustive_mismatch {
-    uint32_t n; /* the part of the work; material.n is 2 when it was the multipliers' */
+    uint32_t n; /* the part of the work; the material's n is 2 when it was the multipliers' */
     glint_specular_config config;
-    glint_material material;
-    uint32_t cos_code;
-    int lane;
-    glint_exhaustive_value value;
-    uint32_t model, rtl;
+    glint_answer answer;
 } glint_exhaustive_mismatch;
 
 /* What came of one circuit. */
 typedef struct glint_exhaustive_circuit {
-    uint64_t points;      /* compared, GLINT_EXHAUSTIVE_VALUES values each */
+    uint64_t points;      /* compared, GLINT_ANSWER_VALUES values each */
     uint64_t mismatches;  /* values that differ */
     uint64_t pairs;       /* of W and a colour that each multiplier was tried with */
     uint64_t pairs_total; /* with all n and stride 1 */

@@ -5,18 +5,15 @@
 
 #include <stdbool.h>
 
-#include "glint_specular_device.h"
-#include "rtl/rtl.h"
+#include "lockstep/setting.h"
 
 #define GLINT_MISMATCHES_KEPT 16
-#define GLINT_HISTORY         64 /* clocks of input pins kept with the first mismatch */
 
 typedef struct glint_lockstep_options {
-    glint_specular_config config;
+    glint_setting setting;
     uint64_t clocks; /* how many; 0 compares nothing, and is refused */
     uint64_t seed;
-    const glint_rtl_model *model; /* NULL: the build for config; else a test's own */
-    const volatile bool *stop;    /* may be NULL */
+    const volatile bool *stop;                                      /* may be NULL */
     void (*progress)(void *context, uint64_t done, uint64_t total); /* may be NULL */
     void *progress_context;
 } glint_lockstep_options;
@@ -35,12 +32,6 @@ typedef struct glint_lockstep_result {
     uint64_t first_clock; /* of the first mismatch */
     int kept;
     glint_mismatch mismatch[GLINT_MISMATCHES_KEPT];
-    /* What led to the first mismatch: the pins of the clocks since the oldest point still in flight
-     * entered, oldest first, and the material that registers 2 to 5 held before those clocks. */
-    int history_count;
-    uint64_t history_clock; /* of history[0] */
-    glint_specular_inputs history[GLINT_HISTORY];
-    glint_material material;
     int totals_count; /* mismatches by signal name, those above 0, in the order the data flows */
     struct {
         const char *name;
@@ -53,10 +44,5 @@ typedef struct glint_lockstep_result {
  * result then holds what was compared up to there. */
 glint_status glint_lockstep_run(const glint_lockstep_options *options,
                                 glint_lockstep_result *result, glint_error *err);
-
-/* Runs the circuit alone through the same pins again and writes its waveform for the clocks
- * first…last. */
-glint_status glint_lockstep_trace(const glint_lockstep_options *options, const char *path,
-                                  uint64_t first, uint64_t last, glint_error *err);
 
 #endif

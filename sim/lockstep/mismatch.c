@@ -19,8 +19,8 @@ static void add_to_totals(glint_lockstep_result *result, const glint_signal_info
     result->totals[i].mismatches++;
 }
 
-void glint_mismatch_keep(glint_lockstep_result *result, const glint_signal_info *signal,
-                         uint64_t model, uint64_t rtl)
+static void keep(glint_lockstep_result *result, const glint_signal_info *signal, uint64_t model,
+                 uint64_t rtl)
 {
     if (result->mismatches++ == 0)
         result->first_clock = result->clocks;
@@ -29,15 +29,35 @@ void glint_mismatch_keep(glint_lockstep_result *result, const glint_signal_info 
     add_to_totals(result, signal);
 }
 
-/* A value as a reader wants it: its bits, and the number they stand for. */
-static void print_value(FILE *out, const glint_signal_info *signal, uint64_t bits)
+void glint_mismatch_compare(glint_lockstep_result *result, const glint_setting *setting,
+                            const glint_twin *twin)
 {
-    int width = signal->int_bits + signal->frac_bits;
+    uint64_t model[GLINT_SETTING_SIGNALS_MAX], rtl[GLINT_SETTING_SIGNALS_MAX];
+    const int count = glint_setting_signal_count(setting);
+    glint_twin_read(twin, model, rtl);
+    for (int i = 0; i < count; i++) {
+        if (model[i] != rtl[i]) {
+            const glint_signal_info signal = glint_setting_signal(setting, i);
+            keep(result, &signal, model[i], rtl[i]);
+        }
+    }
+    result->comparisons += (uint64_t)count;
+}
+
+double glint_mismatch_number(const glint_signal_info *signal, uint64_t bits)
+{
+    const int width = signal->int_bits + signal->frac_bits;
     double value = (double)bits;
     if (signal->is_signed && (bits >> (width - 1) & 1) != 0)
         value -= (double)(UINT64_C(1) << width);
-    value /= (double)(UINT64_C(1) << signal->frac_bits);
-    fprintf(out, "0x%0*" PRIx64 " (%.9g)", (width + 3) / 4, bits, value);
+    return value / (double)(UINT64_C(1) << signal->frac_bits);
+}
+
+/* A value as a reader wants it: its bits, and the number they stand for. */
+static void print_value(FILE *out, const glint_signal_info *signal, uint64_t bits)
+{
+    const int digits = (signal->int_bits + signal->frac_bits + 3) / 4;
+    fprintf(out, "0x%0*" PRIx64 " (%.9g)", digits, bits, glint_mismatch_number(signal, bits));
 }
 
 static void print_mismatch(FILE *out, const glint_mismatch *mismatch, const char *lane_name)
@@ -55,10 +75,11 @@ static void print_mismatch(FILE *out, const glint_mismatch *mismatch, const char
     fprintf(out, "\n");
 }
 
-void glint_mismatch_print(FILE *out, const glint_lockstep_result *result, const char *lane_name)
+void glint_mismatch_print(FILE *out, const glint_setting *setting,
+                          const glint_lockstep_result *result)
 {
     for (int i = 0; i < result->kept; i++)
-        print_mismatch(out, &result->mismatch[i], lane_name);
+        print_mismatch(out, &result->mismatch[i], glint_setting_lane_name(setting));
 }
 
 void glint_mismatch_print_totals(FILE *out, const glint_lockstep_result *result)

@@ -1,17 +1,22 @@
-/* What every lockstep does with a mismatch: keep the first ones, count all, and print them. */
+/* What every comparison of signals does with a mismatch: keep the first ones, count all, print. */
 #ifndef GLINT_SIM_MISMATCH_H
 #define GLINT_SIM_MISMATCH_H
 
 #include <stdio.h>
 
 #include "lockstep/lockstep.h"
+#include "lockstep/twin.h"
 
-/* Takes one signal that differs after clock result->clocks into the result. */
-void glint_mismatch_keep(glint_lockstep_result *result, const glint_signal_info *signal,
-                         uint64_t model, uint64_t rtl);
+/* Compares all signals as they are after clock result->clocks, and adds what comes of it. */
+void glint_mismatch_compare(glint_lockstep_result *result, const glint_setting *setting,
+                            const glint_twin *twin);
 
-/* A line for each mismatch kept. lane_name: what signal.lane counts, "lane" or "stage". */
-void glint_mismatch_print(FILE *out, const glint_lockstep_result *result, const char *lane_name);
+/* The number that a signal's bits stand for. */
+double glint_mismatch_number(const glint_signal_info *signal, uint64_t bits);
+
+/* A line for each mismatch kept: clock, signal, lane, block, meaning, both values. */
+void glint_mismatch_print(FILE *out, const glint_setting *setting,
+                          const glint_lockstep_result *result);
 
 /* A line for each signal that differed at all. */
 void glint_mismatch_print_totals(FILE *out, const glint_lockstep_result *result);

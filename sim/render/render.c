@@ -41,6 +41,7 @@ struct glint_renderer {
     glint_extent extent;
     int threads;
     glint_backend_kind kind;
+    glint_backend_watch *watch; /* of one thread, or NULL */
     glint_pool *pool;
     worker *workers;
     glint_record record;
@@ -272,7 +273,11 @@ static glint_status prepare_gouraud(const frame *f, worker *w, glint_error *err)
         .kind = f->renderer->kind, .form = GLINT_DIVIDER_PIPELINED, .shifts = f->shifts};
     glint_divider_backend_destroy(w->divider);
     w->divider_shifts = f->shifts;
-    return glint_divider_backend_create(&config, &w->divider, err);
+    const glint_status status = glint_divider_backend_create(&config, &w->divider, err);
+    if (status == GLINT_OK) {
+        glint_divider_backend_set_watch(w->divider, f->renderer->watch);
+    }
+    return status;
 }
 
 static glint_status prepare_workers(const frame *f, glint_error *err)
@@ -471,6 +476,22 @@ void glint_renderer_destroy(glint_renderer *renderer)
     free(renderer);
 }
 
+glint_status glint_renderer_watch(glint_renderer *renderer, glint_backend_watch *watch,
+                                  glint_error *err)
+{
+    worker *only = &renderer->workers[0];
+    if (renderer->threads != 1) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "%d threads cannot share one watch",
+                          renderer->threads);
+    }
+    renderer->watch = watch;
+    glint_backend_set_watch(only->backend, watch);
+    if (only->divider != NULL) {
+        glint_divider_backend_set_watch(only->divider, watch);
+    }
+    return GLINT_OK;
+}
+
 bool glint_renderer_fragment(const glint_renderer *renderer, int x, int y, uint32_t *cos_code,
                              glint_material *material)
 {
@@ -492,5 +513,24 @@ bool glint_renderer_fragment(const glint_renderer *renderer, int x, int y, uint3
     }
     *cos_code = renderer->record.cos_code[at];
     *material = renderer->material;
+    return true;
+}
+
+bool glint_renderer_triangle(glint_renderer *renderer, int x, int y, uint32_t *triangle)
+{
+    const glint_extent extent = renderer->extent;
+    if (x < 0 || x >= extent.width || y < 0 || y >= extent.height) {
+        return false;
+    }
+    glint_visibility *band = &renderer->workers[0].band;
+    glint_visibility_begin(band, extent, y, y);
+    for (size_t i = 0; i < renderer->list_count; i++) {
+        glint_visibility_draw(band, extent, &renderer->lists[i]);
+    }
+    const glint_triangle *seen = band->triangle[x];
+    if (seen == NULL) {
+        return false;
+    }
+    *triangle = seen->source;
     return true;
 }

@@ -78,6 +78,11 @@ glint_status glint_renderer_create(int width, int height, int threads,
                                    glint_error *err);
 void glint_renderer_destroy(glint_renderer *renderer); /* NULL is allowed */
 
+/* glint_backend_set_watch() for all circuits of a renderer; GLINT_BAD_ARGUMENT with more than one
+ * thread. */
+glint_status glint_renderer_watch(glint_renderer *renderer, glint_backend_watch *watch,
+                                  glint_error *err);
+
 /* Renders one frame into image (of the renderer's size; every pixel is written, the object mask
  * too; the background is 0). stop (may be NULL): when it becomes true the frame is given up with
  * GLINT_INTERRUPTED. GLINT_BAD_ARGUMENT for a scene value out of range, naming it. */
@@ -89,5 +94,9 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, gl
  * than Phong's and so no cosines at pixels. */
 bool glint_renderer_fragment(const glint_renderer *renderer, int x, int y, uint32_t *cos_code,
                              glint_material *material);
+
+/* The mesh's triangle that is seen in pixel (x, y) of the last frame; false when none is. Before
+ * the first frame, and while one is rendered, not to be asked. */
+bool glint_renderer_triangle(glint_renderer *renderer, int x, int y, uint32_t *triangle);
 
 #endif

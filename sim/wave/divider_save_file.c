@@ -67,11 +67,24 @@ static void write_signal(FILE *out, glint_divider_form form, const glint_signal_
                      flags_of(signal), glint_gtkw_color(signal->kind), signal->frac_bits);
 }
 
-static void write_heading_of(FILE *out, const glint_signal_info *signal)
+/* What begins with this signal; NULL: it goes on with what the one before it began. */
+static const char *heading_before(const glint_signal_info *signal)
 {
-    for (size_t i = 0; signal->lane < 0 && i < sizeof headings / sizeof headings[0]; i++)
+    for (size_t i = 0; i < sizeof headings / sizeof headings[0]; i++)
         if (strcmp(headings[i].signal, signal->name) == 0)
-            glint_gtkw_heading(out, headings[i].heading);
+            return headings[i].heading;
+    return NULL;
+}
+
+/* The first signal of each form begins one. */
+const char *glint_divider_heading(glint_divider_form form, int shifts, int index)
+{
+    const char *heading = NULL;
+    for (int i = index; heading == NULL; i--) {
+        const glint_signal_info signal = glint_divider_signal_info(form, shifts, i);
+        heading = heading_before(&signal);
+    }
+    return heading;
 }
 
 /* How the sum of R grows from stage to stage: the one thing to look at first. */
@@ -91,7 +104,9 @@ static void write_whole_circuit(FILE *out, glint_divider_form form, int shifts)
         glint_signal_info signal = glint_divider_signal_info(form, shifts, i);
         if (signal.lane >= 0)
             continue;
-        write_heading_of(out, &signal);
+        const char *heading = heading_before(&signal);
+        if (heading != NULL)
+            glint_gtkw_heading(out, heading);
         write_signal(out, form, &signal);
     }
 }

@@ -15,6 +15,7 @@
 #define GLINT_GTKW_SHOW_CURVE   0x88000u /* analog steps, scaled to the whole file */
 
 #define GLINT_GTKW_COLOR_NORMAL 0
+#define GLINT_GTKW_COLOR_RED    1
 
 /* What the window shows when the file is opened. */
 typedef struct glint_gtkw_window {

@@ -104,6 +104,10 @@ static void write_inputs(FILE *out, const glint_specular_config *config)
                      GLINT_GTKW_COLOR_NORMAL, 0);
 }
 
+static const char outputs_title[] = "Outputs";
+static const char valid_bits_title[] = "Valid bits, stage by stage";
+static const char color_copies_title[] = "R, G, B in stages 2, 3";
+
 typedef bool is_wanted(const glint_signal_info *signal, const void *context);
 
 /* The signals of the device and of lane 0 that are wanted, in the order the data flows. */
@@ -142,14 +146,28 @@ static bool is_valid_bit(const glint_signal_info *signal, const void *context)
     return signal->block == 0 && signal->kind == GLINT_SIGNAL_STAGE;
 }
 
+const char *glint_wave_heading(const glint_signal_info *signal)
+{
+    if (is_output(signal, NULL))
+        return outputs_title;
+    if (is_valid_bit(signal, NULL))
+        return valid_bits_title;
+    if (is_color_copy(signal, NULL))
+        return color_copies_title;
+    size_t i = 0;
+    while (!is_in_group(&groups[i], signal))
+        i++;
+    return groups[i].title;
+}
+
 /* Closed, to be opened by who wants to look. */
 static void write_color_copies(FILE *out, const glint_specular_config *config)
 {
     if (config->pipeline == GLINT_PIPELINE_DRAWN)
         return;
-    glint_gtkw_begin_closed_group(out, "R, G, B in stages 2, 3");
+    glint_gtkw_begin_closed_group(out, color_copies_title);
     write_signals(out, config, is_color_copy, NULL);
-    glint_gtkw_end_group(out, "R, G, B in stages 2, 3");
+    glint_gtkw_end_group(out, color_copies_title);
 }
 
 /* The other lanes do the same as lane 0: closed as well. */
@@ -173,9 +191,9 @@ static void write_body(FILE *out, const glint_specular_config *config)
         glint_gtkw_heading(out, groups[i].title);
         write_signals(out, config, is_of_group, &groups[i]);
     }
-    glint_gtkw_heading(out, "Outputs");
+    glint_gtkw_heading(out, outputs_title);
     write_signals(out, config, is_output, NULL);
-    glint_gtkw_heading(out, "Valid bits, stage by stage");
+    glint_gtkw_heading(out, valid_bits_title);
     write_signals(out, config, is_valid_bit, NULL);
     write_color_copies(out, config);
     for (int lane = 1; lane < config->lanes; lane++)

@@ -12,6 +12,9 @@ typedef struct glint_wave_view {
     glint_gtkw_window window;
 } glint_wave_view;
 
+/* The heading that a signal of the specular device stands under. */
+const char *glint_wave_heading(const glint_signal_info *signal);
+
 /* Writes the save file, beside and then renamed. */
 glint_status glint_wave_save_file(const glint_wave_view *view, const char *path, glint_error *err);
 

@@ -9,6 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../scratch.h"
@@ -16,13 +17,16 @@
 #include "run.h"
 #include "wave/waveform.h"
 
+static char right_command[1024];
+static char wrong_command[1024];
+
 static int choose_wrong_command(void **state)
 {
-    static char setting[1024];
     const char *build = getenv("GLINT_BUILD");
-    (void)snprintf(setting, sizeof setting, "GLINT=%s/wrong/glint",
+    (void)snprintf(right_command, sizeof right_command, "GLINT=%s", glint_under_test());
+    (void)snprintf(wrong_command, sizeof wrong_command, "GLINT=%s/wrong/glint",
                    build != NULL ? build : "build");
-    return putenv(setting) == 0 ? scratch_make(state) : -1;
+    return putenv(wrong_command) == 0 ? scratch_make(state) : -1;
 }
 
 static glint_image *read_picture(const char *path)
@@ -74,39 +78,175 @@ static bool find_line(const char *text, const char *name, char *line, size_t siz
     return true;
 }
 
-static void a_mismatch_is_a_failure_that_can_be_replayed(void **state)
+static void assert_packet(const char *directory, int files)
+{
+    char path[256];
+    glint_error err;
+    glint_wave_info info;
+    int found = -2; /* "." and ".." */
+    DIR *listing = opendir(scratch_path(directory));
+    assert_non_null(listing);
+    while (readdir(listing) != NULL) {
+        found++;
+    }
+    closedir(listing);
+    assert_int_equal(found, files);
+    (void)snprintf(path, sizeof path, "%s/wave.fst", directory);
+    assert_int_equal(glint_wave_read_info(scratch_path(path), &info, &err), GLINT_OK);
+    (void)snprintf(path, sizeof path, "%s/wave.gtkw", directory);
+    assert_int_equal(access(scratch_path(path), R_OK), 0);
+}
+
+/* The command that a report prints, without the name of the program, finds the same mismatch
+ * first; the right circuit does not have it. Returns its first line. */
+static void assert_replayed(const char *said, char *first, size_t size)
+{
+    char replay[1024];
+    char again[1024];
+    char command_line[2048];
+    assert_true(find_line(said, "\n  clock ", first, size));
+    assert_true(find_line(said, "\nreplay: build/glint ", replay, sizeof replay));
+    outcome replayed = run(replay, "");
+    assert_outcome(&replayed, 1, "");
+    assert_says(replayed.out, ": the same mismatch; ");
+    assert_true(find_line(replayed.out, "\n  clock ", again, sizeof again));
+    assert_string_equal(again, first);
+    forget(&replayed);
+
+    (void)snprintf(command_line, sizeof command_line, "%s --json --out %s", replay,
+                   scratch_path("fresh/packet"));
+    replayed = run(command_line, "");
+    assert_outcome(&replayed, 1, "");
+    cJSON *json = cJSON_Parse(replayed.out);
+    assert_true(cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(json, "mismatch")));
+    assert_true(cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(json, "same")));
+    cJSON_Delete(json);
+    forget(&replayed);
+    assert_packet("fresh/packet", 4);
+
+    assert_int_equal(putenv(right_command), 0);
+    replayed = run(replay, "");
+    assert_int_equal(putenv(wrong_command), 0);
+    assert_outcome(&replayed, 0, "");
+    assert_says(replayed.out, ": gone: C model and Verilog do not differ; ");
+    forget(&replayed);
+}
+
+static void a_mismatch_of_a_random_run_leaves_a_packet(void **state)
 {
     (void)state;
     char command_line[2048];
-    char replay[1024];
     char first[1024];
-    char again[1024];
-    glint_error err;
-    glint_wave_info info;
     (void)snprintf(command_line, sizeof command_line,
                    "verify --circuit specular --clocks 3000 --seed 5 --out %s",
                    scratch_path("failure"));
     outcome done = run(command_line, "");
     assert_int_equal(done.status, 1);
     assert_says(done.out, " mismatches of ");
-    assert_true(find_line(done.out, "  clock ", first, sizeof first));
+    assert_packet("failure/specular_cosine_pipelined_1", 4);
+    assert_replayed(done.out, first, sizeof first);
     assert_true(strstr(first, "block 13") != NULL || strstr(first, "block 14") != NULL ||
                 strstr(first, "block 15") != NULL);
-    assert_int_equal(
-        glint_wave_read_info(scratch_path("failure/mismatch_cosine_pipelined_1.fst"), &info, &err),
-        GLINT_OK);
-    assert_int_equal(access(scratch_path("failure/mismatch_cosine_pipelined_1.gtkw"), R_OK), 0);
-
-    /* The command printed, without the name of the program, finds the same mismatch first. */
-    assert_true(find_line(done.out, "replay: build/glint ", replay, sizeof replay));
-    (void)snprintf(command_line, sizeof command_line, "%s --out %s", replay,
-                   scratch_path("failure-again"));
-    outcome replayed = run(command_line, "");
-    assert_int_equal(replayed.status, 1);
-    assert_true(find_line(replayed.out, "  clock ", again, sizeof again));
-    assert_string_equal(again, first);
-    forget(&replayed);
+    /* The file says what was printed. */
+    char *report =
+        scratch_read(scratch_path("failure/specular_cosine_pipelined_1/report.txt"), NULL);
+    assert_int_equal(strncmp(done.out, report, strlen(report)), 0);
+    free(report);
     forget(&done);
+}
+
+static void a_mismatch_of_the_exhaustive_run_leaves_a_packet(void **state)
+{
+    (void)state;
+    char command_line[2048];
+    char first[1024];
+    (void)snprintf(command_line, sizeof command_line,
+                   "verify --exhaustive --lanes 1 --shard 61/1024 --stride 97 --seed 4 --out %s",
+                   scratch_path("failure"));
+    outcome done = run(command_line, "");
+    assert_int_equal(done.status, 1);
+    assert_says(done.out, ": a mismatch (exhaustive)\n");
+    assert_says(done.out, "\nwhole:  build/glint verify --exhaustive --gate cosine --pipeline "
+                          "pipelined --lanes 1 --shard 61/1024 --stride 97 --seed 4\n");
+    assert_packet("failure/specular_cosine_pipelined_1_exhaustive", 4);
+    assert_replayed(done.out, first, sizeof first);
+    assert_non_null(strstr(first, "mul1"));
+    forget(&done);
+}
+
+/* A square of the frame about the pixel, each pixel as 4 × 4. */
+static void assert_crop(const char *crop_path, const char *frame_path, int x, int y)
+{
+    glint_image *crop = read_picture(scratch_path(crop_path));
+    glint_image *frame = read_picture(scratch_path(frame_path));
+    const int top = y < 32 ? 0 : y > frame->height - 32 ? frame->height - 64 : y - 32;
+    const int left = x < 32 ? 0 : x > frame->width - 32 ? frame->width - 64 : x - 32;
+    assert_int_equal(crop->width, 256);
+    assert_int_equal(crop->height, 256);
+    for (int row = 0; row < 256; row++) {
+        for (int column = 0; column < 256; column++) {
+            assert_memory_equal(
+                &crop->rgb[3 * (row * 256 + column)],
+                &frame->rgb[3 * ((top + row / 4) * frame->width + left + column / 4)], 3);
+        }
+    }
+    glint_image_destroy(crop);
+    glint_image_destroy(frame);
+}
+
+static void a_frame_that_differs_leaves_a_packet(void **state)
+{
+    (void)state;
+    char command_line[2048];
+    char first[1024];
+    int x, y;
+    unsigned c[3], rtl[3];
+    (void)snprintf(command_line, sizeof command_line,
+                   "render --model sphere --size 96x80 --lanes 1 --backend both --out %s",
+                   scratch_path("whole.png"));
+    outcome done = run(command_line, "");
+    assert_int_equal(done.status, 1);
+    assert_packet("whole-failure", 7);
+    const char *at = strstr(done.out, "frame of 96x80, first at ");
+    assert_non_null(at);
+    assert_int_equal(sscanf(at, "frame of 96x80, first at x=%d y=%d: model %u,%u,%u, rtl %u,%u,%u",
+                            &x, &y, &c[0], &c[1], &c[2], &rtl[0], &rtl[1], &rtl[2]),
+                     8);
+    assert_says(done.out, "\ntriangle ");
+    assert_says(done.out, "its highlight there: n 80, cosine 0x");
+    assert_says(done.out, "\nwhole:  build/glint render --model sphere --size 96x80");
+    glint_image *frame = read_picture(scratch_path("whole-c.png"));
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(frame->rgb[3 * (y * 96 + x) + i], c[i]);
+    }
+    glint_image_destroy(frame);
+    assert_crop("whole-failure/model.png", "whole-c.png", x, y);
+    assert_crop("whole-failure/rtl.png", "whole.png", x, y);
+    assert_replayed(done.out, first, sizeof first);
+    assert_non_null(strstr(first, "mul1"));
+    forget(&done);
+}
+
+/* Flat and Gouraud's shading ask the circuit at other places than pixels. */
+static void other_shadings_leave_packets_too(void **state)
+{
+    (void)state;
+    static const char *const shadings[] = {"flat", "gouraud", "gouraud-perspective"};
+    for (size_t i = 0; i < 3; i++) {
+        char command_line[2048];
+        char first[1024];
+        (void)snprintf(command_line, sizeof command_line,
+                       "render --model sphere --shading %s --size 96x80 --lanes 1 --backend both "
+                       "--out %s",
+                       shadings[i], scratch_path("other.png"));
+        outcome done = run(command_line, "");
+        assert_int_equal(done.status, 1);
+        assert_says(done.out, "\ntriangle ");
+        assert_null(strstr(done.out, "its highlight there"));
+        assert_packet("other-failure", 7);
+        assert_replayed(done.out, first, sizeof first);
+        forget(&done);
+    }
 }
 
 /* A setting that was not built is refused, and named. */
@@ -123,7 +263,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_frame_that_differs_is_a_failure),
-        cmocka_unit_test(a_mismatch_is_a_failure_that_can_be_replayed),
+        cmocka_unit_test(a_mismatch_of_a_random_run_leaves_a_packet),
+        cmocka_unit_test(a_mismatch_of_the_exhaustive_run_leaves_a_packet),
+        cmocka_unit_test(a_frame_that_differs_leaves_a_packet),
+        cmocka_unit_test(other_shadings_leave_packets_too),
         cmocka_unit_test(a_circuit_that_is_not_there_is_told),
     };
     return cmocka_run_group_tests(tests, choose_wrong_command, scratch_remove);

@@ -10,7 +10,8 @@
 #include <cmocka.h>
 
 #include "../seed.h"
-#include "lockstep/divider_lockstep.h"
+#include "lockstep/divider_stimulus.h"
+#include "lockstep/lockstep.h"
 
 enum { N_FIRST = 6, N_LAST = 16, K_TABLE = 16, CLOCKS = 6000, SIGNALS_MAX = 256 };
 
@@ -25,15 +26,15 @@ static int draw_seed(void **state)
 
 static uint64_t compare_build(glint_divider_form form, int n)
 {
-    static glint_divider_lockstep_result result;
+    static glint_lockstep_result result;
     glint_error err;
-    const glint_divider_lockstep_options options = {
-        .form = form, .shifts = n, .clocks = CLOCKS, .seed = seed};
+    const glint_lockstep_options options = {
+        .setting = {.is_divider = true, .form = form, .shifts = n}, .clocks = CLOCKS, .seed = seed};
     memset(&result, 0x5a, sizeof result);
-    if (glint_divider_lockstep_run(&options, &result, &err) != GLINT_OK) {
+    if (glint_lockstep_run(&options, &result, &err) != GLINT_OK) {
         fail_msg("%s", err.text);
     }
-    const glint_lockstep_result *found = &result.found;
+    const glint_lockstep_result *found = &result;
     if (found->mismatches != 0) {
         fail_msg("%s, n = %d, seed %" PRIu64 ": %" PRIu64
                  " mismatches, the first in %s at clock %" PRIu64,
@@ -68,33 +69,35 @@ static void the_circuits_equal_the_model(void **state)
 /* ---- Refusals and interruption ------------------------------------------------------------------
  */
 
-static const glint_divider_lockstep_options usual = {
-    .form = GLINT_DIVIDER_PIPELINED, .shifts = 8, .clocks = 5000, .seed = 1};
+static const glint_lockstep_options usual = {
+    .setting = {.is_divider = true, .form = GLINT_DIVIDER_PIPELINED, .shifts = 8},
+    .clocks = 5000,
+    .seed = 1};
 
 static void zero_clocks_are_refused(void **state)
 {
     (void)state;
-    static glint_divider_lockstep_result result;
+    static glint_lockstep_result result;
     glint_error err;
-    glint_divider_lockstep_options options = usual;
+    glint_lockstep_options options = usual;
     options.clocks = 0;
-    assert_int_equal(glint_divider_lockstep_run(&options, &result, &err), GLINT_BAD_ARGUMENT);
+    assert_int_equal(glint_lockstep_run(&options, &result, &err), GLINT_BAD_ARGUMENT);
     assert_string_equal(err.text, "0 clocks would compare nothing");
 }
 
 static void what_is_not_built_is_refused(void **state)
 {
     (void)state;
-    static glint_divider_lockstep_result result;
+    static glint_lockstep_result result;
     static const int shifts[] = {5, 17, 0, -1};
     for (size_t i = 0; i < sizeof shifts / sizeof shifts[0]; i++) {
         glint_error err = {""};
         glint_divider_rtl *rtl;
-        glint_divider_lockstep_options options = usual;
-        options.shifts = shifts[i];
-        assert_int_equal(glint_divider_lockstep_run(&options, &result, &err), GLINT_BAD_ARGUMENT);
-        assert_true(result.found.comparisons == 0 && err.text[0] != '\0');
-        assert_int_equal(glint_divider_rtl_create(usual.form, shifts[i], &rtl, &err),
+        glint_lockstep_options options = usual;
+        options.setting.shifts = shifts[i];
+        assert_int_equal(glint_lockstep_run(&options, &result, &err), GLINT_BAD_ARGUMENT);
+        assert_true(result.comparisons == 0 && err.text[0] != '\0');
+        assert_int_equal(glint_divider_rtl_create(usual.setting.form, shifts[i], &rtl, &err),
                          GLINT_BAD_ARGUMENT);
         assert_null(rtl);
     }
@@ -104,17 +107,17 @@ static void what_is_not_built_is_refused(void **state)
 static void a_stop_ends_the_run_with_what_was_compared(void **state)
 {
     (void)state;
-    static glint_divider_lockstep_result result;
+    static glint_lockstep_result result;
     static const volatile bool stop = true;
     glint_error err;
-    glint_divider_lockstep_options options = usual;
+    glint_lockstep_options options = usual;
     options.stop = &stop;
-    assert_int_equal(glint_divider_lockstep_run(&options, &result, &err), GLINT_INTERRUPTED);
-    assert_true(result.found.clocks > 0 && result.found.clocks < options.clocks);
-    assert_true(result.found.comparisons ==
-                result.found.clocks *
-                    (uint64_t)glint_divider_signal_count(options.form, options.shifts));
-    assert_int_equal(result.found.mismatches, 0);
+    assert_int_equal(glint_lockstep_run(&options, &result, &err), GLINT_INTERRUPTED);
+    assert_true(result.clocks > 0 && result.clocks < options.clocks);
+    assert_true(result.comparisons ==
+                result.clocks * (uint64_t)glint_divider_signal_count(options.setting.form,
+                                                                     options.setting.shifts));
+    assert_int_equal(result.mismatches, 0);
 }
 
 static void note_progress(void *context, uint64_t done, uint64_t total)
@@ -128,13 +131,13 @@ static void note_progress(void *context, uint64_t done, uint64_t total)
 static void progress_is_told(void **state)
 {
     (void)state;
-    static glint_divider_lockstep_result result;
+    static glint_lockstep_result result;
     uint64_t last = 0;
     glint_error err;
-    glint_divider_lockstep_options options = usual;
+    glint_lockstep_options options = usual;
     options.progress = note_progress;
     options.progress_context = &last;
-    assert_int_equal(glint_divider_lockstep_run(&options, &result, &err), GLINT_OK);
+    assert_int_equal(glint_lockstep_run(&options, &result, &err), GLINT_OK);
     assert_true(last > 0);
 }
 

@@ -51,7 +51,8 @@ static void the_circuits_equal_the_model(void **state)
     const glint_specular_config *config;
     for (int i = 0; (config = glint_rtl_built(i)) != NULL; i++) {
         glint_error err;
-        const glint_lockstep_options options = {.config = *config, .clocks = CLOCKS, .seed = seed};
+        const glint_lockstep_options options = {
+            .setting = {.specular = *config}, .clocks = CLOCKS, .seed = seed};
         assert_int_equal(glint_lockstep_run(&options, &result, &err), GLINT_OK);
         if (result.mismatches != 0) {
             fail_msg("gate %s, pipeline %s, %d lanes, seed %" PRIu64 ": %" PRIu64
@@ -75,7 +76,9 @@ static void the_circuits_equal_the_model(void **state)
  */
 
 static const glint_lockstep_options usual = {
-    .config = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1}, .clocks = 5000, .seed = 1};
+    .setting = {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1}},
+    .clocks = 5000,
+    .seed = 1};
 
 static void zero_clocks_are_refused(void **state)
 {
@@ -94,7 +97,7 @@ static void a_setting_that_is_not_built_is_refused(void **state)
     static glint_lockstep_result result;
     glint_error err;
     glint_lockstep_options options = usual;
-    options.config.lanes = 3;
+    options.setting.specular.lanes = 3;
     assert_int_equal(glint_lockstep_run(&options, &result, &err), GLINT_BAD_ARGUMENT);
     assert_int_equal(result.comparisons, 0);
     assert_true(err.text[0] != '\0');
@@ -111,7 +114,7 @@ static void a_stop_ends_the_run_with_what_was_compared(void **state)
     assert_int_equal(glint_lockstep_run(&options, &result, &err), GLINT_INTERRUPTED);
     assert_true(result.clocks > 0 && result.clocks < options.clocks);
     assert_true(result.comparisons ==
-                result.clocks * (uint64_t)glint_specular_signal_count(&options.config));
+                result.clocks * (uint64_t)glint_specular_signal_count(&options.setting.specular));
     assert_int_equal(result.mismatches, 0);
 }
 

@@ -1,5 +1,5 @@
-/* The bench itself: with circuits that are wrong on purpose lockstep has to say so, name the block,
- * tell what led there, and leave a waveform that can be read. The faults: tests/lockstep/wrong. */
+/* The bench itself: with circuits that are wrong on purpose lockstep has to say so and name the
+ * block. What it then leaves: tests/failure. The faults: tests/lockstep/wrong. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>
@@ -14,10 +14,7 @@
 
 #include "../child.h"
 #include "../seed.h"
-#include "../wave/vcd.h"
-#include "lockstep/failure.h"
 #include "lockstep/lockstep.h"
-#include "lockstep/stimulus.h"
 #include "rtl/rtl_model.h"
 #include "wave/waveform.h"
 
@@ -50,9 +47,6 @@ static const char *own_path;
 static uint64_t seed;
 static glint_lockstep_result result;
 
-static char *report_text; /* here, as gcc takes the stream for a keeper of addresses */
-static size_t report_size;
-
 static int prepare(void **state)
 {
     seed = seed_of_this_run();
@@ -62,7 +56,9 @@ static int prepare(void **state)
 static glint_lockstep_options options_for(const fault *fault)
 {
     return (glint_lockstep_options){
-        .config = fault->model->config, .clocks = CLOCKS, .seed = seed, .model = fault->model};
+        .setting = {.specular = fault->model->config, .specular_model = fault->model},
+        .clocks = CLOCKS,
+        .seed = seed};
 }
 
 static void run_lockstep(const glint_lockstep_options *options)
@@ -79,24 +75,6 @@ static bool is_named(const char *names, const char *name)
     char word[32];
     (void)snprintf(word, sizeof word, "%s ", name);
     return strstr(names, word) != NULL;
-}
-
-/* The inputs of a clock, 1…, once more. */
-static glint_specular_inputs inputs_of(uint64_t clock)
-{
-    glint_stimulus stimulus;
-    glint_specular_inputs inputs;
-    glint_stimulus_init(&stimulus, seed, 1);
-    for (uint64_t i = 0; i < clock; i++) {
-        glint_stimulus_next(&stimulus, &inputs);
-    }
-    return inputs;
-}
-
-static int clean_up(void **state)
-{
-    free(report_text);
-    return scratch_remove(state);
 }
 
 /* ---- The finding --------------------------------------------------------------------------------
@@ -171,57 +149,6 @@ static void both_values_are_told(void **state)
     assert_int_equal(result.mismatch[0].rtl, 261360);
 }
 
-/* What registers 2 to 5 hold before a clock. */
-static glint_material material_before(uint64_t clock)
-{
-    glint_material material = {0};
-    glint_stimulus stimulus;
-    glint_stimulus_init(&stimulus, seed, 1);
-    for (uint64_t i = 1; i < clock; i++) {
-        glint_specular_inputs in;
-        glint_stimulus_next(&stimulus, &in);
-        if (in.reset) {
-            material = (glint_material){0};
-            continue;
-        }
-        if (in.en && in.n_we) {
-            material.n = in.n;
-        }
-        if (in.en && in.rgb_we) {
-            material.r = in.r;
-            material.g = in.g;
-            material.b = in.b;
-        }
-    }
-    return material;
-}
-
-/* From the clock at which the oldest point in flight entered, or from the first. */
-static void the_inputs_that_led_there_are_kept(void **state)
-{
-    (void)state;
-    for (size_t f = 0; f < FAULT_COUNT; f++) {
-        const glint_lockstep_options options = options_for(&faults[f]);
-        int edges = 0;
-        run_lockstep(&options);
-        assert_in_range(result.history_count, 1, GLINT_HISTORY);
-        assert_true(result.history_clock + (uint64_t)result.history_count - 1 ==
-                    result.first_clock);
-        for (int i = 0; i < result.history_count; i++) {
-            const glint_specular_inputs expected = inputs_of(result.history_clock + (uint64_t)i);
-            assert_memory_equal(&result.history[i], &expected, sizeof expected);
-            edges += expected.en || expected.reset;
-        }
-        assert_true(edges >= GLINT_LATENCY_PIPELINED || result.history_clock == 1 ||
-                    result.history_count == GLINT_HISTORY);
-        const glint_material material = material_before(result.history_clock);
-        assert_int_equal(result.material.n, material.n);
-        assert_int_equal(result.material.r, material.r);
-        assert_int_equal(result.material.g, material.g);
-        assert_int_equal(result.material.b, material.b);
-    }
-}
-
 /* The seed and the number of clocks are all it takes: the same again; nothing a clock earlier. */
 static void a_finding_can_be_replayed(void **state)
 {
@@ -243,178 +170,6 @@ static void a_finding_can_be_replayed(void **state)
             assert_true(result.mismatches == 0);
         }
     }
-}
-
-/* ---- The text -----------------------------------------------------------------------------------
- */
-
-static const char *report(const glint_lockstep_options *options)
-{
-    free(report_text);
-    report_text = NULL;
-    FILE *out = open_memstream(&report_text, &report_size);
-    assert_non_null(out);
-    glint_lockstep_report(out, options, &result);
-    assert_int_equal(fclose(out), 0);
-    return report_text;
-}
-
-static void assert_says(const char *text, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-
-static void assert_says(const char *text, const char *format, ...)
-{
-    char part[512];
-    va_list args;
-    va_start(args, format);
-    (void)vsnprintf(part, sizeof part, format, args);
-    va_end(args);
-    if (strstr(text, part) == NULL) {
-        fail_msg("the report does not say \"%s\":\n%s", part, text);
-    }
-}
-
-static int count_lines_from(const char *text, const char *heading, const char *next_heading)
-{
-    int lines = 0;
-    const char *at = heading != NULL ? strstr(text, heading) : text;
-    assert_non_null(at);
-    const char *end = next_heading != NULL ? strstr(at, next_heading) : at + strlen(at);
-    assert_non_null(end);
-    for (; at < end; at++) {
-        lines += *at == '\n';
-    }
-    return lines - 1; /* the heading's own */
-}
-
-static void the_text_tells_all_of_it(void **state)
-{
-    (void)state;
-    for (size_t f = 0; f < FAULT_COUNT; f++) {
-        const glint_lockstep_options options = options_for(&faults[f]);
-        run_lockstep(&options);
-        const glint_mismatch *m = &result.mismatch[0];
-        const char *text = report(&options);
-        assert_says(text, "%" PRIu64 " mismatches of %" PRIu64, result.mismatches,
-                    result.comparisons);
-        assert_says(text, "gate cosine, pipeline pipelined, lanes 1");
-        assert_says(text, "clock %" PRIu64 ": %s", m->clock, m->signal.name);
-        if (m->signal.block != 0) {
-            assert_says(text, "block %d, %s", m->signal.block, m->signal.meaning);
-        }
-        for (int i = 0; i < result.history_count; i++) {
-            const glint_specular_inputs *in = &result.history[i];
-            assert_says(text,
-                        "reset %d en %d n_we %d n %u rgb_we %d rgb %u,%u,%u in_valid 0x%x cos "
-                        "0x%05" PRIx32 "\n",
-                        in->reset, in->en, in->n_we, in->n, in->rgb_we, in->r, in->g, in->b,
-                        in->in_valid, in->cos[0]);
-        }
-        assert_says(text, "held n = %u, %u, %u, %u before", result.material.n, result.material.r,
-                    result.material.g, result.material.b);
-        assert_says(text, "  clock %" PRIu64 ": reset %d ", result.history_clock,
-                    result.history[0].reset);
-        assert_int_equal(count_lines_from(text, NULL, "inputs that led to the first"), result.kept);
-        assert_int_equal(count_lines_from(text, "inputs that led to the first", "totals:"),
-                         result.history_count);
-        assert_int_equal(count_lines_from(text, "totals:", NULL), result.totals_count);
-    }
-}
-
-/* Both values, in hexadecimal and as the number they stand for. */
-static void the_text_shows_values_as_numbers(void **state)
-{
-    (void)state;
-    const glint_lockstep_options options = options_for(&faults[2]);
-    run_lockstep(&options);
-    const char *text = report(&options);
-    /* 166571 / 8192 and 166572 / 8192 */
-    assert_says(text, ": rom33, block 33, ");
-    assert_says(text, "model 0x028aab (20.333374), rtl 0x028aac (20.3334961)\n");
-}
-
-/* ---- The waveform -------------------------------------------------------------------------------
- */
-
-static void full_name(const glint_signal_info *signal, char *name, size_t size)
-{
-    if (signal->lane >= 0) {
-        (void)snprintf(name, size, "TOP.specular_device.lane[%d].u.%s", signal->lane, signal->name);
-    } else {
-        (void)snprintf(name, size, "TOP.specular_device.%s", signal->name);
-    }
-}
-
-/* Where the marker stands: the number after the zoom in the line that starts with '*'. */
-static uint64_t marker_of(const char *save_file)
-{
-    char *text = scratch_read(save_file, NULL);
-    const char *line = strstr(text, "\n*");
-    uint64_t marker = 0;
-    double zoom;
-    assert_non_null(line);
-    assert_int_equal(sscanf(line, "\n*%lf %" SCNu64, &zoom, &marker), 2);
-    free(text);
-    return marker;
-}
-
-static void assert_waveform_shows(const glint_failure_files *files)
-{
-    glint_error err;
-    glint_wave_info info;
-    assert_int_equal(glint_wave_read_info(files->waveform, &info, &err), GLINT_OK);
-    const uint64_t marker = marker_of(files->save_file);
-    assert_true(info.signals > 40);
-    assert_true(info.first_time < marker && marker < info.last_time);
-    /* A window around the failure, not the whole run. */
-    assert_true(info.last_time - info.first_time <= 42 * GLINT_RTL_TRACE_PERIOD);
-
-    assert_int_equal(glint_wave_fst_to_vcd(files->waveform, scratch_path("wave.vcd"), &err),
-                     GLINT_OK);
-    vcd wave = vcd_read(scratch_path("wave.vcd"));
-    for (int i = 0; i < result.kept && result.mismatch[i].clock == result.first_clock; i++) {
-        char name[128];
-        full_name(&result.mismatch[i].signal, name, sizeof name);
-        assert_true(vcd_value(&wave, name, marker) == result.mismatch[i].rtl);
-    }
-    /* The pins of that clock, too. */
-    const glint_specular_inputs in = inputs_of(result.first_clock);
-    assert_int_equal(vcd_value(&wave, "TOP.specular_device.cos", marker), in.cos[0]);
-    assert_int_equal(vcd_value(&wave, "TOP.specular_device.n", marker), in.n);
-    assert_int_equal(vcd_value(&wave, "TOP.specular_device.in_valid", marker), in.in_valid);
-    vcd_free(&wave);
-}
-
-static void a_readable_waveform_is_left(void **state)
-{
-    (void)state;
-    for (size_t f = 0; f < FAULT_COUNT; f++) {
-        static glint_failure_files files;
-        char directory[64];
-        glint_error err;
-        const glint_lockstep_options options = options_for(&faults[f]);
-        run_lockstep(&options);
-        (void)snprintf(directory, sizeof directory, "%s/made", faults[f].name);
-        if (glint_lockstep_failure_wave(&options, &result, scratch_path(directory), &files, &err) !=
-            GLINT_OK) {
-            fail_msg("%s", err.text);
-        }
-        assert_waveform_shows(&files);
-    }
-}
-
-static void a_waveform_that_cannot_be_written_is_told(void **state)
-{
-    (void)state;
-    static glint_failure_files files;
-    glint_error err;
-    const glint_lockstep_options options = options_for(&faults[0]);
-    run_lockstep(&options);
-    scratch_write(scratch_path("plain"), "", 0);
-    assert_int_equal(
-        glint_lockstep_failure_wave(&options, &result, scratch_path("plain/x"), &files, &err),
-        GLINT_IO_ERROR);
-    assert_non_null(strstr(err.text, "plain"));
 }
 
 /* ---- A trace that is open when a test fails
@@ -554,16 +309,11 @@ int main(int argc, char **argv)
         cmocka_unit_test(every_fault_is_found_and_named),
         cmocka_unit_test(at_most_sixteen_are_kept_and_all_are_counted),
         cmocka_unit_test(both_values_are_told),
-        cmocka_unit_test(the_inputs_that_led_there_are_kept),
         cmocka_unit_test(a_finding_can_be_replayed),
-        cmocka_unit_test(the_text_tells_all_of_it),
-        cmocka_unit_test(the_text_shows_values_as_numbers),
-        cmocka_unit_test(a_readable_waveform_is_left),
-        cmocka_unit_test(a_waveform_that_cannot_be_written_is_told),
         cmocka_unit_test(a_trace_is_closed_when_a_test_fails),
         cmocka_unit_test(lost_results_are_a_device_fault),
         cmocka_unit_test(a_missing_signal_is_a_device_fault),
         cmocka_unit_test(no_memory_for_a_circuit_is_told),
     };
-    return cmocka_run_group_tests(tests, prepare, clean_up);
+    return cmocka_run_group_tests(tests, prepare, scratch_remove);
 }

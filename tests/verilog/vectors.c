@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "lockstep/divider_lockstep.h"
+#include "lockstep/divider_stimulus.h"
 #include "lockstep/stimulus.h"
 
 /* A word of a file: fields one after the other, the first in the highest bits. */

@@ -1,0 +1,176 @@
+/* `glint replay`: what a failure packet tells, tried again. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/commands.h"
+#include "cli/failure_output.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "lockstep/mismatch.h"
+
+/* Not a failure: the packet could not be tried, which says nothing of the circuit. */
+#define EXIT_NOT_TRIED GLINT_EXIT_USAGE
+
+typedef struct replay_options {
+    const char *directory, *out;
+    bool json;
+} replay_options;
+
+/* The packet, and what came of it now. */
+typedef struct replay {
+    glint_failure *packet;
+    glint_failure_finding now;
+    glint_capture *capture;
+    bool same;
+} replay;
+
+static int parse(int argc, char **argv, replay_options *chosen)
+{
+    const glint_option options[] = {
+        {.name = "out",
+         .placeholder = "DIR",
+         .help = "where they differ, what comes of it as a packet of its own",
+         .kind = GLINT_OPTION_STRING,
+         .string = &chosen->out},
+        {.name = "json",
+         .help = "the result as JSON",
+         .kind = GLINT_OPTION_FLAG,
+         .flag = &chosen->json},
+    };
+    const glint_positional positionals[] = {{.name = "DIR", .value = &chosen->directory}};
+    const glint_command_line line = {
+        .command = "replay",
+        .summary = "Plays the inputs of a failure packet, which verify and render leave where C "
+                   "and Verilog differ, through the C model and the Verilog of this build.",
+        .details =
+            "Exit status: 0 they do not differ any more, 1 they differ, 2 it could not be\n"
+            "tried: malformed command line, no packet, no such circuit, interrupted. Hence,\n"
+            "to find the change that brought or removed a fault:\n"
+            "\n"
+            "  git bisect run sh -c 'make -j2 build/glint || exit 125\n"
+            "                        build/glint replay DIR; s=$?\n"
+            "                        [ $s -le 1 ] && exit $s; exit 125'",
+        .options = options,
+        .option_count = sizeof options / sizeof options[0],
+        .positionals = positionals,
+        .positional_count = 1,
+    };
+    return glint_options_parse(&line, argc, argv);
+}
+
+static void print_answers(const replay *of)
+{
+    const glint_answer *answer = &of->packet->answer;
+    printf("%s: model %" PRId32 ", rtl %" PRId32 "; when the packet was written: model %" PRId32
+           ", rtl %" PRId32 "\n",
+           glint_answer_value_name(answer->value), of->now.model, of->now.rtl, answer->model,
+           answer->rtl);
+}
+
+static const char *verdict(const replay *of)
+{
+    return !glint_failure_differs(&of->now) ? "gone: C model and Verilog do not differ"
+           : of->same                       ? "the same mismatch"
+                                            : "another mismatch than the packet's";
+}
+
+static void print_text(const replay *of)
+{
+    char setting[GLINT_SETTING_TEXT];
+    const glint_lockstep_result *found = &of->capture->found;
+    glint_setting_describe(&of->packet->setting, setting);
+    printf("%s: %s; %" PRIu64 " comparisons\n", setting, verdict(of), found->comparisons);
+    glint_mismatch_print(stdout, &of->packet->setting, found);
+    if (of->packet->has_answer)
+        print_answers(of);
+}
+
+static cJSON *mismatches_of(const replay *of)
+{
+    cJSON *list = cJSON_CreateArray();
+    for (int i = 0; i < of->now.count; i++) {
+        const glint_mismatch *mismatch = &of->now.mismatch[i];
+        char text[32];
+        cJSON *entry = cJSON_CreateObject();
+        cJSON_AddStringToObject(entry, "signal", mismatch->signal.name);
+        cJSON_AddNumberToObject(entry, glint_setting_lane_name(&of->packet->setting),
+                                mismatch->signal.lane);
+        cJSON_AddNumberToObject(entry, "block", mismatch->signal.block);
+        (void)snprintf(text, sizeof text, "0x%" PRIx64, mismatch->model);
+        cJSON_AddStringToObject(entry, "model", text);
+        (void)snprintf(text, sizeof text, "0x%" PRIx64, mismatch->rtl);
+        cJSON_AddStringToObject(entry, "rtl", text);
+        cJSON_AddItemToArray(list, entry);
+    }
+    return list;
+}
+
+static bool print_json(const replay_options *chosen, const replay *of)
+{
+    cJSON *json = cJSON_CreateObject();
+    cJSON_AddStringToObject(json, "packet", chosen->directory);
+    cJSON_AddStringToObject(json, "kind", glint_failure_kind_names[of->packet->kind]);
+    cJSON_AddBoolToObject(json, "mismatch", glint_failure_differs(&of->now));
+    cJSON_AddBoolToObject(json, "same", of->same);
+    cJSON_AddNumberToObject(json, "comparisons", (double)of->capture->found.comparisons);
+    cJSON_AddNumberToObject(json, "clock", (double)of->now.clock);
+    cJSON_AddItemToObject(json, "mismatches", mismatches_of(of));
+    if (of->packet->has_answer) {
+        cJSON_AddNumberToObject(json, "model", of->now.model);
+        cJSON_AddNumberToObject(json, "rtl", of->now.rtl);
+    }
+    return glint_output_json(json);
+}
+
+/* The same inputs with what they lead to now. */
+static glint_status write_packet(const replay_options *chosen, replay *of, glint_error *err)
+{
+    glint_failure fresh = *of->packet;
+    fresh.finding = of->now;
+    fresh.answer.model = of->now.model;
+    fresh.answer.rtl = of->now.rtl;
+    return glint_packet_write(&fresh, NULL, chosen->out, err);
+}
+
+static int report(const replay_options *chosen, replay *of)
+{
+    glint_error err;
+    if (!chosen->json)
+        print_text(of);
+    else if (!print_json(chosen, of))
+        return glint_complain("replay", EXIT_NOT_TRIED, "out of memory");
+    if (!glint_failure_differs(&of->now))
+        return GLINT_EXIT_OK;
+    if (chosen->out != NULL && write_packet(chosen, of, &err) != GLINT_OK)
+        return glint_complain("replay", EXIT_NOT_TRIED, "%s", err.text);
+    if (chosen->out != NULL && !chosen->json)
+        printf("packet: %s\n", chosen->out);
+    return GLINT_EXIT_FAILURE;
+}
+
+static int run(const replay_options *chosen, replay *of)
+{
+    glint_error err;
+    glint_status status = glint_packet_read(chosen->directory, &of->packet, &err);
+    if (status == GLINT_OK)
+        status = glint_failure_play(of->packet, glint_stop_flag(), &of->now, &of->capture, &err);
+    if (status != GLINT_OK)
+        return glint_complain("replay", EXIT_NOT_TRIED, "%s", err.text);
+    of->same = glint_failure_same(&of->now, &of->packet->finding);
+    return report(chosen, of);
+}
+
+int glint_cmd_replay(int argc, char **argv)
+{
+    replay_options chosen = {0};
+    replay of = {0};
+    const int parsed = parse(argc, argv, &chosen);
+    if (parsed != GLINT_OPTIONS_RUN)
+        return parsed;
+    const int status = run(&chosen, &of);
+    free(of.capture);
+    glint_failure_destroy(of.packet);
+    return glint_output_finish("replay", status) == status ? status : EXIT_NOT_TRIED;
+}

@@ -1,0 +1,25 @@
+/* What a subcommand does with a mismatch: the packet written, its report printed. */
+#ifndef GLINT_SIM_CLI_FAILURE_OUTPUT_H
+#define GLINT_SIM_CLI_FAILURE_OUTPUT_H
+
+#include <stdio.h>
+
+#include "failure/packet.h"
+
+/* How much of it is printed. */
+typedef enum glint_failure_detail {
+    GLINT_FAILURE_REPORT, /* the report */
+    GLINT_FAILURE_BRIEFLY /* where the packet is */
+} glint_failure_detail;
+
+/* Writes the packet into `directory` and prints on out what it says, and where it is. What cannot
+ * be written is told on standard error; the report is printed all the same. */
+void glint_failure_output(const char *command, const glint_failure *failure,
+                          const glint_packet_frames *frames, const char *directory,
+                          glint_failure_detail detail, FILE *out);
+
+/* A command line as one could type it again: "build/glint COMMAND ARGUMENT…", quoted where needed,
+ * cut where it is longer than `size`. argv[0] is the subcommand. */
+void glint_failure_command(int argc, char *const *argv, char *text, size_t size);
+
+#endif

@@ -1,0 +1,43 @@
+/* The clocks around a mismatch, with all that both sides had: made by playing pins through the C
+ * model and the Verilog. */
+#ifndef GLINT_SIM_CAPTURE_H
+#define GLINT_SIM_CAPTURE_H
+
+#include "lockstep/lockstep.h"
+
+#define GLINT_CAPTURE_BEFORE 32
+#define GLINT_CAPTURE_AFTER  8
+#define GLINT_CAPTURE_CLOCKS (GLINT_CAPTURE_BEFORE + 1 + GLINT_CAPTURE_AFTER)
+
+/* What is played, from reset state on. */
+typedef struct glint_play {
+    const glint_setting *setting;
+    const glint_pins *pins; /* NULL: the random pins of seed, from clock 1 on, without end */
+    size_t count;           /* of pins */
+    uint64_t first_clock;   /* number of the clock that takes pins[0], 1… */
+    uint64_t seed;
+    uint64_t expected;         /* the clock whose surroundings are wanted when nothing differs */
+    const volatile bool *stop; /* may be NULL */
+} glint_play;
+
+/* The pins at one edge, and every signal just after it. */
+typedef struct glint_capture_clock {
+    uint64_t clock;
+    glint_pins pins;
+    uint64_t model[GLINT_SETTING_SIGNALS_MAX], rtl[GLINT_SETTING_SIGNALS_MAX];
+} glint_capture_clock;
+
+typedef struct glint_capture {
+    glint_setting setting;
+    glint_lockstep_result found; /* up to the last clock here; found.clocks is its number */
+    int failing; /* the first clock with a mismatch; without one, the one that was expected to */
+    int count;
+    glint_capture_clock clock[GLINT_CAPTURE_CLOCKS];
+} glint_capture;
+
+/* Plays until 8 clocks after the first mismatch, or after the expected clock when there is none up
+ * to there, or until the pins end. To be freed with free(). GLINT_BAD_ARGUMENT when the pins end
+ * before both; GLINT_INTERRUPTED when stopped. */
+glint_status glint_capture_play(const glint_play *play, glint_capture **capture, glint_error *err);
+
+#endif

@@ -1,0 +1,123 @@
+#include "failure/failure.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+const char *const glint_failure_kind_names[GLINT_FAILURE_KINDS] = {"random", "exhaustive", "frame"};
+
+void glint_failure_destroy(glint_failure *failure)
+{
+    if (failure == NULL)
+        return;
+    free(failure->pins);
+    free(failure);
+}
+
+static void take_finding(const glint_capture *capture, glint_failure_finding *finding)
+{
+    const glint_lockstep_result *found = &capture->found;
+    finding->lockstep_differs = found->mismatches != 0;
+    finding->clock = capture->clock[capture->failing].clock;
+    finding->count = 0;
+    while (finding->count < found->kept &&
+           found->mismatch[finding->count].clock == finding->clock) {
+        finding->mismatch[finding->count] = found->mismatch[finding->count];
+        finding->count++;
+    }
+}
+
+static glint_status play(const glint_play *play, glint_failure_finding *finding,
+                         glint_capture **capture, glint_error *err)
+{
+    glint_capture *played;
+    const glint_status status = glint_capture_play(play, &played, err);
+    if (status != GLINT_OK)
+        return status;
+    take_finding(played, finding);
+    if (capture != NULL)
+        *capture = played;
+    else
+        free(played);
+    return GLINT_OK;
+}
+
+static glint_status play_answer(const glint_failure *failure, const volatile bool *stop,
+                                glint_failure_finding *finding, glint_capture **capture,
+                                glint_error *err)
+{
+    glint_play asked = {.setting = &failure->setting, .first_clock = 1, .stop = stop};
+    glint_status status =
+        glint_answer_ask(&failure->answer, &failure->setting, &finding->model, &finding->rtl, err);
+    if (status != GLINT_OK)
+        return status;
+    finding->answer_differs = finding->model != finding->rtl;
+    glint_pins *pins =
+        glint_answer_pins(&failure->answer, &failure->setting, &asked.count, &asked.expected);
+    if (pins == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a failure's pins");
+    asked.pins = pins;
+    status = play(&asked, finding, capture, err);
+    free(pins);
+    return status;
+}
+
+glint_status glint_failure_play(const glint_failure *failure, const volatile bool *stop,
+                                glint_failure_finding *finding, glint_capture **capture,
+                                glint_error *err)
+{
+    memset(finding, 0, sizeof *finding);
+    if (capture != NULL)
+        *capture = NULL;
+    if (failure->kind == GLINT_FAILURE_RANDOM)
+        return play(&(glint_play){.setting = &failure->setting,
+                                  .pins = failure->pins,
+                                  .count = failure->pin_count,
+                                  .first_clock = failure->first_clock,
+                                  .seed = failure->seed,
+                                  .expected = failure->finding.clock,
+                                  .stop = stop},
+                    finding, capture, err);
+    if (!glint_failure_playable(failure))
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "nothing to play: no answer of the circuit was found to differ");
+    return play_answer(failure, stop, finding, capture, err);
+}
+
+static bool same_mismatch(const glint_mismatch *a, const glint_mismatch *b)
+{
+    return strcmp(a->signal.name, b->signal.name) == 0 && a->signal.lane == b->signal.lane &&
+           a->model == b->model && a->rtl == b->rtl;
+}
+
+bool glint_failure_same(const glint_failure_finding *a, const glint_failure_finding *b)
+{
+    bool same = a->answer_differs == b->answer_differs &&
+                a->lockstep_differs == b->lockstep_differs && a->model == b->model &&
+                a->rtl == b->rtl && a->clock == b->clock && a->count == b->count;
+    for (int i = 0; same && i < a->count; i++)
+        same = same_mismatch(&a->mismatch[i], &b->mismatch[i]);
+    return same;
+}
+
+glint_status glint_failure_of_answer(glint_failure_kind kind, const glint_setting *setting,
+                                     const glint_answer *answer, glint_failure **failure,
+                                     glint_error *err)
+{
+    *failure = NULL;
+    glint_failure *made = calloc(1, sizeof *made);
+    if (made == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a failure");
+    made->kind = kind;
+    made->setting = *setting;
+    if (answer != NULL) {
+        made->has_answer = true;
+        made->answer = *answer;
+        const glint_status status = glint_failure_play(made, NULL, &made->finding, NULL, err);
+        if (status != GLINT_OK) {
+            glint_failure_destroy(made);
+            return status;
+        }
+    }
+    *failure = made;
+    return GLINT_OK;
+}

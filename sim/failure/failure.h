@@ -1,0 +1,100 @@
+/* A mismatch as a case: what was run, what differed, and what it takes to see it again.
+ *
+ * It is made from a finding of lockstep, of the exhaustive comparison or of two frames, or read
+ * from a packet (packet.h). glint_failure_play() runs it. */
+#ifndef GLINT_SIM_FAILURE_H
+#define GLINT_SIM_FAILURE_H
+
+#include "failure/capture.h"
+#include "lockstep/answer.h"
+#include "lockstep/lockstep.h"
+
+typedef enum glint_failure_kind {
+    GLINT_FAILURE_RANDOM,
+    GLINT_FAILURE_EXHAUSTIVE,
+    GLINT_FAILURE_FRAME,
+    GLINT_FAILURE_KINDS
+} glint_failure_kind;
+
+/* "random", "exhaustive", "frame". */
+extern const char *const glint_failure_kind_names[GLINT_FAILURE_KINDS];
+
+/* Where a frame differs. */
+typedef struct glint_failure_frame {
+    int width, height;
+    int x, y;                 /* the first pixel, row by row, that differs */
+    uint8_t model[3], rtl[3]; /* its colour in both frames */
+    bool has_triangle;        /* the mesh's triangle that is seen there */
+    uint32_t triangle;
+    float corner[3][3]; /* x, y, z of its corners in the mesh's own axes */
+    bool has_fragment;  /* with Phong's shading: what the pixel asks the circuit */
+    uint32_t cos_code;
+    glint_material material;
+} glint_failure_frame;
+
+/* What a play of it found. */
+typedef struct glint_failure_finding {
+    bool answer_differs;   /* a run of points or divisions, asked as a frame asks */
+    int32_t model, rtl;    /* the two answers */
+    bool lockstep_differs; /* clock by clock, in the circuit whose signals can be read */
+    uint64_t clock;        /* the first that differs, or the one that was expected to */
+    int count;             /* mismatches of that clock, the first of them */
+    glint_mismatch mismatch[GLINT_MISMATCHES_KEPT];
+} glint_failure_finding;
+
+#define GLINT_FAILURE_COMMAND 2048
+
+typedef struct glint_failure {
+    glint_failure_kind kind;
+    glint_setting setting;
+    char command[GLINT_FAILURE_COMMAND]; /* that found it, whole */
+
+    /* Random: pins[0] is what clock first_clock took, from reset state on; without pins, the whole
+     * run from seed is played. */
+    uint64_t seed, first_clock;
+    size_t pin_count;
+    glint_pins *pins;
+    glint_lockstep_result run; /* that found it; not kept in a packet: run.comparisons is then 0 */
+
+    bool has_answer; /* exhaustive, frame: what is asked. A frame may have differed without one */
+    glint_answer answer;
+    glint_failure_frame frame;
+
+    glint_failure_finding finding;
+} glint_failure;
+
+/* Of a lockstep run with mismatches: finds the fewest clocks before the first one that bring the
+ * C model where it was and the Verilog to the same mismatch, and keeps their pins. */
+glint_status glint_failure_of_lockstep(const glint_lockstep_options *options,
+                                       const glint_lockstep_result *result, glint_failure **failure,
+                                       glint_error *err);
+
+/* Of an answer that differs: asks it again, clock by clock as well. answer may be NULL: none was
+ * found. */
+glint_status glint_failure_of_answer(glint_failure_kind kind, const glint_setting *setting,
+                                     const glint_answer *answer, glint_failure **failure,
+                                     glint_error *err);
+
+void glint_failure_destroy(glint_failure *failure); /* NULL is allowed */
+
+/* Whether there is anything to play: a frame may differ without an answer that does. */
+static inline bool glint_failure_playable(const glint_failure *failure)
+{
+    return failure->kind == GLINT_FAILURE_RANDOM || failure->has_answer;
+}
+
+/* Plays it. stop: may be NULL. capture: the clocks around, to be freed with free(); may be NULL.
+ * GLINT_BAD_INPUT when there is nothing to play, GLINT_INTERRUPTED when stopped. */
+glint_status glint_failure_play(const glint_failure *failure, const volatile bool *stop,
+                                glint_failure_finding *finding, glint_capture **capture,
+                                glint_error *err);
+
+/* Whether two plays found the same: the same clock, signals, and values of both sides. */
+bool glint_failure_same(const glint_failure_finding *a, const glint_failure_finding *b);
+
+static inline bool glint_failure_differs(const glint_failure_finding *finding)
+{
+    return finding->answer_differs || finding->lockstep_differs;
+}
+
+#endif

@@ -1,0 +1,74 @@
+#include "failure/frame.h"
+
+#include <string.h>
+
+/* The frame rendered again. */
+typedef struct again {
+    glint_renderer *renderer;
+    glint_image *image;
+    glint_backend_watch watch;
+} again;
+
+static glint_status render_again(const glint_frame_pair *pair, const volatile bool *stop,
+                                 again *again, glint_error *err)
+{
+    glint_status status = glint_renderer_create(pair->rtl->width, pair->rtl->height, 1,
+                                                pair->backend, &again->renderer, err);
+    if (status == GLINT_OK)
+        status = glint_renderer_watch(again->renderer, &again->watch, err);
+    if (status == GLINT_OK)
+        status = glint_image_create(pair->rtl->width, pair->rtl->height, &again->image, err);
+    if (status == GLINT_OK)
+        status = glint_render(again->renderer, pair->scene, again->image, stop, NULL, err);
+    return status;
+}
+
+static void find_triangle(const glint_frame_pair *pair, const again *again,
+                          glint_failure_frame *frame)
+{
+    const glint_mesh *mesh = pair->scene->mesh;
+    frame->has_triangle =
+        glint_renderer_triangle(again->renderer, frame->x, frame->y, &frame->triangle);
+    for (size_t i = 0; frame->has_triangle && i < 3; i++)
+        memcpy(frame->corner[i],
+               &mesh->position[3 * (size_t)mesh->index[3 * (size_t)frame->triangle + i]],
+               sizeof frame->corner[i]);
+}
+
+static void describe_frame(const glint_frame_pair *pair, const again *again,
+                           glint_failure_frame *frame)
+{
+    const int width = pair->rtl->width;
+    frame->width = width;
+    frame->height = pair->rtl->height;
+    frame->x = pair->difference->first_x;
+    frame->y = pair->difference->first_y;
+    const size_t at = (size_t)frame->y * (size_t)width + (size_t)frame->x;
+    memcpy(frame->model, &pair->model->rgb[3 * at], sizeof frame->model);
+    memcpy(frame->rtl, &pair->rtl->rgb[3 * at], sizeof frame->rtl);
+    frame->has_fragment = glint_renderer_fragment(again->renderer, frame->x, frame->y,
+                                                  &frame->cos_code, &frame->material);
+    find_triangle(pair, again, frame);
+}
+
+glint_status glint_failure_of_frame(const glint_frame_pair *pair, const volatile bool *stop,
+                                    glint_failure **failure, glint_error *err)
+{
+    again again = {0};
+    *failure = NULL;
+    glint_status status = render_again(pair, stop, &again, err);
+    if (status == GLINT_OK) {
+        /* No answer that differs: what there is to say is about the specular device. */
+        const glint_setting specular = {
+            .specular = {pair->backend->gate, pair->backend->pipeline,
+                         pair->backend->lanes != 0 ? pair->backend->lanes : GLINT_LANES_MAX}};
+        status = glint_failure_of_answer(
+            GLINT_FAILURE_FRAME, again.watch.found ? &again.watch.setting : &specular,
+            again.watch.found ? &again.watch.answer : NULL, failure, err);
+    }
+    if (status == GLINT_OK)
+        describe_frame(pair, &again, &(*failure)->frame);
+    glint_renderer_destroy(again.renderer);
+    glint_image_destroy(again.image);
+    return status;
+}

@@ -1,0 +1,189 @@
+/* From a lockstep run to the few clocks of it that show its first mismatch. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "failure/failure.h"
+#include "lockstep/random_pins.h"
+#include "lockstep/twin.h"
+
+/* The fewest clocks before the window that are tried, and the most. Registers that are seldom
+ * loaded may need many. */
+#define LEAD_MIN 8u
+#define LEAD_MAX 8192u
+#define WINDOW   (GLINT_CAPTURE_BEFORE + 1u)
+#define RECENT   (LEAD_MAX + WINDOW + GLINT_CAPTURE_AFTER)
+
+/* The run once more, C model only, up to 8 clocks after the first mismatch. */
+typedef struct history {
+    const glint_setting *setting;
+    uint64_t failing;
+    uint64_t first; /* of the pins kept: the last RECENT clocks */
+    size_t count;
+    glint_pins *pins;
+    uint64_t (*model)[GLINT_SETTING_SIGNALS_MAX]; /* after the clocks of the window */
+    uint64_t window;                              /* the first of them */
+} history;
+
+static void forget(history *h)
+{
+    free(h->pins);
+    free(h->model);
+}
+
+static uint64_t later(uint64_t a, uint64_t b)
+{
+    return a > b ? a : b;
+}
+
+/* The clock so many before another, or 1. */
+static uint64_t before(uint64_t clock, uint64_t count)
+{
+    return clock > count ? clock - count : 1;
+}
+
+static glint_status make_room(history *h, glint_error *err)
+{
+    const uint64_t last = h->failing + GLINT_CAPTURE_AFTER;
+    h->first = before(last + 1, RECENT);
+    h->window = before(h->failing, GLINT_CAPTURE_BEFORE);
+    h->count = (size_t)(last + 1 - h->first);
+    h->pins = calloc(h->count, sizeof *h->pins);
+    h->model = calloc(WINDOW, sizeof *h->model);
+    if (h->pins == NULL || h->model == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the clocks before a failure");
+    return GLINT_OK;
+}
+
+static glint_status remember(history *h, uint64_t seed, glint_error *err)
+{
+    glint_twin *twin;
+    glint_random_pins source;
+    glint_pins pins;
+    glint_status status = glint_twin_create_model(h->setting, &twin, err);
+    if (status != GLINT_OK)
+        return status;
+    glint_random_pins_begin(&source, h->setting, seed);
+    for (uint64_t clock = 1; clock < h->first + h->count; clock++) {
+        glint_random_pins_next(&source, &pins);
+        if (clock >= h->first)
+            h->pins[clock - h->first] = pins;
+        if (clock > h->failing)
+            continue;
+        glint_twin_clock(twin, &pins);
+        if (clock >= h->window)
+            glint_twin_read(twin, h->model[clock - h->window], NULL);
+    }
+    glint_twin_destroy(twin);
+    return status;
+}
+
+/* Whether the C model, begun in reset state at clock `start`, has all that it had in the window. */
+static glint_status suffices(const history *h, uint64_t start, bool *same, glint_error *err)
+{
+    const size_t size = (size_t)glint_setting_signal_count(h->setting) * sizeof(uint64_t);
+    uint64_t model[GLINT_SETTING_SIGNALS_MAX];
+    glint_twin *twin;
+    const glint_status status = glint_twin_create_model(h->setting, &twin, err);
+    if (status != GLINT_OK)
+        return status;
+    *same = true;
+    for (uint64_t clock = start; *same && clock <= h->failing; clock++) {
+        glint_twin_clock(twin, &h->pins[clock - h->first]);
+        if (clock < h->window)
+            continue;
+        glint_twin_read(twin, model, NULL);
+        *same = memcmp(model, h->model[clock - h->window], size) == 0;
+    }
+    glint_twin_destroy(twin);
+    return GLINT_OK;
+}
+
+static glint_status keep_pins(glint_failure *failure, const history *h, uint64_t start,
+                              glint_error *err)
+{
+    const size_t skipped = (size_t)(start - h->first);
+    failure->first_clock = start;
+    failure->pin_count = h->count - skipped;
+    free(failure->pins);
+    failure->pins = calloc(failure->pin_count, sizeof *failure->pins);
+    if (failure->pins == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a failure's pins");
+    memcpy(failure->pins, h->pins + skipped, failure->pin_count * sizeof *failure->pins);
+    return GLINT_OK;
+}
+
+/* Whether the Verilog, played from `start` on, shows the mismatch that the run had. */
+static glint_status shows(glint_failure *failure, const history *h, uint64_t start, bool *same,
+                          glint_error *err)
+{
+    glint_failure_finding found;
+    *same = false;
+    glint_status status = suffices(h, start, same, err);
+    if (status != GLINT_OK || !*same)
+        return status;
+    status = keep_pins(failure, h, start, err);
+    if (status == GLINT_OK)
+        status = glint_failure_play(failure, NULL, &found, NULL, err);
+    if (status == GLINT_OK)
+        *same = glint_failure_same(&found, &failure->finding);
+    return status;
+}
+
+/* Without any, the whole run is to be played: the failure keeps no pins. */
+static glint_status find_shortest(glint_failure *failure, const history *h, glint_error *err)
+{
+    bool same = false;
+    glint_status status = GLINT_OK;
+    for (uint64_t lead = LEAD_MIN; status == GLINT_OK && !same && lead <= LEAD_MAX; lead *= 2)
+        status = shows(failure, h, later(before(h->window, lead), h->first), &same, err);
+    if (!same) {
+        free(failure->pins);
+        failure->pins = NULL;
+        failure->pin_count = 0;
+        failure->first_clock = 1;
+    }
+    return status;
+}
+
+/* What the run found, as a play would. */
+static void take_run(glint_failure *failure, const glint_lockstep_result *result)
+{
+    glint_failure_finding *finding = &failure->finding;
+    failure->run = *result;
+    finding->lockstep_differs = true;
+    finding->clock = result->first_clock;
+    while (finding->count < result->kept &&
+           result->mismatch[finding->count].clock == result->first_clock) {
+        finding->mismatch[finding->count] = result->mismatch[finding->count];
+        finding->count++;
+    }
+}
+
+glint_status glint_failure_of_lockstep(const glint_lockstep_options *options,
+                                       const glint_lockstep_result *result, glint_failure **failure,
+                                       glint_error *err)
+{
+    history h = {.setting = &options->setting, .failing = result->first_clock};
+    *failure = NULL;
+    if (result->mismatches == 0)
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "no mismatch: nothing to explain");
+    glint_failure *made = calloc(1, sizeof *made);
+    if (made == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a failure");
+    made->kind = GLINT_FAILURE_RANDOM;
+    made->setting = options->setting;
+    made->seed = options->seed;
+    take_run(made, result);
+    glint_status status = make_room(&h, err);
+    if (status == GLINT_OK)
+        status = remember(&h, options->seed, err);
+    if (status == GLINT_OK)
+        status = find_shortest(made, &h, err);
+    forget(&h);
+    if (status != GLINT_OK) {
+        glint_failure_destroy(made);
+        return status;
+    }
+    *failure = made;
+    return GLINT_OK;
+}

@@ -1,0 +1,58 @@
+/* An answer of a circuit that is not the C model's, out of a run of points or divisions, as the
+ * exhaustive comparison and a frame find it: what was asked, and what was asked about that time, so
+ * that the circuit can be asked again. */
+#ifndef GLINT_SIM_ANSWER_H
+#define GLINT_SIM_ANSWER_H
+
+#include "lockstep/setting.h"
+
+typedef enum glint_answer_value {
+    GLINT_ANSWER_W,
+    GLINT_ANSWER_R, /* of the highlight, or of the quotients */
+    GLINT_ANSWER_G,
+    GLINT_ANSWER_B,
+    GLINT_ANSWER_VALUES
+} glint_answer_value;
+
+#define GLINT_ANSWER_CLOCKS_BEFORE 32 /* clocks of points that are kept */
+#define GLINT_ANSWER_CLOCKS_AFTER  4
+#define GLINT_ANSWER_POINTS                                                                        \
+    ((GLINT_ANSWER_CLOCKS_BEFORE + 1 + GLINT_ANSWER_CLOCKS_AFTER) * GLINT_LANES_MAX)
+#define GLINT_ANSWER_DIVISIONS (GLINT_ANSWER_CLOCKS_BEFORE + 1 + GLINT_ANSWER_CLOCKS_AFTER)
+
+typedef struct glint_answer {
+    bool is_divider;
+    glint_material material; /* unless is_divider, like cos_code */
+    union {
+        uint32_t cos_code[GLINT_ANSWER_POINTS];
+        glint_division division[GLINT_ANSWER_DIVISIONS];
+    };
+    int count;                /* points or divisions kept */
+    int at;                   /* the one of them whose answer differs */
+    glint_answer_value value; /* the first of its values that does */
+    int32_t model, rtl;       /* both: a code of W or of a quotient, or an intensity */
+} glint_answer;
+
+/* Keeps point `at` of a run of `count` points that went through `lanes` lanes, and those about it.
+ * It stays on its lane. */
+void glint_answer_keep_points(glint_answer *answer, int lanes, const glint_material *material,
+                              const uint32_t *cos_code, size_t count, size_t at);
+
+/* The same for divisions. */
+void glint_answer_keep_divisions(glint_answer *answer, const glint_division *divisions,
+                                 size_t count, size_t at);
+
+/* "W", "red", "green", "blue". */
+const char *glint_answer_value_name(glint_answer_value value);
+
+/* Asks the circuit of the setting again, as a frame would (the fast build, where there is one), and
+ * the C model: fills both values of the answer's point. */
+glint_status glint_answer_ask(const glint_answer *answer, const glint_setting *setting,
+                              int32_t *model, int32_t *rtl, glint_error *err);
+
+/* The pins that ask it clock by clock, until everything has come out; to be freed. NULL: no memory.
+ * *expected: the clock, from 1 on, after which the answer is out. */
+glint_pins *glint_answer_pins(const glint_answer *answer, const glint_setting *setting,
+                              size_t *count, uint64_t *expected);
+
+#endif
