@@ -68,6 +68,31 @@ static inline int child_wait(pid_t child, double seconds)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+/* Whether a process has a handler of its own for SIGINT: /proc says which signals it catches. */
+static inline int child_catches_sigint(pid_t process)
+{
+    char path[64];
+    char line[256];
+    unsigned long long caught = 0;
+    (void)snprintf(path, sizeof path, "/proc/%d/status", (int)process);
+    FILE *status = fopen(path, "r");
+    assert_non_null(status);
+    while (fgets(line, sizeof line, status) != NULL) {
+        (void)sscanf(line, "SigCgt: %llx", &caught);
+    }
+    fclose(status);
+    return (caught >> (SIGINT - 1) & 1) != 0;
+}
+
+/* Waits until a program listens to SIGINT: before, it would just end. */
+static inline void child_wait_for_handler(pid_t child, double seconds)
+{
+    const double limit = child_seconds() + seconds;
+    while (!child_catches_sigint(child) && child_seconds() < limit) {
+        child_pause();
+    }
+}
+
 static inline int child_run(const char *const *argv, double seconds)
 {
     return child_wait(child_start(argv, scratch_path("child.out"), scratch_path("child.err")),

@@ -29,7 +29,7 @@ void glint_failure_output(const char *command, const glint_failure *failure,
     if (!written)
         (void)glint_complain_error(command, &err);
     if (detail == GLINT_FAILURE_REPORT)
-        print_report(command, failure, directory, out);
+        print_report(command, failure, written ? directory : NULL, out);
     if (written)
         fprintf(out, "packet: %s\n", directory);
 }

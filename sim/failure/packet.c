@@ -99,7 +99,8 @@ static glint_status begin(maker *m, glint_error *err)
                  (int)(length - start), m->directory + start, (long)getpid());
     if (written < 0 || (size_t)written >= sizeof m->beside)
         return glint_fail(err, GLINT_IO_ERROR, "the path is too long: %.200s…", m->directory);
-    (void)snprintf(above, sizeof above, "%.*s", (int)start, m->directory);
+    /* Without the slash, unless that is all there is. */
+    (void)snprintf(above, sizeof above, "%.*s", (int)(start > 1 ? start - 1 : start), m->directory);
     glint_status status = check_old(m->directory, err);
     if (status == GLINT_OK && start > 0)
         status = glint_directory_make(above, err);

@@ -266,7 +266,7 @@ void glint_failure_report(FILE *out, const glint_failure *failure, const glint_c
     print_how_played(out, failure);
     if (failure->command[0] != '\0')
         fprintf(out, "whole:  %s\n", failure->command);
-    if (capture == NULL)
+    if (capture == NULL || directory == NULL)
         return;
     fprintf(out, "look:   gtkwave %s/%s %s/%s\n", directory, GLINT_PACKET_WAVE, directory,
             GLINT_PACKET_SAVE_FILE);

@@ -8,7 +8,8 @@
 
 /* Writes it: what differs where, both values as bits and as numbers, the pins of the last 32 clocks
  * as a table with the failing one marked, the seed, and the commands that look at it and play it
- * again. directory: of the packet. capture: what the failure's play gave; NULL when it has none. */
+ * again. capture: what the failure's play gave; NULL when it has none. directory: of the packet;
+ * NULL when there is none to look at. */
 void glint_failure_report(FILE *out, const glint_failure *failure, const glint_capture *capture,
                           const char *directory);
 

@@ -176,32 +176,13 @@ static void nothing_is_left_when_all_is_well(void **state)
 /* ---- Ctrl-C -------------------------------------------------------------------------------------
  */
 
-/* Whether a process has a handler of its own for SIGINT: /proc says which signals it catches. */
-static bool catches_sigint(pid_t process)
-{
-    char path[64];
-    char line[256];
-    unsigned long long caught = 0;
-    (void)snprintf(path, sizeof path, "/proc/%d/status", (int)process);
-    FILE *status = fopen(path, "r");
-    assert_non_null(status);
-    while (fgets(line, sizeof line, status) != NULL) {
-        (void)sscanf(line, "SigCgt: %llx", &caught);
-    }
-    fclose(status);
-    return (caught >> (SIGINT - 1) & 1) != 0;
-}
-
 /* Starts a run that would take hours, and interrupts it once it listens. */
 static char *interrupt_verify(const char *last_argument)
 {
     const char *const argv[] = {glint_under_test(), "verify", "--clocks",    "1000000000000",
                                 "--seed",           "5",      last_argument, NULL};
     const pid_t child = child_start(argv, scratch_path("verify.out"), scratch_path("verify.err"));
-    const double limit = child_seconds() + SECONDS;
-    while (!catches_sigint(child) && child_seconds() < limit) {
-        child_pause();
-    }
+    child_wait_for_handler(child, SECONDS);
     for (int i = 0; i < 10; i++) {
         child_pause();
     }

@@ -260,6 +260,46 @@ static void it_opens_vcd_as_well(void **state)
     check_setting(&(glint_specular_config){GLINT_GATE_SIGN, GLINT_PIPELINE_PIPELINED, 2}, "vcd");
 }
 
+/* What is left of a mismatch opens too: at the marker the flag stands, and of each signal both
+ * values that the packet names. */
+static void it_opens_a_failure_packet(void **state)
+{
+    (void)state;
+    static saved file;
+    static shown shown;
+    char glint[1024];
+    int next = 0;
+    int differing = 0;
+    const char *build = getenv("GLINT_BUILD");
+    (void)snprintf(glint, sizeof glint, "%s/wrong/glint", build != NULL ? build : "build");
+    const char *const argv[] = {glint,  "verify", "--circuit", "specular", "--clocks",
+                                "3000", "--seed", "5",         "--out",    scratch_directory,
+                                NULL};
+    assert_int_equal(child_run(argv, SECONDS), 1);
+    saved_read(scratch_path("specular_cosine_pipelined_1/wave.gtkw"), &file);
+    open_in_gtkwave("specular_cosine_pipelined_1/wave.fst", "specular_cosine_pipelined_1/wave.gtkw",
+                    &shown);
+    assert_int_equal(shown.marker, file.marker);
+    assert_true(shown.from < shown.marker && shown.marker < shown.to);
+    for (int t = 0; t < file.count; t++) {
+        const int row = row_of(&shown, &file.trace[t], &next);
+        const size_t length = strlen(file.trace[t].name);
+        if (row < 0) {
+            fail_msg("GTKWave does not show %s", file.trace[t].name);
+        }
+        if (t == 0) {
+            assert_string_equal(shown.value[row], "1");
+        }
+        if (length > 8 && strcmp(file.trace[t].name + length - 8, "_differs") == 0) {
+            /* The two rows above it are the two sides. */
+            const bool differs = strcmp(shown.value[row], "1") == 0;
+            assert_int_equal(strcmp(shown.value[row - 2], shown.value[row - 1]) != 0, differs);
+            differing += differs;
+        }
+    }
+    assert_true(differing > 0);
+}
+
 /* The control: a name that is not in the waveform is not shown, so the tests above would see it. */
 static void a_name_that_is_not_there_is_missed(void **state)
 {
@@ -295,6 +335,7 @@ int main(void)
         cmocka_unit_test(it_opens_the_default_waveforms),
         cmocka_unit_test(it_opens_several_lanes_and_another_gate),
         cmocka_unit_test(it_opens_vcd_as_well),
+        cmocka_unit_test(it_opens_a_failure_packet),
         cmocka_unit_test(a_name_that_is_not_there_is_missed),
     };
     return cmocka_run_group_tests(tests, prepare, scratch_remove);

@@ -1,0 +1,320 @@
+/* What is left of an answer that differs, as the exhaustive run and frames find it: asked again as
+ * a run of points or divisions, and clock by clock. */
+#define _XOPEN_SOURCE 700
+
+#include <inttypes.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "../scratch.h"
+
+#include "failure/frame.h"
+#include "failure/packet.h"
+#include "faults.h"
+#include "lockstep/exhaustive.h"
+#include "lockstep/random.h"
+#include "wave/waveform.h"
+
+static glint_failure *failure;
+
+static int clean_up(void **state)
+{
+    glint_failure_destroy(failure);
+    return scratch_remove(state);
+}
+
+static void assert_done(glint_status status, const glint_error *err)
+{
+    if (status != GLINT_OK) {
+        fail_msg("%s", err->text);
+    }
+}
+
+static void make_failure(const glint_setting *setting, const glint_answer *answer)
+{
+    glint_error err;
+    glint_failure_destroy(failure);
+    failure = NULL;
+    assert_done(glint_failure_of_answer(GLINT_FAILURE_EXHAUSTIVE, setting, answer, &failure, &err),
+                &err);
+}
+
+static const fault *fault_of(const char *name)
+{
+    size_t i = 0;
+    while (strcmp(faults[i].name, name) != 0) {
+        assert_true(++i < FAULT_COUNT);
+    }
+    return &faults[i];
+}
+
+/* Written and read, it is the same, and plays the same. */
+static void assert_survives_the_packet(const glint_setting *setting)
+{
+    glint_error err;
+    glint_failure *read;
+    glint_failure_finding again;
+    assert_done(glint_packet_write(failure, NULL, scratch_path("packet"), &err), &err);
+    assert_done(glint_packet_read(scratch_path("packet"), &read, &err), &err);
+    assert_int_equal(read->answer.count, failure->answer.count);
+    assert_int_equal(read->answer.at, failure->answer.at);
+    assert_int_equal(read->answer.value, failure->answer.value);
+    assert_true(glint_failure_same(&read->finding, &failure->finding));
+    read->setting = *setting;
+    assert_done(glint_failure_play(read, NULL, &again, NULL, &err), &err);
+    assert_true(glint_failure_same(&again, &failure->finding));
+    read->setting.specular_model = NULL;
+    read->setting.divider_model = NULL;
+    assert_done(glint_failure_play(read, NULL, &again, NULL, &err), &err);
+    assert_false(glint_failure_differs(&again));
+    glint_failure_destroy(read);
+}
+
+/* ---- The specular device ------------------------------------------------------------------------
+ */
+
+/* What the exhaustive comparison keeps of a wrong circuit, played clock by clock. */
+static void a_mismatch_of_the_exhaustive_run_is_found_in_its_block(void **state)
+{
+    (void)state;
+    static glint_exhaustive_result result;
+    static const struct {
+        const char *fault;
+        uint32_t n;
+        int first_block, last_block;
+    } cases[] = {{"truncating", 20, 13, 15}, {"sigma_off_by_one", 60, 33, 33}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const glint_setting setting = setting_of(fault_of(cases[i].fault), true);
+        const glint_exhaustive_options options = {.config = {setting.specular},
+                                                  .configs = 1,
+                                                  .model = setting.specular_model,
+                                                  .from = cases[i].n,
+                                                  .shard = cases[i].n + 1,
+                                                  .shards = GLINT_N_COUNT,
+                                                  .stride = 1,
+                                                  .threads = 1};
+        glint_error err;
+        assert_done(glint_exhaustive_run(&options, &result, &err), &err);
+        assert_true(result.kept > 0);
+        const glint_exhaustive_mismatch *first = &result.mismatch[0];
+        assert_int_equal(first->n, cases[i].n);
+        make_failure(&setting, &first->answer);
+        const glint_failure_finding *finding = &failure->finding;
+        assert_true(finding->answer_differs && finding->lockstep_differs);
+        assert_int_equal(finding->model, first->answer.model);
+        assert_int_equal(finding->rtl, first->answer.rtl);
+        assert_in_range(finding->mismatch[0].signal.block, cases[i].first_block,
+                        cases[i].last_block);
+        assert_survives_the_packet(&setting);
+    }
+}
+
+/* Of a long run those points are kept that went in at the clocks about the one asked for, each on
+ * its lane. */
+static void the_points_about_it_stay_on_their_lanes(void **state)
+{
+    (void)state;
+    static uint32_t cos_code[2000];
+    static glint_answer answer;
+    const glint_material material = {7, 1, 2, 3};
+    for (uint32_t i = 0; i < 2000; i++) {
+        cos_code[i] = 1000 + i;
+    }
+    for (int lanes = 1; lanes <= GLINT_LANES_MAX; lanes *= 2) {
+        for (size_t at = 0; at < 2000; at += 37) {
+            glint_answer_keep_points(&answer, lanes, &material, cos_code, 2000, at);
+            assert_int_equal(answer.cos_code[answer.at], 1000 + at);
+            assert_int_equal((size_t)answer.at % (size_t)lanes, at % (size_t)lanes);
+            assert_in_range(answer.count, 1, GLINT_ANSWER_POINTS);
+            const size_t clock = at / (size_t)lanes;
+            assert_int_equal(answer.at / lanes, clock < 32 ? clock : 32);
+            assert_int_equal(answer.cos_code[answer.count - 1],
+                             1000 + (at - (size_t)answer.at) + (size_t)answer.count - 1);
+        }
+    }
+}
+
+/* Its batch lies, its clock does not: as two builds of one Verilog would that do not do the same.
+ */
+extern const glint_rtl_model glint_rtl_model_cosine_pipelined_4;
+
+static size_t batch_lying(void *instance, const glint_material *material,
+                          const glint_rtl_batch_io *io)
+{
+    const size_t done = glint_rtl_model_cosine_pipelined_4.batch(instance, material, io);
+    io->g[done - 1] ^= 1;
+    return done;
+}
+
+static void a_difference_of_the_fast_build_alone_is_told(void **state)
+{
+    (void)state;
+    glint_error err;
+    glint_failure_finding again;
+    glint_rtl_model lying = glint_rtl_model_cosine_pipelined_4;
+    lying.batch = batch_lying;
+    const uint32_t cos_code[6] = {GLINT_COS_ONE, GLINT_COS_ONE, 0, 0, 0, GLINT_COS_ONE};
+    const glint_material material = {50, 255, 190, 110};
+    const glint_setting setting = {.specular = lying.config, .specular_model = &lying};
+    glint_answer answer = {.value = GLINT_ANSWER_G, .model = 190, .rtl = 191};
+    glint_answer_keep_points(&answer, 4, &material, cos_code, 6, 5);
+    make_failure(&setting, &answer);
+    assert_true(failure->finding.answer_differs);
+    assert_false(failure->finding.lockstep_differs);
+    assert_int_equal(failure->finding.model, 190);
+    assert_int_equal(failure->finding.rtl, 191);
+    /* The clock after which the answer is out: the second feeds it. */
+    assert_int_equal(failure->finding.clock, 2 + GLINT_LATENCY_PIPELINED - 1);
+    assert_done(glint_packet_write(failure, NULL, scratch_path("lying"), &err), &err);
+    char *report = scratch_read(scratch_path("lying/" GLINT_PACKET_REPORT), NULL);
+    assert_non_null(strstr(report, "green: model 190, rtl 191"));
+    assert_non_null(
+        strstr(report, "nothing differs: the builds of one Verilog do not do the same"));
+    free(report);
+    glint_failure *read;
+    assert_done(glint_packet_read(scratch_path("lying"), &read, &err), &err);
+    read->setting.specular_model = &lying;
+    assert_done(glint_failure_play(read, NULL, &again, NULL, &err), &err);
+    assert_true(again.answer_differs && glint_failure_same(&again, &read->finding));
+    glint_failure_destroy(read);
+}
+
+/* ---- The dividers -------------------------------------------------------------------------------
+ */
+
+/* Asks a wrong divider for what it gets wrong; the neighbours are random. */
+static void assert_division(const char *fault, int component, const glint_division *asked,
+                            const char *signals)
+{
+    static glint_division divisions[80];
+    static glint_answer answer;
+    glint_random random = {1};
+    const glint_setting setting = setting_of(fault_of(fault), true);
+    for (int i = 0; i < 80; i++) {
+        divisions[i].k = (uint8_t)(1 + glint_random_below(&random, 3));
+        for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++) {
+            divisions[i].difference[c] = (int16_t)glint_random_below(&random, 200);
+        }
+    }
+    divisions[50] = *asked;
+    memset(&answer, 0, sizeof answer);
+    answer.value = (glint_answer_value)(GLINT_ANSWER_R + component);
+    glint_answer_keep_divisions(&answer, divisions, 80, 50);
+    assert_memory_equal(&answer.division[answer.at], asked, sizeof *asked);
+    make_failure(&setting, &answer);
+    const glint_failure_finding *finding = &failure->finding;
+    assert_true(finding->answer_differs && finding->lockstep_differs);
+    if (strstr(signals, finding->mismatch[0].signal.name) == NULL) {
+        fail_msg("%s: the first to differ is %s", fault, finding->mismatch[0].signal.name);
+    }
+    assert_survives_the_packet(&setting);
+}
+
+static void a_divider_is_asked_clock_by_clock(void **state)
+{
+    (void)state;
+    const glint_division negative = {{5, -200, 9}, 5};
+    assert_division("logical_shift", 1, &negative, "shifted");
+    assert_division("unsigned_stage", 1, &negative, "acc_g quotient_g");
+    const glint_division seventh = {{255, 254, 253}, 7};
+    assert_division("table_off_by_one", 0, &seventh, "rom_bits");
+}
+
+/* ---- A frame without an answer ------------------------------------------------------------------
+ */
+
+static void a_frame_without_an_answer_still_says_where(void **state)
+{
+    (void)state;
+    glint_error err;
+    glint_failure_finding finding;
+    glint_image *image;
+    const glint_setting setting = {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 16}};
+    glint_failure_destroy(failure);
+    assert_done(glint_failure_of_answer(GLINT_FAILURE_FRAME, &setting, NULL, &failure, &err), &err);
+    failure->frame = (glint_failure_frame){
+        .width = 10, .height = 8, .x = 9, .y = 2, .model = {1, 2, 3}, .rtl = {4, 5, 6}};
+    assert_done(glint_image_create(10, 8, &image, &err), &err);
+    const glint_packet_frames frames = {image, image};
+    assert_done(glint_packet_write(failure, &frames, scratch_path("frame"), &err), &err);
+    glint_image_destroy(image);
+    char *report = scratch_read(scratch_path("frame/" GLINT_PACKET_REPORT), NULL);
+    assert_non_null(strstr(report, "first at x=9 y=2: model 1,2,3, rtl 4,5,6"));
+    assert_non_null(strstr(report, "there are no clocks to show"));
+    assert_null(strstr(report, "replay:"));
+    free(report);
+    assert_int_equal(access(scratch_path("frame/" GLINT_PACKET_WAVE), F_OK), -1);
+    assert_done(glint_image_read_png(scratch_path("frame/" GLINT_PACKET_RTL), &image, &err), &err);
+    assert_int_equal(image->width, 40);
+    assert_int_equal(image->height, 32);
+    glint_image_destroy(image);
+    glint_failure *read;
+    assert_done(glint_packet_read(scratch_path("frame"), &read, &err), &err);
+    assert_int_equal(glint_failure_play(read, NULL, &finding, NULL, &err), GLINT_BAD_INPUT);
+    glint_failure_destroy(read);
+}
+
+/* ---- The watch that finds it in a frame ---------------------------------------------------------
+ */
+
+static void one_thread_alone_can_be_watched(void **state)
+{
+    (void)state;
+    glint_error err;
+    glint_backend_watch watch = {0};
+    glint_renderer *renderer;
+    const glint_backend_config config = {.kind = GLINT_BACKEND_RTL,
+                                         .pipeline = GLINT_PIPELINE_PIPELINED};
+    assert_done(glint_renderer_create(8, 8, 2, &config, &renderer, &err), &err);
+    assert_int_equal(glint_renderer_watch(renderer, &watch, &err), GLINT_BAD_ARGUMENT);
+    glint_renderer_destroy(renderer);
+}
+
+/* With the right circuits there is nothing to note, whatever they are asked for. */
+static void a_right_circuit_is_never_noted(void **state)
+{
+    (void)state;
+    static const glint_shading shadings[] = {GLINT_SHADING_GOURAUD, GLINT_SHADING_PHONG};
+    glint_error err;
+    glint_mesh *mesh;
+    glint_image *image;
+    glint_renderer *renderer;
+    glint_backend_watch watch = {0};
+    glint_render_stats stats;
+    glint_scene scene;
+    const glint_backend_config config = {.kind = GLINT_BACKEND_RTL,
+                                         .pipeline = GLINT_PIPELINE_PIPELINED};
+    glint_scene_defaults(&scene);
+    assert_done(glint_mesh_sphere(32, &mesh, &err), &err);
+    assert_done(glint_image_create(64, 48, &image, &err), &err);
+    assert_done(glint_renderer_create(64, 48, 1, &config, &renderer, &err), &err);
+    assert_done(glint_renderer_watch(renderer, &watch, &err), &err);
+    scene.mesh = mesh;
+    for (size_t i = 0; i < 2; i++) {
+        scene.shading = shadings[i];
+        assert_done(glint_render(renderer, &scene, image, NULL, &stats, &err), &err);
+        assert_true(stats.highlights > 0 && !watch.found);
+    }
+    glint_renderer_destroy(renderer);
+    glint_image_destroy(image);
+    glint_mesh_destroy(mesh);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_mismatch_of_the_exhaustive_run_is_found_in_its_block),
+        cmocka_unit_test(the_points_about_it_stay_on_their_lanes),
+        cmocka_unit_test(a_difference_of_the_fast_build_alone_is_told),
+        cmocka_unit_test(a_divider_is_asked_clock_by_clock),
+        cmocka_unit_test(a_frame_without_an_answer_still_says_where),
+        cmocka_unit_test(one_thread_alone_can_be_watched),
+        cmocka_unit_test(a_right_circuit_is_never_noted),
+    };
+    return cmocka_run_group_tests(tests, scratch_make, clean_up);
+}

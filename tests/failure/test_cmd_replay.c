@@ -1,0 +1,335 @@
+/* `glint replay` and what is no packet: one line that says what is wrong and where, exit status 2,
+ * which is neither "gone" nor "still there". */
+#define _XOPEN_SOURCE 700
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cjson/cJSON.h>
+#include <cmocka.h>
+
+#include "../scratch.h"
+
+#include "../child.h"
+#include "../cli/run.h"
+#include "failure/packet.h"
+#include "faults.h"
+
+/* The text of failure.json of a random run, and of an answer of each circuit. */
+enum { RANDOM, POINTS, DIVISIONS, PACKETS };
+static char *packets[PACKETS];
+
+static void assert_done(glint_status status, const glint_error *err)
+{
+    if (status != GLINT_OK) {
+        fail_msg("%s", err->text);
+    }
+}
+
+static void write_packet(int which, glint_failure *failure)
+{
+    glint_error err;
+    assert_done(glint_packet_write(failure, NULL, scratch_path("packet"), &err), &err);
+    packets[which] = scratch_read(scratch_path("packet/" GLINT_PACKET_DATA), NULL);
+    glint_failure_destroy(failure);
+}
+
+static void write_answer(int which, const glint_setting *setting, const glint_answer *answer)
+{
+    glint_error err;
+    glint_failure *failure;
+    assert_done(glint_failure_of_answer(GLINT_FAILURE_EXHAUSTIVE, setting, answer, &failure, &err),
+                &err);
+    write_packet(which, failure);
+}
+
+static int prepare(void **state)
+{
+    if (scratch_make(state) != 0) {
+        return -1;
+    }
+    static glint_lockstep_result result;
+    static glint_answer answer;
+    glint_error err;
+    glint_failure *failure;
+    const glint_setting wrong = setting_of(&faults[0], true);
+    const glint_lockstep_options options = {.setting = wrong, .clocks = 5000, .seed = 3};
+    assert_done(glint_lockstep_run(&options, &result, &err), &err);
+    assert_done(glint_failure_of_lockstep(&options, &result, &failure, &err), &err);
+    write_packet(RANDOM, failure);
+
+    const glint_material material = {50, 255, 190, 110};
+    const uint32_t cos_code[2] = {GLINT_COS_ONE, 0};
+    answer.value = GLINT_ANSWER_R;
+    glint_answer_keep_points(&answer, 1, &material, cos_code, 2, 0);
+    write_answer(POINTS, &wrong, &answer);
+
+    const glint_division divisions[2] = {{{1, -2, 3}, 4}, {{5, -6, 7}, 7}};
+    const glint_setting divider = setting_of(&faults[8], true);
+    glint_answer_keep_divisions(&answer, divisions, 2, 1);
+    write_answer(DIVISIONS, &divider, &answer);
+    return 0;
+}
+
+static int clean_up(void **state)
+{
+    for (int i = 0; i < PACKETS; i++) {
+        free(packets[i]);
+    }
+    return scratch_remove(state);
+}
+
+static void put_packet(const char *text)
+{
+    scratch_write(scratch_path("packet/" GLINT_PACKET_DATA), text, strlen(text));
+}
+
+static outcome replay(const char *options)
+{
+    char command_line[2048];
+    (void)snprintf(command_line, sizeof command_line, "replay %s%s", scratch_path("packet"),
+                   options);
+    return run(command_line, "");
+}
+
+/* One line, on standard error alone, with these words. */
+static void assert_refused(const outcome *done, const char *part, const char *what)
+{
+    const char *end = strchr(done->err, '\n');
+    if (done->status != 2 || done->out[0] != '\0' || end == NULL || end[1] != '\0' ||
+        strncmp(done->err, "glint replay: ", 14) != 0 || strstr(done->err, part) == NULL) {
+        fail_msg("%s: exit status %d, \"%s\"; expected \"%s\"", what, done->status, done->err,
+                 part);
+    }
+}
+
+static void a_right_circuit_has_none_of_them(void **state)
+{
+    (void)state;
+    for (int i = 0; i < PACKETS; i++) {
+        put_packet(packets[i]);
+        outcome done = replay("");
+        assert_outcome(&done, 0, "");
+        assert_says(done.out, ": gone: C model and Verilog do not differ; ");
+        forget(&done);
+        done = replay(" --json --out /nowhere/at/all");
+        assert_outcome(&done, 0, ""); /* nothing to write */
+        cJSON *json = cJSON_Parse(done.out);
+        assert_true(cJSON_IsFalse(cJSON_GetObjectItemCaseSensitive(json, "mismatch")));
+        assert_true(cJSON_GetObjectItemCaseSensitive(json, "comparisons")->valuedouble > 0);
+        cJSON_Delete(json);
+        forget(&done);
+    }
+}
+
+static void what_is_cut_short_is_refused(void **state)
+{
+    (void)state;
+    for (int i = 0; i < PACKETS; i++) {
+        const size_t length = strlen(packets[i]);
+        for (size_t cut = 0; cut < length - 2; cut += 1 + length / 40) {
+            char *part = strdup(packets[i]);
+            part[cut] = '\0';
+            put_packet(part);
+            outcome done = replay("");
+            assert_refused(&done, "packet/failure.json: it is no whole JSON", "cut");
+            forget(&done);
+            free(part);
+        }
+    }
+}
+
+/* Puts one value in the place of another; both as they stand in the text. */
+typedef struct edit {
+    int packet;
+    const char *path;  /* members, with a dot between; a number is an index */
+    const char *value; /* JSON; NULL: taken away */
+    const char *said;
+} edit;
+
+static cJSON *step(cJSON *at, const char *name)
+{
+    return cJSON_IsArray(at) ? cJSON_GetArrayItem(at, atoi(name))
+                             : cJSON_GetObjectItemCaseSensitive(at, name);
+}
+
+static char *edited(const edit *edit)
+{
+    char path[128];
+    cJSON *json = cJSON_Parse(packets[edit->packet]);
+    cJSON *at = json;
+    assert_non_null(json);
+    (void)snprintf(path, sizeof path, "%s", edit->path);
+    char *name = path;
+    for (char *dot; (dot = strchr(name, '.')) != NULL; name = dot + 1) {
+        *dot = '\0';
+        at = step(at, name);
+        assert_non_null(at);
+    }
+    if (edit->value == NULL) {
+        cJSON_DeleteItemFromObjectCaseSensitive(at, name);
+    } else if (cJSON_IsArray(at)) {
+        assert_true(cJSON_ReplaceItemInArray(at, atoi(name), cJSON_Parse(edit->value)));
+    } else {
+        cJSON_DeleteItemFromObjectCaseSensitive(at, name);
+        cJSON_AddItemToObject(at, name, cJSON_Parse(edit->value));
+    }
+    char *text = cJSON_Print(json);
+    cJSON_Delete(json);
+    return text;
+}
+
+static const edit edits[] = {
+    {RANDOM, "format", "\"a shopping list\"", "no failure packet's"},
+    {RANDOM, "format", NULL, "format is no text"},
+    {RANDOM, "version", "2", "another version than 1"},
+    {RANDOM, "version", "1.5", "version is no whole number"},
+    {RANDOM, "kind", "\"bad\"", "kind is none that there is"},
+    {RANDOM, "command", "7", "command is no text"},
+    {RANDOM, "circuit", "\"toaster\"", "circuit is none"},
+    {RANDOM, "gate", "\"open\"", "gate is none"},
+    {RANDOM, "pipeline", "null", "pipeline is no text"},
+    {RANDOM, "lanes", "3", "3 lanes"},
+    {RANDOM, "lanes", "1e300", "lanes is no whole number"},
+    {RANDOM, "lanes", "-1", "lanes is no whole number"},
+    {RANDOM, "lanes", "2", "a clock does not have 11 pins"},
+    {RANDOM, "seed", "\"-1\"", "seed is no number"},
+    {RANDOM, "seed", "\"99999999999999999999\"", "seed is no number"},
+    {RANDOM, "seed", NULL, "seed is no text"},
+    {RANDOM, "pins.first_clock", "0", "first_clock is no whole number"},
+    {RANDOM, "pins.first_clock", "1000000000000", "is not among those of the pins"},
+    {RANDOM, "pins.clocks", "[]", "clocks is no list"},
+    {RANDOM, "pins.clocks", "{}", "clocks is no list"},
+    {RANDOM, "pins.clocks.0", "[]", "a clock does not have 10 pins"},
+    {RANDOM, "pins.clocks.0.3", "1024", "n is no whole number from 0 to 1023"},
+    {RANDOM, "pins.clocks.0.3", "\"0\"", "n is no whole number"},
+    {RANDOM, "pins.clocks.0.9", "524288", "cos is no whole number from 0 to 524287"},
+    {RANDOM, "pins", NULL, ""},
+    {RANDOM, "found", NULL, "found is missing"},
+    {RANDOM, "found.clock", "-5", "clock is no whole number"},
+    {RANDOM, "found.clock", "100000", "is not among those of the pins"},
+    {RANDOM, "found.lockstep_differs", "1", "lockstep_differs is neither true nor false"},
+    {RANDOM, "found.mismatches.0.signal", "\"mul99\"", "no signal that the circuit has"},
+    {RANDOM, "found.mismatches.0.lane", "5", "no signal that the circuit has"},
+    {RANDOM, "found.mismatches.0.model", "\"0xzz\"", "model is no number"},
+    {RANDOM, "found.mismatches.0", "17", "is no text"},
+    {POINTS, "answer", NULL, "answer is missing"},
+    {POINTS, "answer.cosines", "[]", "cosines is no list"},
+    {POINTS, "answer.cosines.0", "-1", "cosines is no whole number"},
+    {POINTS, "answer.at", "2", "at is no whole number from 0 to 1"},
+    {POINTS, "answer.n", "1024", "n is no whole number"},
+    {POINTS, "answer.rgb", "[1,2]", "rgb is no list of 3"},
+    {POINTS, "answer.rgb.1", "256", "rgb is no whole number"},
+    {POINTS, "answer.value", "\"violet\"", "value is none"},
+    {POINTS, "kind", "\"frame\"", "frame is missing"},
+    {POINTS, "kind", "\"random\"", "seed is no text"},
+    {DIVISIONS, "shifts", "5", "5 shifts are not in 6 to 16"},
+    {DIVISIONS, "form", "\"round\"", "form is none"},
+    {DIVISIONS, "answer.divisions.0", "[1,2,3]", "divisions is no whole number"},
+    {DIVISIONS, "answer.divisions.0.0", "256", "divisions is no whole number"},
+    {DIVISIONS, "answer.divisions.0.3", "256", "divisions is no whole number"},
+    {DIVISIONS, "answer.value", "\"W\"", "value is none that a divider has"},
+    {DIVISIONS, "answer.model", "1e99", "model is no whole number"},
+};
+
+static void what_is_out_of_range_is_refused(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof edits / sizeof edits[0]; i++) {
+        char *text = edited(&edits[i]);
+        put_packet(text);
+        free(text);
+        outcome done = replay("");
+        if (edits[i].said[0] == '\0') {
+            assert_outcome(&done, 0, ""); /* played from its seed */
+        } else {
+            assert_refused(&done, edits[i].said, edits[i].path);
+            assert_says(done.err, "packet/failure.json: ");
+        }
+        forget(&done);
+    }
+}
+
+static void what_is_no_packet_is_refused(void **state)
+{
+    (void)state;
+    static const char nul[] = "{}\0{}";
+    outcome done = run("replay /no/such/directory", "");
+    assert_refused(&done, "/no/such/directory/failure.json: No such file", "missing");
+    forget(&done);
+    scratch_write(scratch_path("packet/" GLINT_PACKET_DATA), nul, sizeof nul - 1);
+    done = replay("");
+    assert_refused(&done, "no packet's text", "a NUL byte");
+    forget(&done);
+    put_packet("[]");
+    done = replay("");
+    assert_refused(&done, "format is no text", "a list");
+    forget(&done);
+    static const char *const lines[] = {"replay", "replay --out", "replay a b", "replay --lanes 1"};
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        done = run(lines[i], "");
+        assert_refused(&done, "", lines[i]);
+        forget(&done);
+    }
+}
+
+/* The circuit of this packet is not in the command that has one circuit only. */
+static void a_circuit_that_is_not_there_is_not_gone(void **state)
+{
+    (void)state;
+    static char wrong[1024];
+    static char right[1024];
+    const char *build = getenv("GLINT_BUILD");
+    const edit drawn = {POINTS, "gate", "\"drawn\"", NULL};
+    char *text = edited(&drawn);
+    put_packet(text);
+    free(text);
+    (void)snprintf(right, sizeof right, "GLINT=%s", glint_under_test());
+    (void)snprintf(wrong, sizeof wrong, "GLINT=%s/wrong/glint", build != NULL ? build : "build");
+    assert_int_equal(putenv(wrong), 0);
+    outcome done = replay("");
+    assert_int_equal(putenv(right), 0);
+    assert_refused(&done, "no circuit was built", "gate drawn");
+    forget(&done);
+}
+
+/* From its seed a run may take hours. */
+static void it_can_be_interrupted(void **state)
+{
+    (void)state;
+    const edit far = {RANDOM, "found.clock", "1000000000000", NULL};
+    char *text = edited(&far);
+    cJSON *json = cJSON_Parse(text);
+    cJSON_free(text);
+    cJSON_DeleteItemFromObjectCaseSensitive(json, "pins");
+    text = cJSON_Print(json);
+    cJSON_Delete(json);
+    put_packet(text);
+    free(text);
+    const char *const argv[] = {glint_under_test(), "replay", scratch_path("packet"), NULL};
+    const pid_t child = child_start(argv, scratch_path("child.out"), scratch_path("child.err"));
+    child_wait_for_handler(child, 60);
+    for (int i = 0; i < 10; i++) {
+        child_pause();
+    }
+    assert_int_equal(kill(child, SIGINT), 0);
+    assert_int_equal(child_wait(child, 60), 2);
+    char *said = scratch_read(scratch_path("child.err"), NULL);
+    assert_string_equal(said, "glint replay: interrupted\n");
+    free(said);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_right_circuit_has_none_of_them),
+        cmocka_unit_test(what_is_cut_short_is_refused),
+        cmocka_unit_test(what_is_out_of_range_is_refused),
+        cmocka_unit_test(what_is_no_packet_is_refused),
+        cmocka_unit_test(a_circuit_that_is_not_there_is_not_gone),
+        cmocka_unit_test(it_can_be_interrupted),
+    };
+    return cmocka_run_group_tests(tests, prepare, clean_up);
+}
