@@ -406,6 +406,7 @@ help:
 	@echo "make wave      the waveforms with their GTKWave save files"
 	@echo "make lint      Verilator, Icarus, Yosys and both C compilers over everything"
 	@echo "make sanitize  the tests under AddressSanitizer and UBSan"
+	@echo "make fuzz      20 s of fuzzing (FUZZ_SECONDS=) for each reader of what comes from outside"
 	@echo "make generate  write the generated Verilog anew from cmodel/"
 	@echo "make install PREFIX=DIR   library, headers, pkg-config file, command, Verilog"
 	@echo "make clean     remove $(BUILD)/"

@@ -75,7 +75,7 @@ static glint_status load_mesh(const glint_render_options *chosen, glint_mesh **m
     if (strcmp(chosen->model, "quad") == 0) {
         return glint_mesh_quad(mesh, err);
     }
-    return glint_mesh_load(chosen->model, mesh, err);
+    return glint_mesh_load(chosen->model, glint_stop_flag(), mesh, err);
 }
 
 static glint_status render_frame(const glint_render_options *chosen, glint_backend_kind kind,

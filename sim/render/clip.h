@@ -4,9 +4,11 @@
 
 #include "render/camera.h"
 
-/* Each plane adds at most one corner. */
+/* A plane adds one corner to a convex polygon, so 8 is what a triangle ends with. Rounding can take
+ * corners that lie on a plane to its two sides by turns; then n corners become at most 3n/2:
+ * 4, 6, 9, 13, 19. */
 #define GLINT_CLIP_PLANES      5
-#define GLINT_CLIP_CORNERS_MAX (3 + GLINT_CLIP_PLANES)
+#define GLINT_CLIP_CORNERS_MAX 19
 
 /* A corner in the camera's coordinates, with normal and colour there. */
 typedef struct glint_clip_corner {

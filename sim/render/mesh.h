@@ -2,6 +2,7 @@
 #ifndef GLINT_SIM_MESH_H
 #define GLINT_SIM_MESH_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -41,12 +42,20 @@ glint_status glint_mesh_sphere(int density, glint_mesh **mesh, glint_error *err)
  * on them very differently. It shows what Gouraud's shading on the screen does to perspective. */
 glint_status glint_mesh_quad(glint_mesh **mesh, glint_error *err);
 
+/* More triangles than this are refused rather than tried: some 3 GB of working memory. */
+#define GLINT_MESH_TRIANGLES_MAX ((size_t)32 << 20)
+
 /* Reads a mesh file through assimp (.3ds .obj .ply .stl …): all meshes under their node
  * transforms, triangulated; points and lines are left out. Normals are the file's; where it has
  * none they are made, smooth but for edges sharper than 66 degrees, and where one is unusable it is
  * taken from the faces about it. GLINT_IO_ERROR for a path that cannot be read; GLINT_BAD_INPUT for
  * what is no mesh file, has no triangles, more than 32 million of them, a coordinate that is not a
- * number or beyond 1e18, or an index of a vertex that is not there. */
-glint_status glint_mesh_load(const char *path, glint_mesh **mesh, glint_error *err);
+ * number or beyond 1e18, or an index of a vertex that is not there.
+ *
+ * assimp works in a process of its own, with as much time and memory as the size of the file
+ * justifies: when it crashes or does not come to an end, that is GLINT_BAD_INPUT too, or
+ * GLINT_NO_MEMORY. GLINT_INTERRUPTED soon after *stop becomes true; stop may be NULL. */
+glint_status glint_mesh_load(const char *path, const volatile bool *stop, glint_mesh **mesh,
+                             glint_error *err);
 
 #endif

@@ -100,7 +100,7 @@ static glint_mesh *mesh_of(int which)
         status = glint_mesh_quad(&mesh, &err);
         break;
     default:
-        status = glint_mesh_load(which == SPIDER_MESH ? SPIDER : FELS, &mesh, &err);
+        status = glint_mesh_load(which == SPIDER_MESH ? SPIDER : FELS, NULL, &mesh, &err);
     }
     assert_string_equal(err.text, "");
     assert_int_equal(status, GLINT_OK);
