@@ -1,0 +1,39 @@
+/* The parts of the section on energy, for section_energy.c alone. */
+#ifndef GLINT_SIM_REPORT_ENERGY_PARTS_H
+#define GLINT_SIM_REPORT_ENERGY_PARTS_H
+
+#include "energy/furnace.h"
+#include "energy/normalization.h"
+#include "report/section.h"
+
+#define GLINT_ENERGY_N_MAX 1000
+
+/* A of (2.26). */
+#define GLINT_ENERGY_A 6.0
+
+/* Albedos at normal incidence for n = 1…1000, number n − 1. */
+typedef struct glint_energy_normal {
+    double w[GLINT_ENERGY_N_MAX];       /* the cosine-quadratic */
+    double printed[GLINT_ENERGY_N_MAX]; /* (2.25) with its limit 5.8/√n */
+    double held[GLINT_ENERGY_N_MAX];    /* the same with a limit of at most π/2 */
+    double claimed[GLINT_ENERGY_N_MAX]; /* (2.26) */
+    double blinn[GLINT_ENERGY_N_MAX];   /* with (n+6)/(8π) */
+    double device[GLINT_ENERGY_N_MAX];
+} glint_energy_normal;
+
+typedef struct glint_energy_results {
+    glint_energy_normal normal;
+    const glint_energy_table *grid;  /* every model, by quadrature */
+    const glint_energy_table *check; /* every model, by both methods, at fewer n and angles */
+    double asymmetry[GLINT_REFLECTANCE_COUNT]; /* the largest of (2.20), relative */
+    uint64_t pairs;                            /* compared for it, for each model */
+    glint_normalization claimed;               /* A = 6 with the smallest B */
+    glint_normalization least_mean; /* the best A and B by the one loss and by the other */
+    glint_normalization least_largest;
+} glint_energy_results;
+
+glint_status glint_energy_draw(glint_report *report, const glint_energy_results *results,
+                               glint_error *err);
+void glint_energy_find(const glint_energy_results *results, glint_findings *findings);
+
+#endif
