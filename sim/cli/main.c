@@ -20,6 +20,7 @@ static const struct {
     {"verify", "C model and Verilog in lockstep, every register, every clock", glint_cmd_verify},
     {"replay", "a mismatch that verify or render left in a packet, again", glint_cmd_replay},
     {"wave", "a waveform of a short scene, with a GTKWave save file", glint_cmd_wave},
+    {"energy", "how much light the reflectance models give back", glint_cmd_energy},
     {"report", "what the thesis claims, measured, as a page to read", glint_cmd_report},
     {"bench", "fragments, divisions, clocks and frames a second", glint_cmd_bench},
 };
