@@ -57,27 +57,6 @@ static glint_status name_outputs(const char *out, outputs *files, glint_error *e
     return GLINT_OK;
 }
 
-static glint_status load_mesh(const glint_render_options *chosen, glint_mesh **mesh,
-                              glint_error *err)
-{
-    if (strcmp(chosen->model, "teapot") == 0) {
-        const int density = chosen->density != 0 ? chosen->density : GLINT_TEAPOT_DENSITY;
-        return glint_mesh_teapot(density, mesh, err);
-    }
-    if (strcmp(chosen->model, "sphere") == 0) {
-        const int density = chosen->density != 0 ? chosen->density : GLINT_SPHERE_DENSITY;
-        return glint_mesh_sphere(density, mesh, err);
-    }
-    if (chosen->density != 0) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "--density is for teapot and sphere: others have their own triangles");
-    }
-    if (strcmp(chosen->model, "quad") == 0) {
-        return glint_mesh_quad(mesh, err);
-    }
-    return glint_mesh_load(chosen->model, glint_stop_flag(), mesh, err);
-}
-
 static glint_status render_frame(const glint_render_options *chosen, glint_backend_kind kind,
                                  const glint_scene *scene, glint_render_frame *frame,
                                  glint_error *err)
@@ -85,10 +64,11 @@ static glint_status render_frame(const glint_render_options *chosen, glint_backe
     glint_backend_config config = chosen->backend;
     config.kind = kind;
     frame->kind = kind;
-    glint_status status = glint_renderer_create(chosen->width, chosen->height, chosen->threads,
-                                                &config, &frame->renderer, err);
+    glint_status status =
+        glint_renderer_create(chosen->what.width, chosen->what.height, (int)chosen->what.threads,
+                              &config, &frame->renderer, err);
     if (status == GLINT_OK) {
-        status = glint_image_create(chosen->width, chosen->height, &frame->image, err);
+        status = glint_image_create(chosen->what.width, chosen->what.height, &frame->image, err);
     }
     if (status == GLINT_OK) {
         status = glint_render(frame->renderer, scene, frame->image, glint_stop_flag(),
@@ -150,7 +130,7 @@ static glint_status write_all(const glint_render_result *result, const outputs *
 static glint_status check_outputs(const glint_render_options *chosen, const outputs *files,
                                   glint_error *err)
 {
-    if (glint_file_same(chosen->model, files->frame)) {
+    if (glint_file_same(chosen->what.model, files->frame)) {
         return glint_fail(err, GLINT_BAD_ARGUMENT, "--out: %s is the model itself", files->frame);
     }
     glint_status status = glint_new_file_check(files->frame, err);
@@ -168,7 +148,7 @@ static glint_status run(const glint_render_options *chosen, const outputs *files
 {
     glint_status status = check_outputs(chosen, files, err);
     if (status == GLINT_OK) {
-        status = load_mesh(chosen, mesh, err);
+        status = glint_scene_options_mesh(&chosen->what, mesh, err);
     }
     if (status == GLINT_OK) {
         status = render_all(chosen, *mesh, result, err);

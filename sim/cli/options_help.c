@@ -128,7 +128,7 @@ static void print_option(const glint_option *option)
 {
     char name[128];
     char value[128];
-    char help[512];
+    char help[1024];
     placeholder(option, value, sizeof value);
     const int length =
         snprintf(name, sizeof name, "  --%s%s%s", option->name, *value != '\0' ? " " : "", value);

@@ -3,15 +3,12 @@
 #define GLINT_SIM_CLI_RENDER_OPTIONS_H
 
 #include "backend/backend.h"
-#include "render/render.h"
+#include "cli/scene_options.h"
 
 typedef struct glint_render_options {
-    const char *model;   /* "teapot", "sphere", "quad", or a path */
-    int density;         /* of teapot or sphere; 0: its own default */
-    const char *shading; /* name of the scene's */
-    bool both;           /* render by c and by rtl and compare; else by backend.kind */
+    glint_scene_options what;
+    bool both; /* render by c and by rtl and compare; else by backend.kind */
     glint_backend_config backend;
-    int width, height, threads;
     glint_scene scene; /* all but the mesh */
     const char *out;
     bool json;

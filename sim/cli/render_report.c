@@ -36,9 +36,13 @@ void glint_render_report_text(const glint_render_options *chosen, const glint_re
 {
     const glint_render_stats *stats = &result->frame[0].stats;
     printf("%s, %dx%d: %" PRIu64 " triangles, %" PRIu64 " drawn, %" PRIu64 " fragments\n",
-           chosen->model, chosen->width, chosen->height, stats->triangles, stats->drawn,
-           stats->fragments);
-    printf("%s: %" PRIu64 " highlights", chosen->shading, stats->highlights);
+           chosen->what.model, chosen->what.width, chosen->what.height, stats->triangles,
+           stats->drawn, stats->fragments);
+    printf("%s: %" PRIu64 " highlights", glint_shading_names[chosen->scene.shading],
+           stats->highlights);
+    if (chosen->scene.by_model) {
+        printf(" by %s", glint_reflectance_names[chosen->scene.specular]);
+    }
     if (divider_works(chosen)) {
         printf(", %" PRIu64 " divisions with %d shifts", stats->divisions, chosen->scene.shifts);
     }
@@ -82,17 +86,20 @@ bool glint_render_report_json(const glint_render_options *chosen, const glint_re
 {
     const glint_render_stats *stats = &result->frame[0].stats;
     cJSON *json = cJSON_CreateObject();
-    cJSON_AddStringToObject(json, "model", chosen->model);
+    cJSON_AddStringToObject(json, "model", chosen->what.model);
     cJSON_AddStringToObject(json, "out", chosen->out);
-    cJSON_AddNumberToObject(json, "width", chosen->width);
-    cJSON_AddNumberToObject(json, "height", chosen->height);
+    cJSON_AddNumberToObject(json, "width", chosen->what.width);
+    cJSON_AddNumberToObject(json, "height", chosen->what.height);
     cJSON_AddStringToObject(json, "gate", glint_gate_names[chosen->backend.gate]);
     cJSON_AddStringToObject(json, "pipeline", glint_pipeline_names[chosen->backend.pipeline]);
-    cJSON_AddStringToObject(json, "shading", chosen->shading);
+    cJSON_AddStringToObject(json, "shading", glint_shading_names[chosen->scene.shading]);
+    if (chosen->scene.by_model) {
+        cJSON_AddStringToObject(json, "specular", glint_reflectance_names[chosen->scene.specular]);
+    }
     if (divider_works(chosen)) {
         cJSON_AddNumberToObject(json, "shifts", chosen->scene.shifts);
     }
-    cJSON_AddNumberToObject(json, "threads", chosen->threads);
+    cJSON_AddNumberToObject(json, "threads", (double)chosen->what.threads);
     cJSON_AddNumberToObject(json, "triangles", (double)stats->triangles);
     cJSON_AddNumberToObject(json, "drawn", (double)stats->drawn);
     cJSON_AddNumberToObject(json, "fragments", (double)stats->fragments);

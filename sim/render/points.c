@@ -21,6 +21,18 @@ static void add_point(glint_points *points, const glint_lighting *lighting, glin
     const float diffuse = nl > 0.0 ? (float)(nl / sqrt(nn + TINY)) : 0.0f;
     const size_t at = points->count++;
     points->cos_code[at] = glint_cos_code_of((float)cosine);
+    if (lighting->specular != NULL) {
+        const double nv = glint_vec3_dot(n, v);
+        const double inv_n = 1.0 / sqrt(nn + TINY);
+        const glint_geometry geometry = {
+            .nl = nl * inv_n,
+            .nv = nv * inv_n,
+            .nh = cosine,
+            .rv = 2.0 * nl * nv / (nn + TINY) - glint_vec3_dot(l, v),
+            .vh = 0.5 * glint_vec3_length(h),
+        };
+        points->value[at] = (float)glint_specular_value(lighting->specular, &geometry);
+    }
     points->lit[at] = nl > 0.0 ? 255 : 0;
     for (int c = 0; c < 3; c++) {
         points->base[c][at] =
@@ -28,16 +40,30 @@ static void add_point(glint_points *points, const glint_lighting *lighting, glin
     }
 }
 
+static glint_status find_highlights(glint_points *points, const glint_lighting *lighting,
+                                    glint_backend *backend, glint_error *err)
+{
+    const glint_material *material = &lighting->material;
+    if (lighting->specular == NULL) {
+        return glint_backend_shade(backend, material, points->cos_code, points->count, NULL,
+                                   points->highlight[0], points->highlight[1], points->highlight[2],
+                                   err);
+    }
+    const uint8_t color[3] = {material->r, material->g, material->b};
+    for (int c = 0; c < 3; c++) {
+        glint_specular_color(points->count, points->value, color[c], points->highlight[c]);
+    }
+    return GLINT_OK;
+}
+
 /* Lights all that were added: base becomes the colours. */
-static glint_status light_points(glint_points *points, const glint_material *material,
+static glint_status light_points(glint_points *points, const glint_lighting *lighting,
                                  glint_backend *backend, glint_error *err)
 {
     if (points->count == 0) {
         return GLINT_OK;
     }
-    const glint_status status =
-        glint_backend_shade(backend, material, points->cos_code, points->count, NULL,
-                            points->highlight[0], points->highlight[1], points->highlight[2], err);
+    const glint_status status = find_highlights(points, lighting, backend, err);
     for (int c = 0; status == GLINT_OK && c < 3; c++) {
         glint_add_highlight(points->count, points->highlight[c], points->lit, points->base[c]);
     }
@@ -54,7 +80,7 @@ glint_status glint_light_vertices(glint_points *points, const glint_point_light 
                   glint_camera_view(light->camera, &light->mesh->position[3 * i]),
                   glint_camera_rotate(light->camera, glint_vec3_of(&light->mesh->normal[3 * i])));
     }
-    const glint_status status = light_points(points, &light->lighting->material, backend, err);
+    const glint_status status = light_points(points, light->lighting, backend, err);
     for (size_t i = first; status == GLINT_OK && i < last; i++) {
         for (int c = 0; c < 3; c++) {
             screen[i].color[c] = points->base[c][i - first];
@@ -99,7 +125,7 @@ glint_status glint_light_triangles(glint_points *points, const glint_point_light
         }
     }
     *count = points->count;
-    const glint_status status = light_points(points, &light->lighting->material, backend, err);
+    const glint_status status = light_points(points, light->lighting, backend, err);
     size_t at = 0;
     for (size_t i = 0; status == GLINT_OK && i < list->count; i++) {
         at += i > 0 && list->triangle[i].source != list->triangle[i - 1].source;

@@ -1,5 +1,5 @@
 /* Light at single points of the mesh: at its vertices, for Gouraud's shading, or once for each
- * triangle, for flat shading. The same formula as for fragments, and the same backend. */
+ * triangle, for flat shading. The same formula as for fragments, and the same backend or model. */
 #ifndef GLINT_SIM_POINTS_H
 #define GLINT_SIM_POINTS_H
 
@@ -12,9 +12,10 @@
 /* One thread's room. */
 typedef struct glint_points {
     size_t count;
-    uint32_t cos_code[GLINT_POINTS_RUN];
+    uint32_t cos_code[GLINT_POINTS_RUN];    /* for a backend */
+    float value[GLINT_POINTS_RUN];          /* by a model, instead */
     uint8_t base[3][GLINT_POINTS_RUN];      /* ambient and Lambert light, then the sum */
-    uint8_t highlight[3][GLINT_POINTS_RUN]; /* from the backend */
+    uint8_t highlight[3][GLINT_POINTS_RUN]; /* from the backend or the model */
     uint8_t lit[GLINT_POINTS_RUN];          /* 255 where the surface faces the light, else 0 */
 } glint_points;
 

@@ -47,6 +47,9 @@ struct glint_renderer {
     glint_record record;
     glint_material material; /* of the last frame */
     bool recorded;           /* the record holds a frame */
+    bool prepared;           /* specular is of some frame, with f0 its parameter */
+    glint_reflectance specular;
+    float f0;
     glint_screen_vertex *screen;
     size_t screen_capacity;
     glint_triangle_list *lists; /* one for each run of the mesh's triangles */
@@ -62,6 +65,7 @@ typedef struct frame {
     glint_camera camera;
     glint_lighting lighting;
     glint_image *image;
+    uint32_t *seen; /* instead of the image: the triangles seen */
     const volatile bool *stop;
     atomic_size_t next; /* piece of the current phase to be taken */
     atomic_bool failed;
@@ -126,7 +130,7 @@ static void vertex_phase(void *context, int worker_index)
         const size_t start = piece * VERTEX_RUN;
         const size_t end = end_of(start, VERTEX_RUN, items);
         glint_setup_vertices(&f->camera, f->mesh, start, end, f->renderer->screen);
-        if (colors_at_vertices(f)) {
+        if (f->seen == NULL && colors_at_vertices(f)) {
             const glint_point_light light = point_light(f);
             note(f, w,
                  glint_light_vertices(&w->points, &light, start, end, w->backend,
@@ -156,9 +160,20 @@ static void triangle_phase(void *context, int worker_index)
         if (!glint_setup_triangles(&f->camera, f->mesh, r->extent, r->screen, start,
                                    end_of(start, TRIANGLE_RUN, items), &r->lists[piece])) {
             fail_worker(f, w, GLINT_NO_MEMORY, "no memory for the frame's triangles");
-        } else if (f->shading == GLINT_SHADING_FLAT) {
+        } else if (f->seen == NULL && f->shading == GLINT_SHADING_FLAT) {
             light_triangles(f, w, &r->lists[piece]);
         }
+    }
+}
+
+/* Instead of shading: which triangle is seen. */
+static void note_triangles(const frame *f, const glint_visibility *band)
+{
+    const size_t width = (size_t)f->renderer->extent.width;
+    const size_t pixels = width * (size_t)(band->last_y - band->first_y + 1);
+    uint32_t *seen = &f->seen[width * (size_t)band->first_y];
+    for (size_t i = 0; i < pixels; i++) {
+        seen[i] = band->triangle[i] != NULL ? band->triangle[i]->source : GLINT_NO_TRIANGLE;
     }
 }
 
@@ -200,7 +215,11 @@ static void draw_band(frame *f, worker *w, size_t band)
         }
         glint_visibility_draw(&w->band, r->extent, &r->lists[i]);
     }
-    note(f, w, shade_band(f, w));
+    if (f->seen != NULL) {
+        note_triangles(f, &w->band);
+    } else {
+        note(f, w, shade_band(f, w));
+    }
 }
 
 static void band_phase(void *context, int worker_index)
@@ -280,6 +299,33 @@ static glint_status prepare_gouraud(const frame *f, worker *w, glint_error *err)
     return status;
 }
 
+/* The model of the scene's highlights, kept from frame to frame: preparing some takes long.
+ * *specular is NULL when the backend makes them. */
+static glint_status prepare_specular(glint_renderer *r, const glint_scene *scene,
+                                     const glint_reflectance **specular, glint_error *err)
+{
+    *specular = NULL;
+    if (!scene->by_model) {
+        return GLINT_OK;
+    }
+    if (r->kind != GLINT_BACKEND_REAL) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT,
+                          "highlights by a reflectance model need backend real: the other two are "
+                          "the device");
+    }
+    *specular = &r->specular;
+    if (r->prepared && r->specular.model == scene->specular && r->specular.n == (double)scene->n &&
+        r->f0 == scene->f0) {
+        return GLINT_OK;
+    }
+    const glint_reflectance_parameters parameters = {.n = scene->n, .f0 = (double)scene->f0};
+    const glint_status status =
+        glint_reflectance_prepare(scene->specular, &parameters, &r->specular, err);
+    r->prepared = status == GLINT_OK;
+    r->f0 = scene->f0;
+    return status;
+}
+
 static glint_status prepare_workers(const frame *f, glint_error *err)
 {
     glint_status status = GLINT_OK;
@@ -289,7 +335,7 @@ static glint_status prepare_workers(const frame *f, glint_error *err)
         w->fragments = 0;
         w->highlights = 0;
         w->operations = (glint_span_operations){0};
-        if (f->shading == GLINT_SHADING_GOURAUD) {
+        if (f->seen == NULL && f->shading == GLINT_SHADING_GOURAUD) {
             status = prepare_gouraud(f, w, err);
         }
         w->clocks_before = w->divider != NULL ? glint_divider_backend_clocks(w->divider) : 0;
@@ -345,49 +391,61 @@ static void collect_stats(const frame *f, double seconds, glint_render_stats *st
                        GLINT_DIVIDER_COMPONENTS;
 }
 
+/* Renders into the image or, where that is NULL, into seen. */
+static glint_status run_frame(glint_renderer *renderer, const glint_scene *scene, frame *f,
+                              glint_error *err)
+{
+    glint_status status = glint_scene_check(scene, err);
+    const glint_reflectance *specular = NULL;
+    if (status == GLINT_OK) {
+        status = prepare_specular(renderer, scene, &specular, err);
+    }
+    if (status == GLINT_OK) {
+        status = make_room(renderer, scene->mesh, err);
+    }
+    if (status != GLINT_OK) {
+        return status;
+    }
+    f->renderer = renderer;
+    f->mesh = scene->mesh;
+    f->shading = scene->shading;
+    f->shifts = renderer->kind == GLINT_BACKEND_REAL ? GLINT_SHIFTS_EXACT : scene->shifts;
+    atomic_init(&f->next, 0);
+    atomic_init(&f->failed, false);
+    f->camera = glint_camera_of(scene, renderer->extent.width, renderer->extent.height);
+    f->lighting = glint_lighting_of(scene, &f->camera, specular);
+    status = prepare_workers(f, err);
+    return status == GLINT_OK ? run_phases(f, err) : status;
+}
+
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, glint_image *image,
                           const volatile bool *stop, glint_render_stats *stats, glint_error *err)
 {
     const double start = now();
-    glint_status status = glint_scene_check(scene, err);
-    if (status != GLINT_OK) {
-        return status;
-    }
     if (image->width != renderer->extent.width || image->height != renderer->extent.height) {
         return glint_fail(err, GLINT_BAD_ARGUMENT, "the image is %dx%d, the renderer's frame %dx%d",
                           image->width, image->height, renderer->extent.width,
                           renderer->extent.height);
     }
     renderer->recorded = false;
-    status = make_room(renderer, scene->mesh, err);
-    if (status != GLINT_OK) {
-        return status;
-    }
-    frame f = {
-        .renderer = renderer,
-        .mesh = scene->mesh,
-        .shading = scene->shading,
-        .shifts = renderer->kind == GLINT_BACKEND_REAL ? GLINT_SHIFTS_EXACT : scene->shifts,
-        .image = image,
-        .stop = stop,
-    };
-    atomic_init(&f.next, 0);
-    atomic_init(&f.failed, false);
-    f.camera = glint_camera_of(scene, image->width, image->height);
-    f.lighting = glint_lighting_of(scene, &f.camera);
-    status = prepare_workers(&f, err);
-    if (status == GLINT_OK) {
-        status = run_phases(&f, err);
-    }
+    frame f = {.image = image, .stop = stop};
+    const glint_status status = run_frame(renderer, scene, &f, err);
     if (status != GLINT_OK) {
         return status;
     }
     renderer->material = f.lighting.material;
-    renderer->recorded = f.shading == GLINT_SHADING_PHONG;
+    renderer->recorded = f.shading == GLINT_SHADING_PHONG && !scene->by_model;
     if (stats != NULL) {
         collect_stats(&f, now() - start, stats);
     }
     return GLINT_OK;
+}
+
+glint_status glint_render_triangles(glint_renderer *renderer, const glint_scene *scene,
+                                    uint32_t *seen, const volatile bool *stop, glint_error *err)
+{
+    frame f = {.seen = seen, .stop = stop};
+    return run_frame(renderer, scene, &f, err);
 }
 
 static glint_status create_worker(worker *w, int32_t width, const glint_backend_config *config,

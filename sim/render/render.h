@@ -8,6 +8,7 @@
 
 #include "backend/backend.h"
 #include "image/image.h"
+#include "reflectance/reflectance.h"
 #include "render/mesh.h"
 #include "render/span.h"
 
@@ -52,6 +53,11 @@ typedef struct glint_scene {
     glint_shading shading; /* [phong] */
     int shifts; /* of the divider, for Gouraud's shading on the screen: GLINT_DIVIDER_SHIFTS_MIN…
                    MAX or GLINT_SHIFTS_EXACT. Backend real is always exact. [default] */
+    bool by_model; /* W by a reflectance model from cosines that no code rounds, instead of the
+                      device's; backend real only [false] */
+    glint_reflectance_model specular; /* that model, n its exponent; what replaces W(N·H) is a
+                                         lobe's value or Rs (1.4). Lambert's: no highlight */
+    float f0; /* of the microfacet models: F at normal incidence, 0…1 [GLINT_F0_DEFAULT] */
 } glint_scene;
 
 /* Everything but the mesh set to the defaults that stand in brackets above. */
@@ -61,7 +67,7 @@ typedef struct glint_render_stats {
     uint64_t triangles;  /* of the mesh */
     uint64_t drawn;      /* triangles left after culling and clipping that span a pixel's centre */
     uint64_t fragments;  /* visible pixels of the object */
-    uint64_t highlights; /* points that went through the backend: with Phong's shading fragments,
+    uint64_t highlights; /* points whose highlight was computed: with Phong's shading fragments,
                             with flat shading triangles, else vertices */
     uint64_t divisions;  /* done by the divider, each of three components */
     uint64_t divider_clocks;          /* of its circuits; 0 for backends without a clock */
@@ -85,13 +91,22 @@ glint_status glint_renderer_watch(glint_renderer *renderer, glint_backend_watch 
 
 /* Renders one frame into image (of the renderer's size; every pixel is written, the object mask
  * too; the background is 0). stop (may be NULL): when it becomes true the frame is given up with
- * GLINT_INTERRUPTED. GLINT_BAD_ARGUMENT for a scene value out of range, naming it. */
+ * GLINT_INTERRUPTED. GLINT_BAD_ARGUMENT for a scene value out of range, naming it, n outside the
+ * domain of the model, or a model with another backend than real. */
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, glint_image *image,
                           const volatile bool *stop, glint_render_stats *stats, glint_error *err);
 
+/* In seen for a pixel without the object. */
+#define GLINT_NO_TRIANGLE UINT32_MAX
+
+/* Which of the mesh's triangles each pixel of the frame of that scene shows: width·height numbers,
+ * row by row. Nothing is lit. Fails as glint_render() does. */
+glint_status glint_render_triangles(glint_renderer *renderer, const glint_scene *scene,
+                                    uint32_t *seen, const volatile bool *stop, glint_error *err);
+
 /* The run of cosine codes and the material of the last frame, for inspection: the fragment of pixel
  * (x, y). Returns false when no object covers that pixel, or when the frame has another shading
- * than Phong's and so no cosines at pixels. */
+ * than Phong's, or a model's highlights, and so no codes at pixels. */
 bool glint_renderer_fragment(const glint_renderer *renderer, int x, int y, uint32_t *cos_code,
                              glint_material *material);
 

@@ -23,6 +23,7 @@ void glint_scene_defaults(glint_scene *scene)
         .distance = 0.0f,
         .shading = GLINT_SHADING_PHONG,
         .shifts = GLINT_DIVIDER_SHIFTS_DEFAULT,
+        .f0 = (float)GLINT_F0_DEFAULT,
     };
 }
 
@@ -81,6 +82,7 @@ glint_status glint_scene_check(const glint_scene *scene, glint_error *err)
         {"pitch", scene->pitch, -GLINT_ANGLE_MAX, GLINT_ANGLE_MAX},
         {"fov", scene->fov, GLINT_FOV_MIN, GLINT_FOV_MAX},
         {"distance", scene->distance, 0.0f, GLINT_DISTANCE_MAX},
+        {"f0", scene->f0, 0.0f, 1.0f},
     };
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
         const glint_status status =

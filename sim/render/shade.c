@@ -7,7 +7,8 @@
 
 #include "multiversion.h"
 
-glint_lighting glint_lighting_of(const glint_scene *scene, const glint_camera *camera)
+glint_lighting glint_lighting_of(const glint_scene *scene, const glint_camera *camera,
+                                 const glint_reflectance *specular)
 {
     const glint_vec3 light = glint_vec3_of(scene->light);
     glint_lighting lighting = {
@@ -15,6 +16,7 @@ glint_lighting glint_lighting_of(const glint_scene *scene, const glint_camera *c
         .half_width = (float)camera->half_width,
         .half_height = (float)camera->half_height,
         .material = glint_scene_material(scene),
+        .specular = specular,
     };
     glint_vec3_store(glint_vec3_scale(light, 1.0 / glint_vec3_length(light)), lighting.light);
     for (int i = 0; i < 3; i++) {
@@ -29,7 +31,13 @@ glint_lighting glint_lighting_of(const glint_scene *scene, const glint_camera *c
 bool glint_shader_create(glint_shader *shader, int32_t width)
 {
     const size_t pixels = (size_t)width * GLINT_BAND_ROWS;
-    bool complete = (shader->lit = malloc(pixels)) != NULL;
+    shader->lit = malloc(pixels);
+    shader->value = malloc((size_t)width * sizeof *shader->value);
+    bool complete = shader->lit != NULL && shader->value != NULL;
+    for (int i = 0; i < GLINT_SHADER_COSINES; i++) {
+        shader->cosine[i] = malloc((size_t)width * sizeof *shader->cosine[i]);
+        complete = complete && shader->cosine[i] != NULL;
+    }
     for (int i = 0; i < 3; i++) {
         shader->n[i] = malloc((size_t)width * sizeof *shader->n[i]);
         shader->base[i] = malloc(pixels);
@@ -47,6 +55,10 @@ void glint_shader_destroy(glint_shader *shader)
         free(shader->base[i]);
         free(shader->highlight[i]);
     }
+    for (int i = 0; i < GLINT_SHADER_COSINES; i++) {
+        free(shader->cosine[i]);
+    }
+    free(shader->value);
     free(shader->lit);
 }
 
@@ -90,12 +102,42 @@ static size_t gather_row(glint_shader *shader, const glint_visibility *band, int
     return count;
 }
 
-/* cos γ = N·H/(|N||H|) with H = L + V, both of unit length, and the light that needs no device. V
- * depends on the pixel alone: it is the way back along the ray through it. TINY is lost in any sum
- * but that of a normal or an H without length, whose cosine it makes 0 instead of 0/0. No branches
- * and no selections of floating-point values, so that compilers vectorise all of it. */
+/* Is lost in any sum but that of a normal or an H without length, whose cosine it makes 0 instead
+ * of 0/0. */
 #define TINY 1e-37f
 
+/* One pixel's vectors: V, which depends on the pixel alone, is the way back along the ray through
+ * it; H = L + V, L and V of unit length, N of any. */
+typedef struct pixel {
+    float lv, nn, nh, hh, nl, nv;
+} pixel;
+
+/* In the loops below: no branches and no selections of floating-point values, so that compilers
+ * vectorise all of it. */
+__attribute__((always_inline)) static inline pixel
+pixel_of(const glint_lighting *c, float vy, uint16_t column, float nx, float ny, float nz)
+{
+    const float vx = (c->half_width - ((float)column + 0.5f)) * c->inv_focal;
+    const float inv_v = 1.0f / sqrtf(vx * vx + (vy * vy + 1.0f));
+    const float hx = c->light[0] + vx * inv_v;
+    const float hy = c->light[1] + vy * inv_v;
+    const float hz = c->light[2] + inv_v;
+    return (pixel){
+        .lv = (c->light[0] * vx + c->light[1] * vy + c->light[2]) * inv_v,
+        .nn = nx * nx + ny * ny + nz * nz,
+        .nh = nx * hx + ny * hy + nz * hz,
+        .hh = hx * hx + hy * hy + hz * hz,
+        .nl = nx * c->light[0] + ny * c->light[1] + nz * c->light[2],
+        .nv = (nx * vx + ny * vy + nz) * inv_v,
+    };
+}
+
+static inline float row_vy(const glint_lighting *lighting, int32_t y)
+{
+    return ((float)y + 0.5f - lighting->half_height) * lighting->inv_focal;
+}
+
+/* cos γ = N·H/(|N||H|), and the light that needs no device. */
 GLINT_MULTIVERSION
 static void light_row(const glint_lighting *lighting, int32_t y, size_t count,
                       const uint16_t *restrict columns, const float *restrict nx,
@@ -104,25 +146,131 @@ static void light_row(const glint_lighting *lighting, int32_t y, size_t count,
                       uint8_t *restrict blue, uint8_t *restrict lit)
 {
     const glint_lighting c = *lighting;
-    const float vy = ((float)y + 0.5f - c.half_height) * c.inv_focal;
-    const float vyz = vy * vy + 1.0f;
+    const float vy = row_vy(lighting, y);
     for (size_t i = 0; i < count; i++) {
-        const float vx = (c.half_width - ((float)columns[i] + 0.5f)) * c.inv_focal;
-        const float inv_v = 1.0f / sqrtf(vx * vx + vyz);
-        const float hx = c.light[0] + vx * inv_v;
-        const float hy = c.light[1] + vy * inv_v;
-        const float hz = c.light[2] + inv_v;
-        const float hh = hx * hx + hy * hy + hz * hz;
-        const float nn = nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i];
-        const float nh = nx[i] * hx + ny[i] * hy + nz[i] * hz;
-        const float nl = nx[i] * c.light[0] + ny[i] * c.light[1] + nz[i] * c.light[2];
-        const float cos_l = nl / sqrtf(nn + TINY);
+        const pixel p = pixel_of(&c, vy, columns[i], nx[i], ny[i], nz[i]);
+        const float cos_l = p.nl / sqrtf(p.nn + TINY);
         const float diffuse = 0.5f * (cos_l + fabsf(cos_l)); /* cos_l, or 0 where it is below */
-        cos_code[i] = glint_cos_code_of(nh / sqrtf(nn * hh + TINY));
+        cos_code[i] = glint_cos_code_of(p.nh / sqrtf(p.nn * p.hh + TINY));
         red[i] = glint_intensity_of(c.ambient[0] + c.lambert[0] * diffuse);
         green[i] = glint_intensity_of(c.ambient[1] + c.lambert[1] * diffuse);
         blue[i] = glint_intensity_of(c.ambient[2] + c.lambert[2] * diffuse);
-        lit[i] = nl > 0.0f ? 255 : 0;
+        lit[i] = p.nl > 0.0f ? 255 : 0;
+    }
+}
+
+GLINT_MULTIVERSION
+static void row_nh(const glint_lighting *lighting, int32_t y, size_t count,
+                   const uint16_t *restrict columns, const float *restrict nx,
+                   const float *restrict ny, const float *restrict nz, float *restrict cosine)
+{
+    const glint_lighting c = *lighting;
+    const float vy = row_vy(lighting, y);
+    for (size_t i = 0; i < count; i++) {
+        const pixel p = pixel_of(&c, vy, columns[i], nx[i], ny[i], nz[i]);
+        cosine[i] = p.nh / sqrtf(p.nn * p.hh + TINY);
+    }
+}
+
+/* R = 2(N·L)N − L (2.10). */
+GLINT_MULTIVERSION
+static void row_rv(const glint_lighting *lighting, int32_t y, size_t count,
+                   const uint16_t *restrict columns, const float *restrict nx,
+                   const float *restrict ny, const float *restrict nz, float *restrict cosine)
+{
+    const glint_lighting c = *lighting;
+    const float vy = row_vy(lighting, y);
+    for (size_t i = 0; i < count; i++) {
+        const pixel p = pixel_of(&c, vy, columns[i], nx[i], ny[i], nz[i]);
+        cosine[i] = 2.0f * p.nl * p.nv / (p.nn + TINY) - p.lv;
+    }
+}
+
+/* |H| = 2 V·H, as |L + V|² = 2(1 + L·V). */
+GLINT_MULTIVERSION
+static void row_geometry(const glint_lighting *lighting, int32_t y, size_t count,
+                         const uint16_t *restrict columns, const float *restrict nx,
+                         const float *restrict ny, const float *restrict nz, float *restrict nl,
+                         float *restrict nv, float *restrict nh, float *restrict vh)
+{
+    const glint_lighting c = *lighting;
+    const float vy = row_vy(lighting, y);
+    for (size_t i = 0; i < count; i++) {
+        const pixel p = pixel_of(&c, vy, columns[i], nx[i], ny[i], nz[i]);
+        const float inv_n = 1.0f / sqrtf(p.nn + TINY);
+        nl[i] = p.nl * inv_n;
+        nv[i] = p.nv * inv_n;
+        nh[i] = p.nh / sqrtf(p.nn * p.hh + TINY);
+        vh[i] = 0.5f * sqrtf(p.hh);
+    }
+}
+
+double glint_specular_value(const glint_reflectance *specular, const glint_geometry *geometry)
+{
+    switch (glint_reflectance_describe(specular->model)->cosine) {
+    case GLINT_REFLECTANCE_OF_NL:
+        return 0.0;
+    case GLINT_REFLECTANCE_OF_RV:
+        return glint_reflectance_of_cosine(specular, geometry->rv);
+    case GLINT_REFLECTANCE_OF_NH:
+        return glint_reflectance_of_cosine(specular, geometry->nh);
+    default:
+        return glint_reflectance_intensity(specular, geometry);
+    }
+}
+
+/* Beyond white with any material, and far from what an integer holds. */
+#define VALUE_MAX 1e6f
+
+GLINT_MULTIVERSION
+void glint_specular_color(size_t count, const float *restrict value, uint8_t component,
+                          uint8_t *restrict highlight)
+{
+    for (size_t i = 0; i < count; i++) {
+        const float held = value[i] < VALUE_MAX ? value[i] : VALUE_MAX;
+        highlight[i] = glint_intensity_of(held * (float)component);
+    }
+}
+
+static void microfacet_values(const glint_shader *shader, const glint_reflectance *specular,
+                              size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        const glint_geometry geometry = {
+            .nl = (double)shader->cosine[0][i],
+            .nv = (double)shader->cosine[1][i],
+            .nh = (double)shader->cosine[2][i],
+            .vh = (double)shader->cosine[3][i],
+        };
+        shader->value[i] = (float)glint_reflectance_intensity(specular, &geometry);
+    }
+}
+
+/* The highlights of one row by the model; first is the row's place in the band. */
+static void model_row(const glint_shader *s, const glint_lighting *lighting, int32_t y,
+                      size_t count, const uint16_t *columns, size_t first)
+{
+    const glint_reflectance *specular = lighting->specular;
+    switch (glint_reflectance_describe(specular->model)->cosine) {
+    case GLINT_REFLECTANCE_OF_NL:
+        memset(s->value, 0, count * sizeof *s->value);
+        break;
+    case GLINT_REFLECTANCE_OF_RV:
+        row_rv(lighting, y, count, columns, s->n[0], s->n[1], s->n[2], s->cosine[0]);
+        glint_reflectance_batch(specular, s->cosine[0], count, s->value);
+        break;
+    case GLINT_REFLECTANCE_OF_NH:
+        row_nh(lighting, y, count, columns, s->n[0], s->n[1], s->n[2], s->cosine[0]);
+        glint_reflectance_batch(specular, s->cosine[0], count, s->value);
+        break;
+    default:
+        row_geometry(lighting, y, count, columns, s->n[0], s->n[1], s->n[2], s->cosine[0],
+                     s->cosine[1], s->cosine[2], s->cosine[3]);
+        microfacet_values(s, specular, count);
+    }
+    const uint8_t color[3] = {lighting->material.r, lighting->material.g, lighting->material.b};
+    for (int i = 0; i < 3; i++) {
+        glint_specular_color(count, s->value, color[i], &s->highlight[i][first]);
     }
 }
 
@@ -167,10 +315,13 @@ glint_status glint_shade_band(glint_shader *shader, const glint_lighting *lighti
         light_row(lighting, y, found, &columns[count], shader->n[0], shader->n[1], shader->n[2],
                   &cos_code[count], &shader->base[0][count], &shader->base[1][count],
                   &shader->base[2][count], &shader->lit[count]);
+        if (lighting->specular != NULL) {
+            model_row(shader, lighting, y, found, &columns[count], count);
+        }
         record->in_row[y] = (uint32_t)found;
         count += found;
     }
-    if (count > 0) {
+    if (count > 0 && lighting->specular == NULL) {
         const glint_status status = glint_backend_shade(
             backend, &lighting->material, cos_code, count, NULL, shader->highlight[0],
             shader->highlight[1], shader->highlight[2], err);

@@ -4,21 +4,25 @@
 #ifndef GLINT_SIM_SHADE_H
 #define GLINT_SIM_SHADE_H
 
+#include "reflectance/reflectance.h"
 #include "render/camera.h"
 #include "render/raster.h"
 #include "render/scene.h"
 
 /* What all fragments of a frame have in common. */
 typedef struct glint_lighting {
-    float light[3];                /* L, unit length, camera axes */
-    float ambient[3];              /* C·Ka·Ia */
-    float lambert[3];              /* C·Kd·Ie */
-    float inv_focal;               /* 1 / distance of the frame from the eye in pixels */
-    float half_width, half_height; /* of the frame in pixels */
-    glint_material material;       /* of the highlight */
+    float light[3];                    /* L, unit length, camera axes */
+    float ambient[3];                  /* C·Ka·Ia */
+    float lambert[3];                  /* C·Kd·Ie */
+    float inv_focal;                   /* 1 / distance of the frame from the eye in pixels */
+    float half_width, half_height;     /* of the frame in pixels */
+    glint_material material;           /* of the highlight */
+    const glint_reflectance *specular; /* whose highlights these are; NULL: the backend's */
 } glint_lighting;
 
-glint_lighting glint_lighting_of(const glint_scene *scene, const glint_camera *camera);
+/* specular may be NULL; it must outlive the lighting. */
+glint_lighting glint_lighting_of(const glint_scene *scene, const glint_camera *camera,
+                                 const glint_reflectance *specular);
 
 /* Rounded half up and saturated; value ≥ 0. */
 static inline uint8_t glint_intensity_of(float value)
@@ -36,6 +40,14 @@ static inline uint32_t glint_cos_code_of(float cosine)
     return (uint32_t)(above < one ? above : one);
 }
 
+/* What stands for W at a point, where it is lit, with a model's highlights. */
+double glint_specular_value(const glint_reflectance *specular, const glint_geometry *geometry);
+
+/* One component of the highlights: value ≥ 0 times the component of the material, rounded half up
+ * and saturated. */
+void glint_specular_color(size_t count, const float *restrict value, uint8_t component,
+                          uint8_t *restrict highlight);
+
 /* base + highlight where lit (255, else 0), saturated to 8 bits. */
 void glint_add_highlight(size_t count, const uint8_t *restrict highlight,
                          const uint8_t *restrict lit, uint8_t *restrict base);
@@ -48,12 +60,17 @@ typedef struct glint_record {
     uint32_t *in_row;   /* fragments of each row */
 } glint_record;
 
+/* N·L, N·V, N·H and V·H; a lobe has the first for its one cosine. */
+#define GLINT_SHADER_COSINES 4
+
 /* One thread's room for the fragments of a band. */
 typedef struct glint_shader {
-    float *n[3];           /* of one row: the interpolated normals, any length */
-    uint8_t *base[3];      /* of the band: ambient and Lambert light, then the sum */
-    uint8_t *highlight[3]; /* from the backend */
-    uint8_t *lit;          /* 255 where the surface faces the light, else 0 */
+    float *n[3];                         /* of one row: the interpolated normals, any length */
+    uint8_t *base[3];                    /* of the band: ambient and Lambert light, then the sum */
+    uint8_t *highlight[3];               /* from the backend or the model */
+    uint8_t *lit;                        /* 255 where the surface faces the light, else 0 */
+    float *cosine[GLINT_SHADER_COSINES]; /* of one row, for a model */
+    float *value;                        /* of one row, by a model */
 } glint_shader;
 
 /* Room for bands of that width; false when there is no memory (destroy is still due). */

@@ -1,0 +1,171 @@
+/* What is rendered, from the command line; see scene_options.h. */
+#define _POSIX_C_SOURCE 200809L
+
+#include "cli/scene_options.h"
+
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/output.h"
+
+const char *const glint_shading_names[] = {
+    [GLINT_SHADING_FLAT] = "flat",
+    [GLINT_SHADING_GOURAUD] = "gouraud",
+    [GLINT_SHADING_GOURAUD_PERSPECTIVE] = "gouraud-perspective",
+    [GLINT_SHADING_PHONG] = "phong",
+    [GLINT_SHADING_COUNT] = NULL,
+};
+
+#define LIGHT_MAX 1e6
+
+static int online_cores(void)
+{
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    return cores < 1 ? 1 : cores > GLINT_THREADS_MAX ? GLINT_THREADS_MAX : (int)cores;
+}
+
+glint_scene_options glint_scene_options_default(void)
+{
+    glint_scene scene = {0};
+    glint_scene_defaults(&scene);
+    glint_scene_options chosen = {
+        .model = "teapot",
+        .threads = online_cores(),
+        .width = 640,
+        .height = 480,
+        .ia = (double)scene.ia,
+        .ie = (double)scene.ie,
+        .ka = (double)scene.ka,
+        .kd = (double)scene.kd,
+        .ks = (double)scene.ks,
+        .f0 = GLINT_F0_DEFAULT,
+        .yaw = (double)scene.yaw,
+        .pitch = (double)scene.pitch,
+        .fov = (double)scene.fov,
+        .distance = (double)scene.distance,
+    };
+    for (int i = 0; i < 3; i++) {
+        chosen.light[i] = (double)scene.light[i];
+        chosen.color[i] = scene.color[i];
+        chosen.highlight[i] = scene.highlight[i];
+    }
+    return chosen;
+}
+
+#define INTEGER(NAME, HELP, FIELD, MIN, MAX)                                                       \
+    {                                                                                              \
+        .name = NAME, .help = HELP, .kind = GLINT_OPTION_INTEGER, .integer = {                     \
+            &chosen->FIELD,                                                                        \
+            MIN,                                                                                   \
+            MAX                                                                                    \
+        }                                                                                          \
+    }
+#define REAL(NAME, HELP, FIELD, MIN, MAX)                                                          \
+    {                                                                                              \
+        .name = NAME, .help = HELP, .kind = GLINT_OPTION_REAL, .real = {                           \
+            &chosen->FIELD,                                                                        \
+            MIN,                                                                                   \
+            MAX                                                                                    \
+        }                                                                                          \
+    }
+#define COLOR(NAME, HELP, FIELD)                                                                   \
+    {                                                                                              \
+        .name = NAME, .help = HELP, .kind = GLINT_OPTION_COLOR, .color = chosen->FIELD             \
+    }
+
+void glint_scene_options_add(glint_scene_options *chosen, glint_option rows[GLINT_SCENE_OPTIONS])
+{
+    const glint_option options[] = {
+        {.name = "model",
+         .placeholder = "teapot|sphere|quad|FILE",
+         .help = "a built-in model, or a mesh file: .3ds, .obj, .ply, .stl and more",
+         .kind = GLINT_OPTION_STRING,
+         .string = &chosen->model},
+        INTEGER("density",
+                "how finely the teapot (1 to 256) or the sphere (4 to 4096, even) is divided; 0: "
+                "the model's own",
+                density, 0, GLINT_SPHERE_DENSITY_MAX),
+        {.name = "size",
+         .help = "the frame, in pixels",
+         .kind = GLINT_OPTION_SIZE,
+         .size = {&chosen->width, &chosen->height, GLINT_IMAGE_SIDE_MAX}},
+        INTEGER("threads", "threads, each with a circuit of its own; the picture is the same",
+                threads, 1, GLINT_THREADS_MAX),
+        COLOR("color", "C, the object's colour", color),
+        COLOR("highlight", "S, the highlight's colour", highlight),
+        {.name = "light",
+         .help = "direction from the object to the light",
+         .kind = GLINT_OPTION_REALS,
+         .reals = {chosen->light, -LIGHT_MAX, LIGHT_MAX}},
+        REAL("ia", "Ia, intensity of the ambient light", ia, 0, 1),
+        REAL("ie", "Ie, intensity of the light source", ie, 0, 1),
+        REAL("ka", "Ka, ambient coefficient", ka, 0, 1),
+        REAL("kd", "Kd, diffuse coefficient", kd, 0, 1),
+        REAL("ks", "Ks, specular coefficient", ks, 0, 1),
+        {.name = "f0",
+         .help = "reflectance at normal incidence, of the models cook-torrance and "
+                 "torrance-sparrow",
+         .given = &chosen->f0_given,
+         .kind = GLINT_OPTION_REAL,
+         .real = {&chosen->f0, 0, 1}},
+        REAL("yaw", "camera's turn around the object, degrees", yaw, -(double)GLINT_ANGLE_MAX,
+             (double)GLINT_ANGLE_MAX),
+        REAL("pitch", "camera's rise above the object, degrees", pitch, -(double)GLINT_ANGLE_MAX,
+             (double)GLINT_ANGLE_MAX),
+        REAL("fov", "vertical field of view, degrees", fov, (double)GLINT_FOV_MIN,
+             (double)GLINT_FOV_MAX),
+        REAL("distance",
+             "of the camera from the object's centre, in radii of the object; 0: the object fills "
+             "the frame",
+             distance, 0, (double)GLINT_DISTANCE_MAX),
+    };
+    _Static_assert(sizeof options == GLINT_SCENE_OPTIONS * sizeof options[0], "as many rows");
+    memcpy(rows, options, sizeof options);
+}
+
+glint_scene glint_scene_options_scene(const glint_scene_options *chosen)
+{
+    glint_scene scene = {0};
+    glint_scene_defaults(&scene);
+    scene.ia = (float)chosen->ia;
+    scene.ie = (float)chosen->ie;
+    scene.ka = (float)chosen->ka;
+    scene.kd = (float)chosen->kd;
+    scene.ks = (float)chosen->ks;
+    scene.f0 = (float)chosen->f0;
+    scene.yaw = (float)chosen->yaw;
+    scene.pitch = (float)chosen->pitch;
+    scene.fov = (float)chosen->fov;
+    scene.distance = (float)chosen->distance;
+    for (int i = 0; i < 3; i++) {
+        scene.light[i] = (float)chosen->light[i];
+        scene.color[i] = chosen->color[i];
+        scene.highlight[i] = chosen->highlight[i];
+    }
+    return scene;
+}
+
+glint_status glint_scene_options_mesh(const glint_scene_options *chosen, glint_mesh **mesh,
+                                      glint_error *err)
+{
+    const int density = (int)chosen->density;
+    if (strcmp(chosen->model, "teapot") == 0) {
+        return glint_mesh_teapot(density != 0 ? density : GLINT_TEAPOT_DENSITY, mesh, err);
+    }
+    if (strcmp(chosen->model, "sphere") == 0) {
+        return glint_mesh_sphere(density != 0 ? density : GLINT_SPHERE_DENSITY, mesh, err);
+    }
+    if (density != 0) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT,
+                          "--density is for teapot and sphere: others have their own triangles");
+    }
+    if (strcmp(chosen->model, "quad") == 0) {
+        return glint_mesh_quad(mesh, err);
+    }
+    return glint_mesh_load(chosen->model, glint_stop_flag(), mesh, err);
+}
+
+bool glint_specular_takes_f0(glint_reflectance_model model)
+{
+    return glint_reflectance_describe(model)->cosine == GLINT_REFLECTANCE_OF_GEOMETRY;
+}

@@ -1,0 +1,51 @@
+/* The options that say what is rendered: the mesh, the light, the colours, the camera, the frame's
+ * size and the threads. The same for every subcommand that renders. */
+#ifndef GLINT_SIM_CLI_SCENE_OPTIONS_H
+#define GLINT_SIM_CLI_SCENE_OPTIONS_H
+
+#include "cli/options.h"
+#include "render/render.h"
+
+/* What the options fill; wider than the fields they end up in. */
+typedef struct glint_scene_options {
+    const char *model; /* "teapot", "sphere", "quad", or a path */
+    int64_t density;   /* of teapot or sphere; 0: its own default */
+    int64_t threads;
+    int width, height;
+    double light[3];
+    uint8_t color[3], highlight[3];
+    double ia, ie, ka, kd, ks, f0;
+    double yaw, pitch, fov, distance;
+    bool f0_given;
+} glint_scene_options;
+
+/* The scene's defaults, the teapot, 640×480, a thread for each processor. */
+glint_scene_options glint_scene_options_default(void);
+
+/* For the details of --help: what a COLOR may be. */
+#define GLINT_COLOR_DETAILS                                                                        \
+    "A COLOR is R,G,B or rgb:R,G,B, each 0 to 255; #rrggbb; hsv:H,S,V, degrees and\n"              \
+    "percents; cmyk:C,M,Y,K, percents.\n"
+
+/* Rows of a subcommand's option table. */
+#define GLINT_SCENE_OPTIONS 17
+void glint_scene_options_add(glint_scene_options *chosen, glint_option rows[GLINT_SCENE_OPTIONS]);
+
+/* The scene without its mesh; n, shading and what computes the highlights are its defaults. */
+glint_scene glint_scene_options_scene(const glint_scene_options *chosen);
+
+/* The model: built in, or read from its file. */
+glint_status glint_scene_options_mesh(const glint_scene_options *chosen, glint_mesh **mesh,
+                                      glint_error *err);
+
+/* The names of the shadings, in the order of the enum; ends with NULL. */
+extern const char *const glint_shading_names[];
+
+/* " lambert phong blinn …" */
+#define GLINT_SPECULAR_NAME(id, definition, name) " " name
+#define GLINT_SPECULAR_NAMES                      GLINT_REFLECTANCE_MODELS(GLINT_SPECULAR_NAME)
+
+/* --f0 says something only with a microfacet model. Returns whether the model is one. */
+bool glint_specular_takes_f0(glint_reflectance_model model);
+
+#endif
