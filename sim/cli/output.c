@@ -52,13 +52,17 @@ void glint_output_init(void)
 
 int glint_output_finish(const char *command, int status)
 {
+    /* Where more was printed than the stream holds, errno still tells of the write that failed:
+     * what is printed after it has nothing to set it. */
+    const int earlier = ferror(stdout) ? errno : 0;
     errno = 0;
     const bool flushed = fflush(stdout) == 0;
     if (flushed && !ferror(stdout)) {
         return status;
     }
+    const int why = errno != 0 ? errno : earlier;
     return glint_complain(command, GLINT_EXIT_FAILURE, "cannot write to standard output: %s",
-                          errno != 0 ? strerror(errno) : "an earlier write failed");
+                          why != 0 ? strerror(why) : "an earlier write failed");
 }
 
 int glint_complain(const char *command, int exit_status, const char *format, ...)

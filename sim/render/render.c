@@ -65,7 +65,6 @@ typedef struct frame {
     glint_camera camera;
     glint_lighting lighting;
     glint_image *image;
-    uint32_t *seen; /* instead of the image: the triangles seen */
     const volatile bool *stop;
     atomic_size_t next; /* piece of the current phase to be taken */
     atomic_bool failed;
@@ -130,7 +129,7 @@ static void vertex_phase(void *context, int worker_index)
         const size_t start = piece * VERTEX_RUN;
         const size_t end = end_of(start, VERTEX_RUN, items);
         glint_setup_vertices(&f->camera, f->mesh, start, end, f->renderer->screen);
-        if (f->seen == NULL && colors_at_vertices(f)) {
+        if (colors_at_vertices(f)) {
             const glint_point_light light = point_light(f);
             note(f, w,
                  glint_light_vertices(&w->points, &light, start, end, w->backend,
@@ -160,20 +159,9 @@ static void triangle_phase(void *context, int worker_index)
         if (!glint_setup_triangles(&f->camera, f->mesh, r->extent, r->screen, start,
                                    end_of(start, TRIANGLE_RUN, items), &r->lists[piece])) {
             fail_worker(f, w, GLINT_NO_MEMORY, "no memory for the frame's triangles");
-        } else if (f->seen == NULL && f->shading == GLINT_SHADING_FLAT) {
+        } else if (f->shading == GLINT_SHADING_FLAT) {
             light_triangles(f, w, &r->lists[piece]);
         }
-    }
-}
-
-/* Instead of shading: which triangle is seen. */
-static void note_triangles(const frame *f, const glint_visibility *band)
-{
-    const size_t width = (size_t)f->renderer->extent.width;
-    const size_t pixels = width * (size_t)(band->last_y - band->first_y + 1);
-    uint32_t *seen = &f->seen[width * (size_t)band->first_y];
-    for (size_t i = 0; i < pixels; i++) {
-        seen[i] = band->triangle[i] != NULL ? band->triangle[i]->source : GLINT_NO_TRIANGLE;
     }
 }
 
@@ -215,11 +203,7 @@ static void draw_band(frame *f, worker *w, size_t band)
         }
         glint_visibility_draw(&w->band, r->extent, &r->lists[i]);
     }
-    if (f->seen != NULL) {
-        note_triangles(f, &w->band);
-    } else {
-        note(f, w, shade_band(f, w));
-    }
+    note(f, w, shade_band(f, w));
 }
 
 static void band_phase(void *context, int worker_index)
@@ -335,7 +319,7 @@ static glint_status prepare_workers(const frame *f, glint_error *err)
         w->fragments = 0;
         w->highlights = 0;
         w->operations = (glint_span_operations){0};
-        if (f->seen == NULL && f->shading == GLINT_SHADING_GOURAUD) {
+        if (f->shading == GLINT_SHADING_GOURAUD) {
             status = prepare_gouraud(f, w, err);
         }
         w->clocks_before = w->divider != NULL ? glint_divider_backend_clocks(w->divider) : 0;
@@ -391,7 +375,6 @@ static void collect_stats(const frame *f, double seconds, glint_render_stats *st
                        GLINT_DIVIDER_COMPONENTS;
 }
 
-/* Renders into the image or, where that is NULL, into seen. */
 static glint_status run_frame(glint_renderer *renderer, const glint_scene *scene, frame *f,
                               glint_error *err)
 {
@@ -439,13 +422,6 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, gl
         collect_stats(&f, now() - start, stats);
     }
     return GLINT_OK;
-}
-
-glint_status glint_render_triangles(glint_renderer *renderer, const glint_scene *scene,
-                                    uint32_t *seen, const volatile bool *stop, glint_error *err)
-{
-    frame f = {.seen = seen, .stop = stop};
-    return run_frame(renderer, scene, &f, err);
 }
 
 static glint_status create_worker(worker *w, int32_t width, const glint_backend_config *config,
@@ -591,4 +567,22 @@ bool glint_renderer_triangle(glint_renderer *renderer, int x, int y, uint32_t *t
     }
     *triangle = seen->source;
     return true;
+}
+
+void glint_renderer_triangles(glint_renderer *renderer, uint32_t *seen)
+{
+    const glint_extent extent = renderer->extent;
+    glint_visibility *band = &renderer->workers[0].band;
+    for (int32_t y = 0; y < extent.height; y += GLINT_BAND_ROWS) {
+        const int32_t after = y + GLINT_BAND_ROWS;
+        glint_visibility_begin(band, extent, y,
+                               (after < extent.height ? after : extent.height) - 1);
+        for (size_t i = 0; i < renderer->list_count; i++) {
+            glint_visibility_draw(band, extent, &renderer->lists[i]);
+        }
+        const size_t pixels = (size_t)extent.width * (size_t)(band->last_y - y + 1);
+        for (size_t i = 0; i < pixels; i++) {
+            *seen++ = band->triangle[i] != NULL ? band->triangle[i]->source : GLINT_NO_TRIANGLE;
+        }
+    }
 }

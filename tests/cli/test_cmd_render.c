@@ -14,6 +14,7 @@
 
 #include "../scratch.h"
 #include "image/image.h"
+#include "reflectance/reflectance.h"
 #include "run.h"
 
 static outcome render(const char *name, const char *options)
@@ -212,6 +213,78 @@ static void few_shifts_change_a_gouraud_picture(void **state)
     glint_image_destroy(usual);
 }
 
+/* Every name that --help lists is taken, and says so; no two models make one picture. */
+static void every_model_that_help_names_is_rendered(void **state)
+{
+    (void)state;
+    outcome help = run("render --help", "");
+    assert_outcome(&help, 0, "");
+    const char *begin = strstr(help.out, "one of");
+    const char *end = strstr(help.out, "  --n N");
+    assert_true(begin != NULL && end != NULL && begin < end);
+    char names[1024];
+    snprintf(names, sizeof names, "%.*s", (int)(end - begin - 6), begin + 6);
+    glint_image *picture[64];
+    int count = 0;
+    for (char *rest, *name = strtok_r(names, " \n", &rest); name != NULL;
+         name = strtok_r(NULL, " \n", &rest)) {
+        char options[160];
+        snprintf(options, sizeof options, "--size 160x120 --n 30 --backend real --specular %s",
+                 name);
+        outcome done = render("model.png", options);
+        assert_outcome(&done, 0, "");
+        assert_says(done.out, name);
+        forget(&done);
+        assert_true(count < 64);
+        picture[count] = read_picture("model.png");
+        for (int i = 0; i < count; i++) {
+            if (differing_pixels(picture[i], picture[count]) == 0 &&
+                strcmp(name, "device") != 0) { /* rounded as finely as these pictures show */
+                fail_msg("%s makes the picture of model %d", name, i);
+            }
+        }
+        count++;
+    }
+    assert_int_equal(count, GLINT_REFLECTANCE_COUNT);
+    for (int i = 0; i < count; i++) {
+        glint_image_destroy(picture[i]);
+    }
+    forget(&help);
+}
+
+static void models_that_do_not_fit_are_refused(void **state)
+{
+    (void)state;
+    static const char *const refused[][2] = {
+        {"--specular blinn",
+         "--specular needs --backend real: the other backends are the device\n"},
+        {"--specular blinn --backend rtl",
+         "--specular needs --backend real: the other backends are the device\n"},
+        {"--specular blinn --backend both",
+         "--specular needs --backend real: the other backends are the device\n"},
+        {"--specular Blinn --backend real",
+         "--specular: \"Blinn\" is no reflectance model (see glint render --help)\n"},
+        {"--f0 0.5", "--f0 is for --specular cook-torrance and torrance-sparrow\n"},
+        {"--f0 0.5 --backend real --specular blinn",
+         "--f0 is for --specular cook-torrance and torrance-sparrow\n"},
+        {"--n 0 --backend real --specular quadratic", "model quadratic: n = 0 is not in 1"},
+    };
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        outcome done = render("refused.png", refused[i][0]);
+        assert_int_equal(done.status, 2);
+        assert_says(done.err, "glint render: ");
+        assert_says(done.err, refused[i][1]);
+        assert_string_equal(done.out, "");
+        assert_int_equal(access(scratch_path("refused.png"), F_OK), -1);
+        forget(&done);
+    }
+    glint_image *dull = rendered("--size 80x60 --backend real --specular cook-torrance");
+    glint_image *bright = rendered("--size 80x60 --backend real --specular cook-torrance --f0 0.9");
+    assert_true(differing_pixels(dull, bright) > 100);
+    glint_image_destroy(dull);
+    glint_image_destroy(bright);
+}
+
 static void the_divisions_are_told_of(void **state)
 {
     (void)state;
@@ -389,6 +462,8 @@ int main(void)
         cmocka_unit_test(a_color_is_the_same_in_every_form),
         cmocka_unit_test(threads_lanes_and_pipeline_do_not_change_the_picture),
         cmocka_unit_test(few_shifts_change_a_gouraud_picture),
+        cmocka_unit_test(every_model_that_help_names_is_rendered),
+        cmocka_unit_test(models_that_do_not_fit_are_refused),
         cmocka_unit_test(the_divisions_are_told_of),
         cmocka_unit_test(json_gives_the_figures),
         cmocka_unit_test(comparing_nothing_is_a_failure),

@@ -77,14 +77,17 @@ int fuzz_divide(const uint8_t *bytes, size_t count)
 
 static void expect_render_options(const glint_render_options *chosen)
 {
-    FUZZ_EXPECT(chosen->model != NULL && chosen->out != NULL);
-    FUZZ_EXPECT(chosen->width >= 1 && chosen->width <= GLINT_IMAGE_SIDE_MAX);
-    FUZZ_EXPECT(chosen->height >= 1 && chosen->height <= GLINT_IMAGE_SIDE_MAX);
-    FUZZ_EXPECT(chosen->threads >= 1 && chosen->threads <= GLINT_THREADS_MAX);
+    FUZZ_EXPECT(chosen->what.model != NULL && chosen->out != NULL);
+    FUZZ_EXPECT(chosen->what.width >= 1 && chosen->what.width <= GLINT_IMAGE_SIDE_MAX);
+    FUZZ_EXPECT(chosen->what.height >= 1 && chosen->what.height <= GLINT_IMAGE_SIDE_MAX);
+    FUZZ_EXPECT(chosen->what.threads >= 1 && chosen->what.threads <= GLINT_THREADS_MAX);
     FUZZ_EXPECT(chosen->scene.fov >= GLINT_FOV_MIN && chosen->scene.fov <= GLINT_FOV_MAX);
     FUZZ_EXPECT(fabsf(chosen->scene.yaw) <= GLINT_ANGLE_MAX);
     FUZZ_EXPECT(chosen->scene.n <= 1023);
     FUZZ_EXPECT(chosen->scene.shading < GLINT_SHADING_COUNT);
+    FUZZ_EXPECT(chosen->scene.specular < GLINT_REFLECTANCE_COUNT);
+    FUZZ_EXPECT(!chosen->scene.by_model || chosen->backend.kind == GLINT_BACKEND_REAL);
+    FUZZ_EXPECT(chosen->scene.f0 >= 0.0f && chosen->scene.f0 <= 1.0f);
 }
 
 /* In the place of glint_cmd_render(): the same reading, without the frame. */
