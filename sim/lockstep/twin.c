@@ -101,19 +101,21 @@ void glint_twin_clock(glint_twin *twin, const glint_pins *pins)
 
 static void read_divider(const glint_twin *twin, uint64_t *model, uint64_t *rtl)
 {
-    for (int i = 0; i < twin->signal_count; i++)
+    for (int i = 0; i < twin->signal_count; i++) {
         model[i] = glint_divider_signal_bits(twin->divider, i);
-    for (int i = 0; rtl != NULL && i < twin->signal_count; i++)
-        rtl[i] = glint_divider_rtl_signal_bits(twin->divider_rtl, i);
+        if (rtl != NULL)
+            rtl[i] = glint_divider_rtl_signal_bits(twin->divider_rtl, i);
+    }
 }
 
 static void read_specular(const glint_twin *twin, uint64_t *model, uint64_t *rtl)
 {
     const glint_specular_signals *signals = glint_specular_device_signals(twin->specular);
-    for (int i = 0; i < twin->signal_count; i++)
+    for (int i = 0; i < twin->signal_count; i++) {
         model[i] = glint_specular_signal_bits(&twin->setting.specular, signals, i);
-    for (int i = 0; rtl != NULL && i < twin->signal_count; i++)
-        rtl[i] = glint_rtl_signal_bits(twin->specular_rtl, i);
+        if (rtl != NULL)
+            rtl[i] = glint_rtl_signal_bits(twin->specular_rtl, i);
+    }
 }
 
 void glint_twin_read(const glint_twin *twin, uint64_t model[GLINT_SETTING_SIGNALS_MAX],
