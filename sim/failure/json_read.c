@@ -345,6 +345,16 @@ static void check_clock(reader *r)
         refuse(r, "clock %" PRIu64 " is not among those of the pins", clock);
 }
 
+/* It is printed as it is: nothing in it may work on a terminal. */
+static void read_command(reader *r, const cJSON *json)
+{
+    const char *command = text(r, json, "command");
+    for (const char *c = command; *c != '\0'; c++)
+        if ((unsigned char)*c < 0x20 || *c == 0x7f)
+            refuse(r, "command holds what is no printed character");
+    (void)snprintf(r->failure->command, sizeof r->failure->command, "%s", command);
+}
+
 static void read_all(reader *r, const cJSON *json)
 {
     glint_failure *failure = r->failure;
@@ -354,7 +364,7 @@ static void read_all(reader *r, const cJSON *json)
         refuse(r, "it is of another version than %d", GLINT_JSON_VERSION);
     failure->kind =
         (glint_failure_kind)choice(r, json, "kind", glint_failure_kind_names, GLINT_FAILURE_KINDS);
-    (void)snprintf(failure->command, sizeof failure->command, "%s", text(r, json, "command"));
+    read_command(r, json);
     read_setting(r, json);
     if (r->failed)
         return;

@@ -14,6 +14,7 @@
 
 #include "../child.h"
 #include "../cli/run.h"
+#include "../record.h"
 #include "failure/packet.h"
 #include "faults.h"
 
@@ -124,9 +125,13 @@ static void a_right_circuit_has_none_of_them(void **state)
     }
 }
 
+static uint64_t refused;
+static double seconds_refusing;
+
 static void what_is_cut_short_is_refused(void **state)
 {
     (void)state;
+    const double begin = child_seconds();
     for (int i = 0; i < PACKETS; i++) {
         const size_t length = strlen(packets[i]);
         for (size_t cut = 0; cut < length - 2; cut += 1 + length / 40) {
@@ -135,10 +140,12 @@ static void what_is_cut_short_is_refused(void **state)
             put_packet(part);
             outcome done = replay("");
             assert_refused(&done, "packet/failure.json: it is no whole JSON", "cut");
+            refused++;
             forget(&done);
             free(part);
         }
     }
+    seconds_refusing += child_seconds() - begin;
 }
 
 /* Puts one value in the place of another; both as they stand in the text. */
@@ -188,6 +195,7 @@ static const edit edits[] = {
     {RANDOM, "version", "1.5", "version is no whole number"},
     {RANDOM, "kind", "\"bad\"", "kind is none that there is"},
     {RANDOM, "command", "7", "command is no text"},
+    {RANDOM, "command", "\"\\u001b[2J\"", "command holds what is no printed character"},
     {RANDOM, "circuit", "\"toaster\"", "circuit is none"},
     {RANDOM, "gate", "\"open\"", "gate is none"},
     {RANDOM, "pipeline", "null", "pipeline is no text"},
@@ -237,6 +245,7 @@ static const edit edits[] = {
 static void what_is_out_of_range_is_refused(void **state)
 {
     (void)state;
+    const double begin = child_seconds();
     for (size_t i = 0; i < sizeof edits / sizeof edits[0]; i++) {
         char *text = edited(&edits[i]);
         put_packet(text);
@@ -247,9 +256,13 @@ static void what_is_out_of_range_is_refused(void **state)
         } else {
             assert_refused(&done, edits[i].said, edits[i].path);
             assert_says(done.err, "packet/failure.json: ");
+            refused++;
         }
         forget(&done);
     }
+    seconds_refusing += child_seconds() - begin;
+    record("abuse-packet", "a damaged failure packet is refused in one line, not played",
+           "cut and edited packets", refused, "packets", seconds_refusing);
 }
 
 static void what_is_no_packet_is_refused(void **state)

@@ -15,6 +15,7 @@
 
 #include "../scratch.h"
 
+#include "../record.h"
 #include "../seed.h"
 #include "../wave/saved.h"
 #include "../wave/vcd.h"
@@ -480,6 +481,7 @@ static void every_lane_is_there(void **state)
 static void a_packet_is_read_and_played(void **state)
 {
     (void)state;
+    const double begin = child_seconds();
     for (size_t f = 0; f < FAULT_COUNT; f++) {
         glint_error err;
         glint_failure *read;
@@ -499,6 +501,9 @@ static void a_packet_is_read_and_played(void **state)
         assert_false(glint_failure_differs(&again));
         glint_failure_destroy(read);
     }
+    record("rtl-9-packet",
+           "a failure packet shows its mismatch again, and none with the right circuit",
+           "circuits wrong on purpose", FAULT_COUNT, "circuits", child_seconds() - begin);
 }
 
 static void nothing_but_a_packet_is_replaced(void **state)

@@ -19,6 +19,7 @@ fuzz_target fuzz_eval;   /* a line of options, then standard input of `glint eva
 fuzz_target fuzz_divide; /* the same for `glint divide` */
 fuzz_target fuzz_render; /* a line of options of `glint render`: read, not carried out */
 fuzz_target fuzz_png;    /* a picture: read, written, read again, compared */
+fuzz_target fuzz_packet; /* failure.json of a packet: read, written, read again, played */
 
 /* Aborts with a message unless it holds. */
 #define FUZZ_EXPECT(condition) fuzz_expect((condition), #condition, __FILE__, __LINE__)

@@ -1,7 +1,7 @@
 # Fuzzing by libFuzzer, with AddressSanitizer and UBSan in all of the C code; the circuits are those
 # of the plain build. FUZZ_SECONDS= for each target.
 
-FUZZ_TARGETS := mesh scene eval divide render png
+FUZZ_TARGETS := mesh scene eval divide render png packet
 FUZZ_SECONDS ?= 20
 
 FUZZ_SHARED  := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/test_fuzz.c,$(wildcard tests/fuzz/*.c)))

@@ -190,11 +190,18 @@ static void pictures(void **state)
     try_target("png", fuzz_png, 1000);
 }
 
+static void packets(void **state)
+{
+    (void)state;
+    try_target("packet", fuzz_packet, 3000);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(meshes),    cmocka_unit_test(scenes),         cmocka_unit_test(points),
         cmocka_unit_test(divisions), cmocka_unit_test(render_options), cmocka_unit_test(pictures),
+        cmocka_unit_test(packets),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
