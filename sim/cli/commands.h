@@ -4,6 +4,7 @@
 #define GLINT_SIM_CLI_COMMANDS_H
 
 int glint_cmd_info(int argc, char **argv);
+int glint_cmd_models(int argc, char **argv);
 int glint_cmd_eval(int argc, char **argv);
 int glint_cmd_render(int argc, char **argv);
 int glint_cmd_compare(int argc, char **argv);

@@ -13,6 +13,7 @@ static const struct {
     int (*run)(int argc, char **argv);
 } subcommands[] = {
     {"info", "settings, number formats, latency, ROM checksums", glint_cmd_info},
+    {"models", "the reflectance models, and how far each is from cos^n", glint_cmd_models},
     {"eval", "the device's answer for points on standard input, as CSV", glint_cmd_eval},
     {"divide", "the divider's answer for divisions on standard input, as CSV", glint_cmd_divide},
     {"render", "a lit mesh as a PNG, every highlight by the device", glint_cmd_render},
