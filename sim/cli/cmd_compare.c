@@ -96,7 +96,7 @@ static glint_status write_difference(const glint_image *a, const glint_image *b,
     glint_image *picture;
     glint_status status = glint_image_difference_picture(a, b, &picture, err);
     if (status == GLINT_OK) {
-        status = glint_image_write_png(picture, path, err);
+        status = glint_image_write_png_until(picture, path, glint_stop_flag(), err);
     }
     glint_image_destroy(picture);
     return status;
@@ -129,9 +129,9 @@ int glint_cmd_compare(int argc, char **argv)
     glint_image *a = NULL;
     glint_image *b = NULL;
     glint_image_difference difference;
-    glint_status status = glint_image_read_png(chosen.a, &a, &err);
+    glint_status status = glint_image_read_png_until(chosen.a, glint_stop_flag(), &a, &err);
     if (status == GLINT_OK) {
-        status = glint_image_read_png(chosen.b, &b, &err);
+        status = glint_image_read_png_until(chosen.b, glint_stop_flag(), &b, &err);
     }
     if (status == GLINT_OK) {
         status = glint_image_compare(a, b, &difference, &err);

@@ -110,10 +110,11 @@ static glint_status write_difference(const glint_render_result *result, const ou
     glint_status status = glint_image_difference_picture(result->frame[0].image,
                                                          result->frame[1].image, &picture, err);
     if (status == GLINT_OK) {
-        status = glint_image_write_png(picture, files->diff, err);
+        status = glint_image_write_png_until(picture, files->diff, glint_stop_flag(), err);
     }
     glint_image_destroy(picture);
-    return status == GLINT_OK ? glint_image_write_png(result->frame[0].image, files->frame_c, err)
+    return status == GLINT_OK ? glint_image_write_png_until(result->frame[0].image, files->frame_c,
+                                                            glint_stop_flag(), err)
                               : status;
 }
 
@@ -121,7 +122,8 @@ static glint_status write_all(const glint_render_result *result, const outputs *
                               glint_error *err)
 {
     const glint_render_frame *last = &result->frame[result->frame_count - 1];
-    const glint_status status = glint_image_write_png(last->image, files->frame, err);
+    const glint_status status =
+        glint_image_write_png_until(last->image, files->frame, glint_stop_flag(), err);
     return status == GLINT_OK && glint_render_differs(result) ? write_difference(result, files, err)
                                                               : status;
 }

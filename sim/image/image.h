@@ -3,6 +3,7 @@
 #ifndef GLINT_SIM_IMAGE_H
 #define GLINT_SIM_IMAGE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -24,11 +25,20 @@ void glint_image_destroy(glint_image *image); /* NULL is allowed */
  * with the picture. Written beside the target, then renamed: never a half-written file. */
 glint_status glint_image_write_png(const glint_image *image, const char *path, glint_error *err);
 
+/* The same, given up with GLINT_INTERRUPTED when *stop becomes true; stop may be NULL. Of
+ * 16384x16384 it takes half a minute. */
+glint_status glint_image_write_png_until(const glint_image *image, const char *path,
+                                         const volatile bool *stop, glint_error *err);
+
 /* Reads any PNG that libpng reads: grey becomes R = G = B, palettes and fewer bits are expanded,
  * 16 bits are rounded to 8; no gamma or colour profile is applied, and alpha does not change the
  * colours. The object is where alpha is above 0; a picture without alpha is all object.
  * GLINT_BAD_INPUT for a file that is no whole PNG or has a side above GLINT_IMAGE_SIDE_MAX. */
 glint_status glint_image_read_png(const char *path, glint_image **image, glint_error *err);
+
+/* The same, given up with GLINT_INTERRUPTED when *stop becomes true; stop may be NULL. */
+glint_status glint_image_read_png_until(const char *path, const volatile bool *stop,
+                                        glint_image **image, glint_error *err);
 
 /* The square of side × side pixels with (x, y) in its middle, moved where it would reach beyond the
  * picture and cut to what there is of it; each pixel as a square of factor × factor. */

@@ -11,6 +11,7 @@
 /* What libpng's callbacks reach, and what must be released after they have jumped out. */
 typedef struct reader {
     const char *path;
+    const volatile bool *stop; /* may be NULL */
     FILE *stream;
     glint_status status; /* why the reading failed */
     glint_error *err;
@@ -62,15 +63,24 @@ static void check_size(png_structp png, png_infop info, reader *from)
     }
 }
 
-/* Whatever the file holds, rows of R G B A with 8 bits come out. */
-static void ask_for_rgba(png_structp png, png_infop info)
+static void check_stop(png_structp png, reader *from)
+{
+    if (from->stop != NULL && *from->stop) {
+        from->status = glint_fail(from->err, GLINT_INTERRUPTED, "interrupted");
+        png_error(png, "interrupted");
+    }
+}
+
+/* Whatever the file holds, rows of R G B A with 8 bits come out. Returns in how many passes. */
+static int ask_for_rgba(png_structp png, png_infop info)
 {
     png_set_expand(png);
     png_set_scale_16(png);
     png_set_gray_to_rgb(png);
     png_set_add_alpha(png, 255, PNG_FILLER_AFTER);
-    png_set_interlace_handling(png);
+    const int passes = png_set_interlace_handling(png);
     png_read_update_info(png, info);
+    return passes;
 }
 
 static void make_room(png_structp png, png_infop info, reader *from)
@@ -93,6 +103,17 @@ static void make_room(png_structp png, png_infop info, reader *from)
     }
 }
 
+static void read_passes(png_structp png, png_infop info, int passes, reader *from)
+{
+    const png_uint_32 height = png_get_image_height(png, info);
+    for (int pass = 0; pass < passes; pass++) {
+        for (png_uint_32 y = 0; y < height; y++) {
+            check_stop(png, from);
+            png_read_row(png, from->rows[y], NULL);
+        }
+    }
+}
+
 /* No variable here changes after setjmp(), so none is lost when libpng jumps back. */
 static void read_rows(png_structp png, png_infop info, reader *from)
 {
@@ -103,9 +124,9 @@ static void read_rows(png_structp png, png_infop info, reader *from)
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); /* check_size() says it better */
     png_read_info(png, info);
     check_size(png, info, from);
-    ask_for_rgba(png, info);
+    const int passes = ask_for_rgba(png, info);
     make_room(png, info, from);
-    png_read_image(png, from->rows);
+    read_passes(png, info, passes, from);
     png_read_end(png, NULL);
 }
 
@@ -134,8 +155,15 @@ static void read_stream(reader *from)
 
 glint_status glint_image_read_png(const char *path, glint_image **image, glint_error *err)
 {
+    return glint_image_read_png_until(path, NULL, image, err);
+}
+
+glint_status glint_image_read_png_until(const char *path, const volatile bool *stop,
+                                        glint_image **image, glint_error *err)
+{
     *image = NULL;
-    reader from = {.path = path, .stream = fopen(path, "rb"), .status = GLINT_OK, .err = err};
+    reader from = {
+        .path = path, .stop = stop, .stream = fopen(path, "rb"), .status = GLINT_OK, .err = err};
     if (from.stream == NULL) {
         return glint_fail(err, GLINT_IO_ERROR, "cannot read %.400s: %s", path, strerror(errno));
     }

@@ -11,6 +11,7 @@
 /* What libpng's callbacks reach. */
 typedef struct writer {
     const char *path;
+    const volatile bool *stop; /* may be NULL */
     FILE *stream;
     glint_error *err;
 } writer;
@@ -56,8 +57,8 @@ static void join_row(const glint_image *image, size_t y, png_bytep row)
 }
 
 /* No variable here changes after setjmp(), so none is lost when libpng jumps back. */
-static glint_status write_rows(const glint_image *image, png_structp png, png_infop info,
-                               png_bytep row)
+static glint_status write_rows(const glint_image *image, const writer *to, png_structp png,
+                               png_infop info, png_bytep row)
 {
     if (setjmp(png_jmpbuf(png))) {
         return GLINT_IO_ERROR;
@@ -67,6 +68,9 @@ static glint_status write_rows(const glint_image *image, png_structp png, png_in
                  PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
     for (int y = 0; y < image->height; y++) {
+        if (to->stop != NULL && *to->stop) {
+            return glint_fail(to->err, GLINT_INTERRUPTED, "interrupted");
+        }
         join_row(image, (size_t)y, row);
         png_write_row(png, row);
     }
@@ -82,7 +86,7 @@ static glint_status write_stream(const glint_image *image, writer *to)
     png_bytep row = malloc((size_t)image->width * 4);
     if (info != NULL && row != NULL) {
         png_set_write_fn(png, to, put_bytes, flush_nothing);
-        status = write_rows(image, png, info, row);
+        status = write_rows(image, to, png, info, row);
     } else {
         glint_fail(to->err, status, "no memory to write %.400s", to->path);
     }
@@ -93,12 +97,18 @@ static glint_status write_stream(const glint_image *image, writer *to)
 
 glint_status glint_image_write_png(const glint_image *image, const char *path, glint_error *err)
 {
+    return glint_image_write_png_until(image, path, NULL, err);
+}
+
+glint_status glint_image_write_png_until(const glint_image *image, const char *path,
+                                         const volatile bool *stop, glint_error *err)
+{
     glint_new_file *file;
     glint_status status = glint_new_file_open(path, &file, err);
     if (status != GLINT_OK) {
         return status;
     }
-    writer to = {.path = path, .stream = glint_new_file_stream(file), .err = err};
+    writer to = {.path = path, .stop = stop, .stream = glint_new_file_stream(file), .err = err};
     status = write_stream(image, &to);
     if (status != GLINT_OK) {
         glint_new_file_discard(file);

@@ -257,8 +257,12 @@ static glint_status convert(reading *in)
     if (status != GLINT_OK) {
         return status;
     }
-    if (in->mesh->triangle_count == 0) {
-        return bad(in, "no triangles in it");
+    if (in->mesh->triangle_count == 0) { /* assimp has joined what lies so near, too */
+        return bad(in,
+                   in->triangles == 0
+                       ? "no triangles in it"
+                       : "each of its triangles has two corners in one place (what is less than "
+                         "1e-5 apart counts as one place)");
     }
     return mend_normals(in);
 }

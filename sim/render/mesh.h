@@ -48,9 +48,11 @@ glint_status glint_mesh_quad(glint_mesh **mesh, glint_error *err);
 /* Reads a mesh file through assimp (.3ds .obj .ply .stl …): all meshes under their node
  * transforms, triangulated; points and lines are left out. Normals are the file's; where it has
  * none they are made, smooth but for edges sharper than 66 degrees, and where one is unusable it is
- * taken from the faces about it. GLINT_IO_ERROR for a path that cannot be read; GLINT_BAD_INPUT for
- * what is no mesh file, has no triangles, more than 32 million of them, a coordinate that is not a
- * number or beyond 1e18, or an index of a vertex that is not there.
+ * taken from the faces about it. Vertices less than 1e-5 apart are one: assimp joins them, so a
+ * model that small as a whole has no triangles. GLINT_IO_ERROR for a path that cannot be read;
+ * GLINT_BAD_INPUT for what is no mesh file, has no triangles, more than 32 million of them, a
+ * coordinate that is not a number or beyond 1e18, or an index of a vertex that is not there (but of
+ * .off, where assimp takes the last vertex instead).
  *
  * assimp works in a process of its own, with as much time and memory as the size of the file
  * justifies: when it crashes or does not come to an end, that is GLINT_BAD_INPUT too, or

@@ -1,0 +1,385 @@
+/* Running the command where things go wrong; see abuse.h. */
+#define _GNU_SOURCE
+
+#include "abuse.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <ftw.h>
+#include <poll.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cjson/cJSON.h>
+#include <cmocka.h>
+
+#include "../scratch.h"
+
+#include "../record.h"
+#include "image/image.h"
+#include "wave/waveform.h"
+
+#define WORDS_MAX    40
+#define HEADINGS_MAX 32
+#define KEPT_MAX     ((size_t)1 << 20)
+#define SECONDS      20.0
+#define NOBODY       65534
+
+static struct {
+    const char *name;
+    int count;
+    bool optional;
+} headings[HEADINGS_MAX];
+static int heading_count;
+static double begun;
+
+static int index_of(const char *heading)
+{
+    for (int i = 0; i < heading_count; i++) {
+        if (strcmp(headings[i].name, heading) == 0) {
+            return i;
+        }
+    }
+    assert_true(heading_count < HEADINGS_MAX);
+    headings[heading_count].name = heading;
+    return heading_count++;
+}
+
+void abuse_optional(const char *heading)
+{
+    headings[index_of(heading)].optional = true;
+}
+
+/* ---- The run ------------------------------------------------------------------------------------
+ */
+
+/* A pipe of which only the ends that the child is given outlive its exec. */
+typedef struct line {
+    int read, write;
+} line;
+
+static line make_line(void)
+{
+    int ends[2];
+    assert_int_equal(pipe2(ends, O_CLOEXEC), 0);
+    return (line){ends[0], ends[1]};
+}
+
+/* The pipes between a run and its test. */
+typedef struct lines {
+    line in, out, err;
+    line alive; /* held open by the run and all that it starts */
+} lines;
+
+static void connect(int from, int to)
+{
+    if (from >= 0 && dup2(from, to) < 0) {
+        _exit(125);
+    }
+}
+
+static int input_of(const abuse *how, const lines *l)
+{
+    return how->endless_in ? l->in.read
+                           : open(how->in != NULL ? how->in : "/dev/null", O_RDONLY | O_CLOEXEC);
+}
+
+static int output_of(const abuse *how, const lines *l)
+{
+    return how->out != NULL ? open(how->out, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)
+                            : l->out.write;
+}
+
+static void limit_files(long bytes)
+{
+    const struct rlimit bound = {(rlim_t)bytes, (rlim_t)bytes};
+    (void)signal(SIGXFSZ, SIG_IGN);
+    if (setrlimit(RLIMIT_FSIZE, &bound) != 0) {
+        _exit(125);
+    }
+}
+
+/* The program is opened first: nobody may not be able to find it. */
+static _Noreturn void be_run(const char *program, char **argv, const abuse *how, const lines *l)
+{
+    const int file = open(program, O_RDONLY | O_CLOEXEC);
+    connect(input_of(how, l), STDIN_FILENO);
+    connect(output_of(how, l), STDOUT_FILENO);
+    connect(l->err.write, STDERR_FILENO);
+    (void)fcntl(l->alive.write, F_SETFD, 0);
+    const struct {
+        bool closed;
+        int stream;
+    } streams[] = {{how->close_in, 0}, {how->close_out, 1}, {how->close_err, 2}};
+    for (int i = 0; i < 3; i++) {
+        if (streams[i].closed) {
+            (void)close(streams[i].stream);
+        }
+    }
+    if (how->file_limit > 0) {
+        limit_files(how->file_limit);
+    }
+    if (how->as_nobody && geteuid() == 0 && (setgid(NOBODY) != 0 || setuid(NOBODY) != 0)) {
+        _exit(125);
+    }
+    (void)fexecve(file, argv, environ);
+    _exit(126);
+}
+
+/* What a pipe still holds goes behind the text; false at its end. */
+static bool read_more(int pipe, char *text, size_t *length)
+{
+    char rest[4096];
+    const ssize_t got = *length < KEPT_MAX ? read(pipe, text + *length, KEPT_MAX - *length)
+                                           : read(pipe, rest, sizeof rest);
+    if (got > 0 && *length < KEPT_MAX) {
+        *length += (size_t)got;
+    }
+    return got > 0;
+}
+
+/* Whether the pipe came to its end in time: nobody holds it any more. */
+static bool ends_within(int pipe, int milliseconds)
+{
+    struct pollfd end = {.fd = pipe, .events = POLLIN};
+    return poll(&end, 1, milliseconds) == 1;
+}
+
+/* Reads until the run has ended; sends the signal on the way. Returns waitpid()'s status, or -1. */
+static int follow(pid_t child, const abuse *how, lines *l, char *text[2])
+{
+    const double start = child_seconds();
+    const double limit = how->seconds > 0.0 ? how->seconds : SECONDS;
+    size_t length[2] = {0, 0};
+    bool open[2] = {how->out == NULL && !how->broken_out, true};
+    bool sent = how->signal == 0, ended = false, late = false;
+    int status = 0;
+    while (!ended || open[0] || open[1]) {
+        struct pollfd ready[2] = {{.fd = open[0] ? l->out.read : -1, .events = POLLIN},
+                                  {.fd = open[1] ? l->err.read : -1, .events = POLLIN}};
+        (void)poll(ready, 2, 2);
+        for (int i = 0; i < 2; i++) {
+            if (ready[i].revents != 0) {
+                open[i] = read_more(ready[i].fd, text[i], &length[i]);
+            }
+        }
+        if (!sent && child_seconds() >= start + how->milliseconds * 1e-3) {
+            sent = true;
+            (void)kill(child, how->signal);
+        }
+        ended = ended || waitpid(child, &status, WNOHANG) == child;
+        if (!ended && child_seconds() > start + limit) {
+            late = true;
+            (void)kill(child, SIGKILL);
+        }
+        if (ended && !ends_within(l->alive.read, 0) && child_seconds() > start + limit + 5.0) {
+            break; /* someone else holds the pipes */
+        }
+    }
+    return late ? -1 : status;
+}
+
+static int run_child(const char *program, char **argv, const abuse *how, outcome *done)
+{
+    lines l = {make_line(), make_line(), make_line(), make_line()};
+    const pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        if (how->broken_out) {
+            (void)close(l.out.read); /* so that no end for reading is left */
+        }
+        be_run(program, argv, how, &l);
+    }
+    (void)close(l.out.write);
+    (void)close(l.err.write);
+    (void)close(l.alive.write);
+    (void)close(l.in.read);
+    if (how->broken_out) {
+        (void)close(l.out.read);
+    }
+    char *text[2] = {done->out, done->err};
+    const int status = follow(child, how, &l, text);
+    done->survived = !ends_within(l.alive.read, 1000);
+    (void)close(l.in.write);
+    (void)close(l.err.read);
+    (void)close(l.alive.read);
+    if (!how->broken_out) {
+        (void)close(l.out.read);
+    }
+    return status;
+}
+
+outcome abuse_run(const char *heading, const char *command_line, const abuse *how)
+{
+    static char words[4096];
+    char *argv[WORDS_MAX + 2] = {NULL};
+    const char *program = how->program != NULL ? how->program : getenv("GLINT");
+    program = program != NULL ? program : "build/glint";
+    if (begun == 0.0) {
+        begun = child_seconds();
+    }
+    headings[index_of(heading)].count++;
+    assert_true(strlen(command_line) < sizeof words);
+    strcpy(words, command_line);
+    int argc = 0;
+    argv[argc++] = (char *)(uintptr_t)program;
+    for (char *word = strtok(words, " "); word != NULL; word = strtok(NULL, " ")) {
+        assert_true(argc <= WORDS_MAX);
+        argv[argc++] = word;
+    }
+    outcome done = {.out = calloc(1, KEPT_MAX + 1), .err = calloc(1, KEPT_MAX + 1)};
+    assert_true(done.out != NULL && done.err != NULL);
+    const int status = run_child(program, argv, how, &done);
+    done.status = status < 0          ? ABUSE_TIMED_OUT
+                  : WIFEXITED(status) ? WEXITSTATUS(status)
+                                      : 128 + WTERMSIG(status);
+    return done;
+}
+
+void abuse_forget(outcome *done)
+{
+    free(done->out);
+    free(done->err);
+}
+
+/* ---- What must hold -----------------------------------------------------------------------------
+ */
+
+/* The last line of standard error is the message; of a mismatch a report comes before it. */
+static bool says_one_line(const char *err)
+{
+    const size_t length = strlen(err);
+    const char *end = strchr(err, '\n');
+    return strncmp(err, "glint", 5) == 0 && end == err + length - 1;
+}
+
+void abuse_expect_sane(const outcome *done, const char *command_line)
+{
+    if (done->status < 0 || done->status > 2 || done->survived ||
+        (done->status != 0 && done->err[0] != '\0' && !says_one_line(done->err))) {
+        fail_msg("%s: exit status %d%s, standard error \"%s\"", command_line, done->status,
+                 done->survived ? ", processes left behind" : "", done->err);
+    }
+}
+
+void abuse_expect_failure(const outcome *done, const char *command_line, int status,
+                          const char *part)
+{
+    abuse_expect_sane(done, command_line);
+    if (done->status != status || !says_one_line(done->err) || strstr(done->err, part) == NULL) {
+        fail_msg("%s: exit status %d, standard error \"%s\"; expected %d and \"%s\"", command_line,
+                 done->status, done->err, status, part);
+    }
+}
+
+static bool ends_with(const char *name, const char *ending)
+{
+    const size_t length = strlen(name), tail = strlen(ending);
+    return length >= tail && strcmp(name + length - tail, ending) == 0;
+}
+
+static bool is_picture(const char *path)
+{
+    glint_image *image;
+    const bool whole = glint_image_read_png(path, &image, NULL) == GLINT_OK;
+    glint_image_destroy(image);
+    return whole;
+}
+
+static bool is_json(const char *path)
+{
+    char *text = scratch_read(path, NULL);
+    cJSON *json = cJSON_Parse(text);
+    free(text);
+    cJSON_Delete(json);
+    return json != NULL;
+}
+
+static bool ends_in(const char *path, const char *ending)
+{
+    char *text = scratch_read(path, NULL);
+    const bool found = ends_with(text, ending);
+    free(text);
+    return found;
+}
+
+static bool is_whole(const char *path)
+{
+    glint_wave_info info;
+    return ends_with(path, ".png")    ? is_picture(path)
+           : ends_with(path, ".fst")  ? glint_wave_read_info(path, &info, NULL) == GLINT_OK
+           : ends_with(path, ".json") ? is_json(path)
+           : ends_with(path, ".html") ? ends_in(path, "</html>\n")
+                                      : true;
+}
+
+/* nftw() has no argument to hand on. */
+static struct {
+    bool in_the_making;
+    int count;
+    char bad[1024];
+} walk;
+
+static int look_at(const char *path, const struct stat *info, int type, struct FTW *place)
+{
+    const bool making = strstr(path + place->base, ".tmp") != NULL ||
+                        strstr(path + place->base, ".part") != NULL ||
+                        strstr(path, ".tmp/") != NULL;
+    walk.count += type == FTW_F;
+    if (making ? !walk.in_the_making : type == FTW_F && (info->st_size == 0 || !is_whole(path))) {
+        (void)snprintf(walk.bad, sizeof walk.bad, "%s", path);
+    }
+    return 0;
+}
+
+int abuse_expect_whole(const char *directory, bool in_the_making)
+{
+    walk.in_the_making = in_the_making;
+    walk.count = 0;
+    walk.bad[0] = '\0';
+    assert_int_equal(nftw(directory, look_at, 8, FTW_PHYS), 0);
+    if (walk.bad[0] != '\0') {
+        fail_msg("left behind, or not whole: %s", walk.bad);
+    }
+    return walk.count;
+}
+
+/* ---- The counts ---------------------------------------------------------------------------------
+ */
+
+static bool is_documented(const char *text, const char *heading, int count)
+{
+    char row[256];
+    (void)snprintf(row, sizeof row, "| %s | %d |", heading, count);
+    return strstr(text, row) != NULL;
+}
+
+void abuse_expect_documented(const char *name, const char *what)
+{
+    char full[64];
+    int total = 0, missing = 0;
+    char *text = scratch_read("docs/abuse.md", NULL);
+    for (int i = 0; i < heading_count; i++) {
+        const bool good =
+            headings[i].optional || is_documented(text, headings[i].name, headings[i].count);
+        print_message("| %s | %d |%s\n", headings[i].name, headings[i].count,
+                      good ? "" : "  <- not so in docs/abuse.md");
+        total += headings[i].count;
+        missing += !good;
+    }
+    free(text);
+    assert_int_equal(missing, 0);
+    assert_true(total > 0);
+    (void)snprintf(full, sizeof full, "abuse-%s", name);
+    record(full, what, "the command run, its answer and files looked at", (uint64_t)total, "runs",
+           child_seconds() - begun);
+}

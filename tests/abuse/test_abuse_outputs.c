@@ -1,0 +1,275 @@
+/* Output that cannot be written: a full disk, directories that are none or are closed, standard
+ * streams that are closed, full or broken. Whatever stands under a final name afterwards is whole.
+ */
+#define _GNU_SOURCE
+
+#include <errno.h>
+#include <sched.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <sys/mount.h>
+
+#include <cmocka.h>
+
+#include "../scratch.h"
+#include "abuse.h"
+
+#define PNG "tests/fuzz/corpus/png/rgba.png"
+
+/* Every command that writes files; %s: the directory they go to. */
+typedef struct writer {
+    const char *line;
+    bool wrong; /* with the wrong circuit, which leaves packets */
+    int status; /* when everything can be written */
+} writer;
+
+static const writer writers[] = {
+    {"render --size 200x150 --out %s/a.png", false, 0},
+    {"render --size 200x150 --backend both --out %s/a.png", false, 0},
+    {"render --size 200x150 --backend both --lanes 1 --out %s/a.png", true, 1},
+    {"compare " PNG " " PNG " --diff %s/d.png", false, 0},
+    {"wave --out %s", false, 0},
+    {"wave --format vcd --out %s", false, 0},
+    {"verify --clocks 1000 --seed 1 --circuit specular --lanes 1 --gate cosine --out %s/p", true,
+     1},
+    {"verify --exhaustive --lanes 1 --from 50 --stride 4096 --shard 51/1000 --out %s/p", true, 1},
+    {"report divider --out %s", false, 0},
+};
+#define WRITERS (sizeof writers / sizeof writers[0])
+#define REPORT  (WRITERS - 1)
+
+static const char *wrong_program(void)
+{
+    static char path[1024];
+    const char *build = getenv("GLINT_BUILD");
+    (void)snprintf(path, sizeof path, "%s/wrong/glint", build != NULL ? build : "build");
+    return path;
+}
+
+static void line_of(const writer *w, const char *directory, char line[2048])
+{
+    /* The only %s is the directory. */
+    const char *place = strstr(w->line, "%s");
+    assert_non_null(place);
+    (void)snprintf(line, 2048, "%.*s%s%s", (int)(place - w->line), w->line, directory, place + 2);
+}
+
+static void keep(char copy[1024], const char *path)
+{
+    assert_true(strlen(path) < 1024);
+    strcpy(copy, path);
+}
+
+static void empty(const char *directory)
+{
+    assert_int_equal(nftw(directory, scratch_remove_entry, 8, FTW_DEPTH | FTW_PHYS), 0);
+    assert_int_equal(mkdir(directory, 0777), 0);
+}
+
+/* A run into a directory where not everything may fit. Returns the exit status. */
+static int write_into(const char *heading, const writer *w, const char *directory, abuse how)
+{
+    char line[2048];
+    line_of(w, directory, line);
+    how.program = w->wrong ? wrong_program() : NULL;
+    outcome done = abuse_run(heading, line, &how);
+    const int status = done.status;
+    if (!w->wrong) { /* that one has a report and a packet to tell of as well */
+        abuse_expect_sane(&done, line);
+    }
+    if (status < 0 || status > 2 || (status != 0 && done.err[0] == '\0') ||
+        (status != w->status && strstr(done.err, directory) == NULL)) {
+        fail_msg("%s: exit status %d, \"%s\"", line, status, done.err);
+    }
+    (void)abuse_expect_whole(directory, false);
+    abuse_forget(&done);
+    return status;
+}
+
+/* A bound on the size of files stands for the disk's end; every system has that one. */
+static void files_may_not_grow(void **state)
+{
+    (void)state;
+    static const long limits[] = {1, 200, 1000, 2500, 5000, 20000, 100000};
+    char out[1024];
+    keep(out, scratch_path("limited"));
+    assert_int_equal(mkdir(out, 0777), 0);
+    for (size_t i = 0; i < WRITERS; i++) {
+        int failures = 0;
+        for (size_t k = 0; k < sizeof limits / sizeof limits[0]; k += i == REPORT ? 6 : 1) {
+            failures += write_into("a limit on the size of files", &writers[i], out,
+                                   (abuse){.file_limit = limits[k], .seconds = 60.0}) != 0;
+            empty(out);
+        }
+        assert_true(failures > 0); /* the smallest is too small for everyone */
+    }
+}
+
+/* A file system of this process's own that is really full, where that is allowed. */
+static void a_full_file_system(void **state)
+{
+    (void)state;
+    static const char *const sizes[] = {"size=4k", "size=12k", "size=40k"};
+    char out[1024];
+    keep(out, scratch_path("small"));
+    assert_int_equal(mkdir(out, 0777), 0);
+    abuse_optional("a full file system");
+    if (unshare(CLONE_NEWNS) != 0 || mount("none", "/", NULL, MS_REC | MS_PRIVATE, NULL) != 0) {
+        print_message("no file system may be mounted here: %s\n", strerror(errno));
+        return;
+    }
+    for (size_t i = 0; i < WRITERS; i++) {
+        for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k += i == REPORT ? 3 : 1) {
+            assert_int_equal(mount("tmpfs", out, "tmpfs", 0, sizes[k]), 0);
+            (void)write_into("a full file system", &writers[i], out, (abuse){.seconds = 60.0});
+            assert_int_equal(umount(out), 0);
+        }
+    }
+}
+
+static void a_directory_that_is_none(void **state)
+{
+    (void)state;
+    char below_file[1024], file[1024];
+    keep(file, scratch_path("plain"));
+    keep(below_file, scratch_path("plain/below"));
+    scratch_write(file, "plain", 5);
+    const char *const places[] = {below_file, "/proc/glint", "/dev/null/x", "/sys/kernel"};
+    for (size_t i = 0; i < WRITERS; i++) {
+        for (size_t k = 0; k < sizeof places / sizeof places[0]; k++) {
+            char line[2048];
+            line_of(&writers[i], places[k], line);
+            const abuse how = {.program = writers[i].wrong ? wrong_program() : NULL};
+            outcome done = abuse_run("a directory that cannot be written", line, &how);
+            if (done.status != 1 || strstr(done.err, places[k]) == NULL) {
+                fail_msg("%s: exit status %d, \"%s\"", line, done.status, done.err);
+            }
+            abuse_forget(&done);
+        }
+    }
+}
+
+/* Root may write everywhere, so the run is nobody's. */
+static void a_directory_of_someone_else(void **state)
+{
+    (void)state;
+    char closed[1024];
+    keep(closed, scratch_path("closed"));
+    assert_int_equal(mkdir(closed, 0555), 0);
+    assert_int_equal(chmod(scratch_directory, 0755), 0);
+    for (size_t i = 0; i < WRITERS; i++) {
+        char line[2048];
+        line_of(&writers[i], closed, line);
+        const abuse how = {.program = writers[i].wrong ? wrong_program() : NULL, .as_nobody = true};
+        outcome done = abuse_run("a directory that cannot be written", line, &how);
+        if (done.status != 1 || strstr(done.err, "Permission denied") == NULL) {
+            fail_msg("%s: exit status %d, \"%s\"", line, done.status, done.err);
+        }
+        assert_int_equal(abuse_expect_whole(closed, false), 0);
+        abuse_forget(&done);
+    }
+}
+
+/* Every command that prints; all of them do. */
+static const char *const printers[] = {
+    "--help",
+    "--version",
+    "info",
+    "info --json",
+    "eval",
+    "eval --json",
+    "divide",
+    "divide --json",
+    "render --size 20x20 --out %s/a.png",
+    "render --size 20x20 --json --out %s/a.png",
+    "compare " PNG " " PNG,
+    "compare --json " PNG " " PNG,
+    "wave --out %s",
+    "wave --json --out %s",
+    "verify --clocks 10 --out %s/p",
+    "verify --clocks 10 --json --out %s/p",
+    "verify --exhaustive --shard 1/1000 --stride 4096 --out %s/p",
+    "energy --model blinn --n 10 --angle 0..3",
+    "energy --json --model blinn --n 10 --angle 0..3",
+    "bench --seconds 0.01",
+    "report divider --out %s",
+};
+
+static void try_printer(const char *printer, const char *directory, const abuse *how, int status,
+                        const char *part)
+{
+    char line[2048];
+    const char *place = strstr(printer, "%s");
+    (void)snprintf(line, sizeof line, "%.*s%s%s",
+                   place != NULL ? (int)(place - printer) : (int)strlen(printer), printer,
+                   place != NULL ? directory : "", place != NULL ? place + 2 : "");
+    outcome done = abuse_run("standard streams", line, how);
+    if (part != NULL) {
+        abuse_expect_failure(&done, line, status, part);
+    } else {
+        abuse_expect_sane(&done, line);
+    }
+    assert_int_equal(done.status, status);
+    (void)abuse_expect_whole(directory, false);
+    abuse_forget(&done);
+}
+
+static void standard_output_that_is_not_taken(void **state)
+{
+    (void)state;
+    static const abuse ways[] = {{.close_out = true}, {.out = "/dev/full"}, {.broken_out = true}};
+    char out[1024];
+    keep(out, scratch_path("printed"));
+    assert_int_equal(mkdir(out, 0777), 0);
+    for (size_t i = 0; i < sizeof printers / sizeof printers[0]; i++) {
+        const bool slow =
+            strncmp(printers[i], "bench", 5) == 0 || strncmp(printers[i], "report", 6) == 0;
+        for (size_t k = 0; k < (slow ? 1 : 3); k++) {
+            try_printer(printers[i], out, &ways[k], 1, "cannot write to standard output: ");
+        }
+    }
+}
+
+/* Nothing of what is said may end in a file that was opened next. */
+static void other_streams_closed(void **state)
+{
+    (void)state;
+    static const abuse ways[] = {{.close_in = true},
+                                 {.close_err = true},
+                                 {.close_in = true, .close_out = true, .close_err = true}};
+    static const char *const commands[] = {"render --size 20x20 --out %s/b.png",
+                                           "compare " PNG " " PNG " --diff %s/d.png",
+                                           "wave --out %s/w", "verify --clocks 10 --out %s/p"};
+    char out[1024];
+    keep(out, scratch_path("streams"));
+    assert_int_equal(mkdir(out, 0777), 0);
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
+        for (size_t k = 0; k < 3; k++) {
+            try_printer(commands[i], out, &ways[k], k == 2 ? 1 : 0, NULL);
+        }
+    }
+}
+
+/* The last: all others have been counted. */
+static void the_counts_are_documented(void **state)
+{
+    (void)state;
+    abuse_expect_documented(
+        "outputs", "output that cannot be written is told; what has a final name is whole");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(files_may_not_grow),
+        cmocka_unit_test(a_full_file_system),
+        cmocka_unit_test(a_directory_that_is_none),
+        cmocka_unit_test(a_directory_of_someone_else),
+        cmocka_unit_test(standard_output_that_is_not_taken),
+        cmocka_unit_test(other_streams_closed),
+        cmocka_unit_test(the_counts_are_documented),
+    };
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
+}

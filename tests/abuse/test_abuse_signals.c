@@ -1,0 +1,159 @@
+/* Ctrl-C, SIGTERM and SIGKILL in every command that takes its time, at several moments: it ends at
+ * once, nothing of it lives on, and what has a final name is whole. */
+#define _XOPEN_SOURCE 700
+
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "../scratch.h"
+#include "abuse.h"
+
+/* Until then the command may not have come to its own handling of signals. */
+#define STARTING 60 /* ms */
+
+typedef struct victim {
+    const char *line; /* D: the directory to write to, S: the test's own with what is read */
+    bool wrong, endless_in;
+    int status; /* of one that was interrupted */
+    const char *said;
+} victim;
+
+static const victim victims[] = {
+    {"render --size 5000x5000 --backend both --threads 2 --out D/a.png", false, false, 1,
+     "interrupted"},
+    {"render --model S/endless.ply --out D/a.png", false, false, 1, "interrupted"},
+    {"verify --clocks 1000000000000 --out D/p", false, false, 1, "(interrupted)"},
+    {"verify --clocks 1000000000000 --json --out D/p", false, false, 1, "\"interrupted\":\ttrue"},
+    {"verify --exhaustive --gate all --pipeline all --out D/p", false, false, 1, "(interrupted)"},
+    {"verify --clocks 300000 --lanes 1 --gate cosine --circuit specular --out D/p", true, false, 1,
+     ""},
+    {"bench --seconds 5", false, false, 1, "interrupted"},
+    {"report --out D/r", false, false, 1, "interrupted"},
+    {"report divider --out D/r", false, false, 1, "interrupted"},
+    {"energy --method both", false, false, 1, "interrupted"},
+    {"energy --json", false, false, 1, "interrupted"},
+    {"eval", false, true, 1, "interrupted"},
+    {"divide --json", false, true, 1, "interrupted"},
+    {"compare S/large.png S/large.png --diff D/d.png", false, false, 1, "interrupted"},
+    {"wave --out D/w", false, false, 1, ""},
+    {"wave --format vcd --out D/w", false, false, 1, ""},
+};
+
+static char own[1024], out[1024];
+
+static const char *wrong_program(void)
+{
+    static char path[1024];
+    const char *build = getenv("GLINT_BUILD");
+    (void)snprintf(path, sizeof path, "%s/wrong/glint", build != NULL ? build : "build");
+    return path;
+}
+
+static void line_of(const victim *v, char line[4096])
+{
+    char *end = line;
+    for (const char *c = v->line; *c != '\0'; c++) {
+        if ((*c == 'D' || *c == 'S') && c[1] == '/') {
+            end += snprintf(end, 1024, "%s", *c == 'D' ? out : own);
+        } else {
+            *end++ = *c;
+        }
+    }
+    *end = '\0';
+}
+
+static void try_signal(const victim *v, int signal, int milliseconds)
+{
+    char line[4096];
+    line_of(v, line);
+    assert_int_equal(mkdir(out, 0777), 0);
+    const abuse how = {.program = v->wrong ? wrong_program() : NULL,
+                       .endless_in = v->endless_in,
+                       .signal = signal,
+                       .milliseconds = milliseconds,
+                       .seconds = 10.0};
+    outcome done = abuse_run(signal == SIGKILL ? "kill" : "Ctrl-C and SIGTERM", line, &how);
+    const bool killed = done.status == 128 + signal;
+    const bool finished = done.status == 0 || (v->wrong && done.status == 1);
+    const bool answered = done.status == v->status &&
+                          (strstr(done.err, v->said) != NULL || strstr(done.out, v->said) != NULL);
+    const bool early = milliseconds < STARTING;
+    if (done.survived || !(finished || (signal == SIGKILL || early ? killed : false) ||
+                           (signal != SIGKILL && answered))) {
+        fail_msg("%s: signal %d after %d ms: exit status %d%s, \"%s\"", line, signal, milliseconds,
+                 done.status, done.survived ? ", processes left behind" : "", done.err);
+    }
+    (void)abuse_expect_whole(out, signal == SIGKILL || killed);
+    abuse_forget(&done);
+    assert_int_equal(nftw(out, scratch_remove_entry, 8, FTW_DEPTH | FTW_PHYS), 0);
+}
+
+/* moments: milliseconds after the start, the last is 0. */
+static void each_command_at(int signal, const int *moments)
+{
+    for (size_t i = 0; i < sizeof victims / sizeof victims[0]; i++) {
+        for (const int *moment = moments; *moment != 0; moment++) {
+            try_signal(&victims[i], signal, *moment);
+        }
+    }
+}
+
+static void interrupted(void **state)
+{
+    (void)state;
+    each_command_at(SIGINT, (const int[]){2, 12, 80, 250, 0});
+}
+
+static void terminated(void **state)
+{
+    (void)state;
+    each_command_at(SIGTERM, (const int[]){90, 0});
+}
+
+static void killed(void **state)
+{
+    (void)state;
+    each_command_at(SIGKILL, (const int[]){2, 20, 150, 0});
+}
+
+static int set_up(void **state)
+{
+    if (scratch_make(state) != 0) {
+        return -1;
+    }
+    (void)snprintf(out, sizeof out, "%s", scratch_path("out"));
+    (void)snprintf(own, sizeof own, "%s", scratch_directory);
+    scratch_write(scratch_path("endless.ply"), "ply\nformat ascii 1", 18);
+    char line[2048];
+    (void)snprintf(line, sizeof line, "render --size 3000x3000 --out %s/large.png", own);
+    const abuse plainly = {0};
+    abuse_optional("preparation");
+    outcome done = abuse_run("preparation", line, &plainly);
+    const int status = done.status;
+    abuse_forget(&done);
+    return status;
+}
+
+/* The last: all others have been counted. */
+static void the_counts_are_documented(void **state)
+{
+    (void)state;
+    abuse_expect_documented(
+        "signals", "signals at any moment: the command ends, what has a final name is whole");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(interrupted),
+        cmocka_unit_test(terminated),
+        cmocka_unit_test(killed),
+        cmocka_unit_test(the_counts_are_documented),
+    };
+    return cmocka_run_group_tests(tests, set_up, scratch_remove);
+}
