@@ -17,13 +17,13 @@ VERILATOR ?= verilator
 PREFIX    ?= /usr/local
 JOBS      ?= $(shell nproc)
 
+PACKAGES   := libpng freetype2 assimp libcjson libcmark-gfm nettle
+PACKAGE_CFLAGS := $(shell pkg-config --cflags $(PACKAGES) 2>/dev/null)
+PACKAGE_LIBS   := $(shell pkg-config --libs $(PACKAGES) 2>/dev/null)
 WARNINGS   := -Wall -Wextra -Wpedantic -Wconversion -Werror
 # No contraction: a frame has the same bits on every machine.
 CFLAGS_ALL := -std=c17 -O3 -g -ffp-contract=off -fno-math-errno $(WARNINGS) -MMD -MP \
               -Icmodel -Isim -I$(BUILD) $(PACKAGE_CFLAGS) $(CFLAGS)
-PACKAGES   := libpng assimp libcjson libcmark-gfm nettle
-PACKAGE_CFLAGS = $(shell pkg-config --cflags $(PACKAGES) 2>/dev/null)
-PACKAGE_LIBS   = $(shell pkg-config --libs $(PACKAGES) 2>/dev/null)
 LDLIBS      = $(PACKAGE_LIBS) -lz -lm -lpthread
 
 ifdef SANITIZE

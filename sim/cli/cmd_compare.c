@@ -43,16 +43,6 @@ static int parse(int argc, char **argv, compare_options *chosen)
     return glint_options_parse(&line, argc, argv);
 }
 
-/* What the thesis, section 3.4, reads from an NMSE. */
-static const char *verdict(double nmse)
-{
-    return nmse == 0.0       ? "equal"
-           : nmse <= 0.0001  ? "no visible difference"
-           : nmse <= 0.00025 ? "slight differences"
-           : nmse <= 0.001   ? "visible differences"
-                             : "substantially different";
-}
-
 static bool equal(const glint_image_difference *difference)
 {
     return difference->differing_pixels == 0 && difference->mask_pixels == 0;
@@ -70,7 +60,7 @@ static void print_text(const glint_image_difference *difference)
         printf("first at x=%d y=%d\n", difference->first_x, difference->first_y);
     }
     printf("over the object's %" PRIu64 " pixels: NMSE %.6g (%s), PSNR %.4g dB\n",
-           difference->object_pixels, difference->nmse, verdict(difference->nmse),
+           difference->object_pixels, difference->nmse, glint_image_reading(difference->nmse),
            difference->psnr);
 }
 

@@ -8,6 +8,7 @@ int glint_cmd_models(int argc, char **argv);
 int glint_cmd_eval(int argc, char **argv);
 int glint_cmd_render(int argc, char **argv);
 int glint_cmd_compare(int argc, char **argv);
+int glint_cmd_study(int argc, char **argv);
 int glint_cmd_verify(int argc, char **argv);
 int glint_cmd_verify_exhaustive(int argc, char **argv); /* verify with --exhaustive */
 int glint_cmd_replay(int argc, char **argv);

@@ -18,6 +18,7 @@ static const struct {
     {"divide", "the divider's answer for divisions on standard input, as CSV", glint_cmd_divide},
     {"render", "a lit mesh as a PNG, every highlight by the device", glint_cmd_render},
     {"compare", "how two PNG pictures differ", glint_cmd_compare},
+    {"study", "one scene by two methods, compared and timed", glint_cmd_study},
     {"verify", "C model and Verilog in lockstep, every register, every clock", glint_cmd_verify},
     {"replay", "a mismatch that verify or render left in a packet, again", glint_cmd_replay},
     {"wave", "a waveform of a short scene, with a GTKWave save file", glint_cmd_wave},

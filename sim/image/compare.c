@@ -65,7 +65,11 @@ static void note_pixel(const glint_image *a, const glint_image *b, size_t pixel,
     const bool mask_differs = a->object[pixel] != b->object[pixel];
     difference->differing_pixels += largest > 0;
     difference->mask_pixels += mask_differs;
-    difference->largest = largest > difference->largest ? largest : difference->largest;
+    if (largest > difference->largest) {
+        difference->largest = largest;
+        difference->largest_x = (int)(pixel % (size_t)a->width);
+        difference->largest_y = (int)(pixel / (size_t)a->width);
+    }
     if ((largest > 0 || mask_differs) && difference->first_x < 0) {
         difference->first_x = (int)(pixel % (size_t)a->width);
         difference->first_y = (int)(pixel / (size_t)a->width);
@@ -81,7 +85,8 @@ glint_status glint_image_compare(const glint_image *a, const glint_image *b,
     }
     const size_t pixels = (size_t)a->width * (size_t)a->height;
     sums sum = {0, 0};
-    *difference = (glint_image_difference){.pixels = pixels, .first_x = -1, .first_y = -1};
+    *difference = (glint_image_difference){
+        .pixels = pixels, .largest_x = -1, .largest_y = -1, .first_x = -1, .first_y = -1};
     for (size_t pixel = 0; pixel < pixels; pixel++) {
         note_pixel(a, b, pixel, difference);
         if (a->object[pixel] || b->object[pixel]) {
@@ -92,6 +97,15 @@ glint_status glint_image_compare(const glint_image *a, const glint_image *b,
     difference->nmse = nmse(&sum);
     difference->psnr = psnr(&sum, difference->object_pixels);
     return GLINT_OK;
+}
+
+const char *glint_image_reading(double nmse)
+{
+    return nmse == 0.0       ? "equal"
+           : nmse <= 0.0001  ? "no visible difference"
+           : nmse <= 0.00025 ? "slight differences"
+           : nmse <= 0.001   ? "visible differences"
+                             : "substantially different";
 }
 
 /* The legend, which docs/frames.md repeats in words: the first row that a pixel's largest

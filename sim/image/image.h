@@ -52,6 +52,7 @@ typedef struct glint_image_difference {
     uint64_t differing_pixels; /* with any component unequal, over the frame */
     uint64_t mask_pixels;      /* the object's in one picture only */
     int largest;               /* largest difference of one component, 0…255 */
+    int largest_x, largest_y;  /* the first pixel with it; -1 when there is no difference */
     int first_x, first_y;      /* the first pixel, row by row, of differing_pixels or mask_pixels;
                                   -1 when the pictures are equal */
     double nmse; /* thesis (3.1); 0 when equal; INFINITY if the reference is black and b is not */
@@ -61,6 +62,9 @@ typedef struct glint_image_difference {
 /* GLINT_BAD_INPUT when the sizes differ. */
 glint_status glint_image_compare(const glint_image *a, const glint_image *b,
                                  glint_image_difference *difference, glint_error *err);
+
+/* What the thesis, section 3.4, reads from an NMSE: "no visible difference", … */
+const char *glint_image_reading(double nmse);
 
 /* A picture of where and how much they differ; legend in docs/frames.md, "Comparing frames". Its
  * object mask is 1 everywhere, so that a difference on the background is seen too. */

@@ -1,0 +1,260 @@
+/* `glint study`: one scene by two methods, compared and timed for a list of exponents. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/parse.h"
+#include "cli/scene_options.h"
+#include "study/make.h"
+#include "study/table.h"
+
+typedef struct study_options {
+    glint_scene_options scene;
+    const char *out, *n;
+    const char *method[2];
+    int64_t frames;
+    bool json;
+} study_options;
+
+static const char details[] =
+    "A METHOD is c, rtl or real (the specular device: its C model, its Verilog, its\n"
+    "formula in floating point) or a model of glint render --specular, and may end in\n"
+    "a shading: blinn, rtl:gouraud, cook-torrance:flat. Without one it is Phong's.\n"
+    "\n"
+    "NMSE (3.1) and PSNR are over the object's pixels, A the reference. A triangle is\n"
+    "touched by the highlight when a pixel of it is at least one level brighter than\n"
+    "with Ks = 0. Times are of whole frames, A and B in turn, the medians; B/A is the\n"
+    "median of the pairs. NMSE reads as in the thesis: up to 0.0001 no visible\n"
+    "difference, 0.00025 slight, 0.001 visible differences, else substantially\n"
+    "different.\n"
+    "\n"
+    "DIR gets sheet.png, a sheet n-NNNN.png for each n (A, B, difference), study.csv,\n"
+    "study.json and, apart as no two runs agree on them, times.csv.\n"
+    "\n" GLINT_COLOR_DETAILS;
+
+#define OWN_ROWS   6
+#define TABLE_ROWS (OWN_ROWS + GLINT_SCENE_OPTIONS)
+
+static int parse(int argc, char **argv, study_options *chosen)
+{
+    glint_option options[TABLE_ROWS] = {
+        {.name = "out",
+         .placeholder = "DIR",
+         .help = "where its files go, made if missing",
+         .required = true,
+         .kind = GLINT_OPTION_STRING,
+         .string = &chosen->out},
+        {.name = "a",
+         .placeholder = "METHOD",
+         .help = "the reference",
+         .kind = GLINT_OPTION_STRING,
+         .string = &chosen->method[0]},
+        {.name = "b",
+         .placeholder = "METHOD",
+         .help = "what is compared with it",
+         .kind = GLINT_OPTION_STRING,
+         .string = &chosen->method[1]},
+        {.name = "n",
+         .placeholder = "N,N,...",
+         .help = "exponents, with commas between",
+         .kind = GLINT_OPTION_STRING,
+         .string = &chosen->n},
+        {.name = "frames",
+         .help = "frames of each that are timed, for each n; 0: none",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->frames, 0, GLINT_STUDY_FRAMES_MAX}},
+        {.name = "json",
+         .help = "what study.json and times.csv hold, as JSON",
+         .kind = GLINT_OPTION_FLAG,
+         .flag = &chosen->json},
+    };
+    glint_scene_options_add(&chosen->scene, options + OWN_ROWS);
+    const glint_command_line line = {
+        .command = "study",
+        .summary = "Renders one scene by two methods for each of a list of exponents: how their "
+                   "pictures differ, how long a frame takes, how many triangles the highlight "
+                   "touches.",
+        .details = details,
+        .options = options,
+        .option_count = TABLE_ROWS,
+    };
+    return glint_options_parse(&line, argc, argv);
+}
+
+static bool is_among(int n, const glint_study_options *study)
+{
+    for (int i = 0; i < study->count; i++) {
+        if (study->n[i] == n) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Returns the exit status, GLINT_OPTIONS_RUN when all is well; so do the next two. */
+static int read_exponents(const char *text, glint_study_options *study)
+{
+    char part[64];
+    glint_quoted quoted;
+    study->count = 0;
+    while (text != NULL) {
+        int64_t n;
+        text = glint_next_part(text, ',', part);
+        if (!glint_parse_integer(part, 0, GLINT_N_MAX, &n)) {
+            return glint_complain("study", GLINT_EXIT_USAGE,
+                                  "--n: %s is not an integer from 0 to %u",
+                                  glint_quote(part, &quoted), GLINT_N_MAX);
+        }
+        if (is_among((int)n, study)) {
+            return glint_complain("study", GLINT_EXIT_USAGE, "--n: %d is there twice", (int)n);
+        }
+        if (study->count == GLINT_STUDY_ROWS_MAX) {
+            return glint_complain("study", GLINT_EXIT_USAGE, "--n: more than %d exponents",
+                                  GLINT_STUDY_ROWS_MAX);
+        }
+        study->n[study->count++] = (int)n;
+    }
+    return GLINT_OPTIONS_RUN;
+}
+
+static int read_methods(const study_options *chosen, glint_study_setup *setup)
+{
+    glint_error err;
+    bool microfacets = false;
+    for (int i = 0; i < 2; i++) {
+        if (glint_study_method_parse(chosen->method[i], &setup->method[i], &err) != GLINT_OK) {
+            return glint_complain("study", GLINT_EXIT_USAGE, "--%c: %s (see glint study --help)",
+                                  "ab"[i], err.text);
+        }
+        microfacets = microfacets || (setup->method[i].by_model &&
+                                      glint_specular_takes_f0(setup->method[i].model));
+    }
+    if (chosen->scene.f0_given && !microfacets) {
+        return glint_complain("study", GLINT_EXIT_USAGE,
+                              "--f0 is for cook-torrance and torrance-sparrow");
+    }
+    return GLINT_OPTIONS_RUN;
+}
+
+static int read_study(const study_options *chosen, glint_study_options *study)
+{
+    *study = (glint_study_options){
+        .setup = {.scene = glint_scene_options_scene(&chosen->scene),
+                  .width = chosen->scene.width,
+                  .height = chosen->scene.height,
+                  .threads = (int)chosen->scene.threads},
+        .frames = (int)chosen->frames,
+        .directory = chosen->out,
+        .stop = glint_stop_flag(),
+    };
+    const int status = read_exponents(chosen->n, study);
+    return status == GLINT_OPTIONS_RUN ? read_methods(chosen, &study->setup) : status;
+}
+
+static void print_row(const glint_study_row *row)
+{
+    const glint_image_difference *d = &row->difference;
+    printf("%5d  %10.4g %7.4g  %4d %5d,%-5d %9" PRIu64 " %9" PRIu64, row->n, d->nmse, d->psnr,
+           d->largest, d->largest_x, d->largest_y, row->highlit[0], row->highlit[1]);
+    if (row->frames > 0) {
+        printf(" %8.3f %8.3f %6.1f %6.1f %6.3f", 1e3 * row->seconds[0], 1e3 * row->seconds[1],
+               1.0 / row->seconds[0], 1.0 / row->seconds[1], row->ratio);
+    }
+    printf("  %s\n", glint_image_reading(d->nmse));
+}
+
+static void print_text(const study_options *chosen, const glint_study_options *study,
+                       const glint_study_row *rows, bool words)
+{
+    glint_study_name a, b;
+    printf("%s, %dx%d: %" PRIu64 " triangles, %" PRIu64 " drawn, %" PRIu64 " seen in %" PRIu64
+           " pixels\n",
+           chosen->scene.model, study->setup.width, study->setup.height, rows[0].triangles,
+           rows[0].drawn, rows[0].seen, rows[0].difference.object_pixels);
+    printf("A %s, B %s\n\n", glint_study_method_name(&study->setup.method[0], &a),
+           glint_study_method_name(&study->setup.method[1], &b));
+    printf("%5s  %10s %7s  %-16s %-19s", "", "", "", "largest", "highlit triangles");
+    if (study->frames > 0) {
+        printf(" %-17s %-13s", "ms a frame", "frames/s");
+    }
+    printf("\n%5s  %10s %7s  %4s %5s %-5s %9s %9s", "n", "NMSE", "PSNR", "", "x,", "y", "A", "B");
+    if (study->frames > 0) {
+        printf(" %8s %8s %6s %6s %6s", "A", "B", "A", "B", "B/A");
+    }
+    putchar('\n');
+    for (int i = 0; i < study->count; i++) {
+        print_row(&rows[i]);
+    }
+    printf("wrote %s/sheet.png and what belongs to it\n", study->directory);
+    if (!words) {
+        printf("the sheets have no labels: the font of fonts-dejavu-core is not installed\n");
+    }
+}
+
+static bool print_json(const glint_study_options *study, const glint_study_row *rows)
+{
+    cJSON *json = glint_study_json(&study->setup, rows, study->count);
+    if (study->frames > 0) {
+        cJSON_AddItemToObject(json, "times", glint_study_times_json(rows, study->count));
+    }
+    return glint_output_json(json);
+}
+
+static void show_progress(void *context, int done, int count)
+{
+    glint_progress_update(context, (uint64_t)done, (uint64_t)count);
+}
+
+static glint_status work(const study_options *chosen, glint_study_options *study,
+                         glint_study_row *rows, bool *words, glint_error *err)
+{
+    glint_mesh *mesh = NULL;
+    glint_progress progress;
+    glint_status status = glint_scene_options_mesh(&chosen->scene, &mesh, err);
+    if (status == GLINT_OK) {
+        study->setup.scene.mesh = mesh;
+        study->progress = show_progress;
+        study->context = &progress;
+        glint_progress_begin(&progress, "study", "exponents");
+        status = glint_study_make(study, rows, words, err);
+        glint_progress_end(&progress);
+    }
+    glint_mesh_destroy(mesh);
+    return status;
+}
+
+int glint_cmd_study(int argc, char **argv)
+{
+    study_options chosen = {
+        .scene = glint_scene_options_default(),
+        .method = {"blinn", "cosine-quadratic"},
+        .n = "10,50,100,1000",
+        .frames = 11,
+    };
+    glint_study_options study;
+    int status = parse(argc, argv, &chosen);
+    if (status == GLINT_OPTIONS_RUN) {
+        status = read_study(&chosen, &study);
+    }
+    if (status != GLINT_OPTIONS_RUN) {
+        return status;
+    }
+    glint_error err;
+    glint_study_row rows[GLINT_STUDY_ROWS_MAX];
+    bool words = true;
+    const glint_status made = work(&chosen, &study, rows, &words, &err);
+    if (made != GLINT_OK) {
+        return glint_complain("study",
+                              made == GLINT_BAD_ARGUMENT ? GLINT_EXIT_USAGE : GLINT_EXIT_FAILURE,
+                              "%s", err.text);
+    }
+    if (!chosen.json) {
+        print_text(&chosen, &study, rows, words);
+    } else if (!print_json(&study, rows)) {
+        return glint_complain("study", GLINT_EXIT_FAILURE, "no memory");
+    }
+    return glint_output_finish("study", GLINT_EXIT_OK);
+}

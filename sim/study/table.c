@@ -1,0 +1,129 @@
+/* Rows as CSV and JSON; see table.h. */
+#include "study/table.h"
+
+#include <inttypes.h>
+#include <math.h>
+
+void glint_study_write_differences(FILE *to, const glint_study_row *rows, int count)
+{
+    fprintf(to, "n,nmse,psnr_db,largest,largest_x,largest_y,differing_pixels,object_pixels,"
+                "triangles,drawn,seen,highlit_a,highlit_b,reading\n");
+    for (int i = 0; i < count; i++) {
+        const glint_study_row *r = &rows[i];
+        const glint_image_difference *d = &r->difference;
+        fprintf(to, "%d,%.9g,%.9g,%d,%d,%d,%" PRIu64 ",%" PRIu64 ",", r->n, d->nmse, d->psnr,
+                d->largest, d->largest_x, d->largest_y, d->differing_pixels, d->object_pixels);
+        fprintf(to, "%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%s\n",
+                r->triangles, r->drawn, r->seen, r->highlit[0], r->highlit[1],
+                glint_image_reading(d->nmse));
+    }
+}
+
+static double per_second(double seconds)
+{
+    return seconds > 0.0 ? 1.0 / seconds : 0.0;
+}
+
+void glint_study_write_times(FILE *to, const glint_study_row *rows, int count)
+{
+    fprintf(to, "n,frames,seconds_a,seconds_b,fps_a,fps_b,b_to_a\n");
+    for (int i = 0; i < count; i++) {
+        const glint_study_row *r = &rows[i];
+        fprintf(to, "%d,%d,%.6g,%.6g,%.5g,%.5g,%.4g\n", r->n, r->frames, r->seconds[0],
+                r->seconds[1], per_second(r->seconds[0]), per_second(r->seconds[1]), r->ratio);
+    }
+}
+
+static void add_numbers(cJSON *json, const char *name, const double *value, int count)
+{
+    cJSON_AddItemToObject(json, name, cJSON_CreateDoubleArray(value, count));
+}
+
+static void add_color(cJSON *json, const char *name, const uint8_t rgb[3])
+{
+    add_numbers(json, name, (const double[]){rgb[0], rgb[1], rgb[2]}, 3);
+}
+
+/* As the floats were written by whoever set them: 0.2, not 0.200000003. */
+static double plain(float value)
+{
+    char text[32];
+    double back = 0.0;
+    snprintf(text, sizeof text, "%.6g", (double)value);
+    return sscanf(text, "%lf", &back) == 1 ? back : (double)value;
+}
+
+static void add_scene(cJSON *json, const glint_study_setup *setup)
+{
+    const glint_scene *s = &setup->scene;
+    cJSON *scene = cJSON_AddObjectToObject(json, "scene");
+    cJSON_AddNumberToObject(scene, "width", setup->width);
+    cJSON_AddNumberToObject(scene, "height", setup->height);
+    add_color(scene, "color", s->color);
+    add_color(scene, "highlight", s->highlight);
+    add_numbers(scene, "light",
+                (const double[]){plain(s->light[0]), plain(s->light[1]), plain(s->light[2])}, 3);
+    const struct {
+        const char *name;
+        float value;
+    } reals[] = {{"ia", s->ia},   {"ie", s->ie},
+                 {"ka", s->ka},   {"kd", s->kd},
+                 {"ks", s->ks},   {"f0", s->f0},
+                 {"yaw", s->yaw}, {"pitch", s->pitch},
+                 {"fov", s->fov}, {"distance", s->distance}};
+    for (size_t i = 0; i < sizeof reals / sizeof reals[0]; i++) {
+        cJSON_AddNumberToObject(scene, reals[i].name, plain(reals[i].value));
+    }
+}
+
+static cJSON *row_json(const glint_study_row *r)
+{
+    const glint_image_difference *d = &r->difference;
+    cJSON *json = cJSON_CreateObject();
+    cJSON_AddNumberToObject(json, "n", r->n);
+    cJSON_AddNumberToObject(json, "nmse", d->nmse);
+    cJSON_AddNumberToObject(json, "psnr", d->psnr);
+    cJSON_AddStringToObject(json, "reading", glint_image_reading(d->nmse));
+    cJSON_AddNumberToObject(json, "largest", d->largest);
+    cJSON_AddNumberToObject(json, "largest_x", d->largest_x);
+    cJSON_AddNumberToObject(json, "largest_y", d->largest_y);
+    cJSON_AddNumberToObject(json, "differing_pixels", (double)d->differing_pixels);
+    cJSON_AddNumberToObject(json, "object_pixels", (double)d->object_pixels);
+    cJSON_AddNumberToObject(json, "triangles", (double)r->triangles);
+    cJSON_AddNumberToObject(json, "drawn", (double)r->drawn);
+    cJSON_AddNumberToObject(json, "seen", (double)r->seen);
+    cJSON_AddNumberToObject(json, "highlit_a", (double)r->highlit[0]);
+    cJSON_AddNumberToObject(json, "highlit_b", (double)r->highlit[1]);
+    return json;
+}
+
+cJSON *glint_study_json(const glint_study_setup *setup, const glint_study_row *rows, int count)
+{
+    glint_study_name name;
+    cJSON *json = cJSON_CreateObject();
+    cJSON_AddStringToObject(json, "a", glint_study_method_name(&setup->method[0], &name));
+    cJSON_AddStringToObject(json, "b", glint_study_method_name(&setup->method[1], &name));
+    add_scene(json, setup);
+    cJSON *array = cJSON_AddArrayToObject(json, "rows");
+    for (int i = 0; i < count; i++) {
+        cJSON_AddItemToArray(array, row_json(&rows[i]));
+    }
+    return json;
+}
+
+cJSON *glint_study_times_json(const glint_study_row *rows, int count)
+{
+    cJSON *array = cJSON_CreateArray();
+    for (int i = 0; i < count; i++) {
+        cJSON *json = cJSON_CreateObject();
+        cJSON_AddNumberToObject(json, "n", rows[i].n);
+        cJSON_AddNumberToObject(json, "frames", rows[i].frames);
+        cJSON_AddNumberToObject(json, "seconds_a", rows[i].seconds[0]);
+        cJSON_AddNumberToObject(json, "seconds_b", rows[i].seconds[1]);
+        cJSON_AddNumberToObject(json, "fps_a", per_second(rows[i].seconds[0]));
+        cJSON_AddNumberToObject(json, "fps_b", per_second(rows[i].seconds[1]));
+        cJSON_AddNumberToObject(json, "b_to_a", rows[i].ratio);
+        cJSON_AddItemToArray(array, json);
+    }
+    return array;
+}

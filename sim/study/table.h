@@ -1,0 +1,25 @@
+/* The rows of a study as text for other programs. Times are apart from all else, which is the same
+ * on every run. */
+#ifndef GLINT_SIM_STUDY_TABLE_H
+#define GLINT_SIM_STUDY_TABLE_H
+
+#include <stdio.h>
+
+#include <cjson/cJSON.h>
+
+#include "study/study.h"
+
+/* CSV with a header: n, NMSE, PSNR (inf: equal), largest difference and where, pixels, triangles,
+ * and what the thesis reads from the NMSE. */
+void glint_study_write_differences(FILE *to, const glint_study_row *rows, int count);
+
+/* CSV with a header: n, frames timed, seconds and frames a second of A and B, B's time to A's. */
+void glint_study_write_times(FILE *to, const glint_study_row *rows, int count);
+
+/* The methods, the scene, and the same rows; psnr null: infinite. NULL: no memory. */
+cJSON *glint_study_json(const glint_study_setup *setup, const glint_study_row *rows, int count);
+
+/* An array of the times; NULL: no memory. */
+cJSON *glint_study_times_json(const glint_study_row *rows, int count);
+
+#endif
