@@ -154,6 +154,22 @@ static glint_status write_tables(const making *m, const glint_study_row *rows, g
                : status;
 }
 
+/* An exponent that a model does not take is found before any file is written. */
+static glint_status check_exponents(const glint_study_options *options, glint_error *err)
+{
+    glint_status status = GLINT_OK;
+    for (int i = 0; status == GLINT_OK && i < 2 * options->count; i++) {
+        const glint_study_method *method = &options->setup.method[i % 2];
+        const glint_reflectance_parameters parameters = {.n = options->n[i / 2],
+                                                         .f0 = (double)options->setup.scene.f0};
+        glint_reflectance prepared;
+        if (method->by_model) {
+            status = glint_reflectance_prepare(method->model, &parameters, &prepared, err);
+        }
+    }
+    return status;
+}
+
 glint_status glint_study_make(const glint_study_options *options, glint_study_row *rows,
                               bool *words, glint_error *err)
 {
@@ -163,7 +179,10 @@ glint_status glint_study_make(const glint_study_options *options, glint_study_ro
     }
     const glint_study_setup *setup = &options->setup;
     making m = {.options = options};
-    glint_status status = glint_directory_make(options->directory, err);
+    glint_status status = check_exponents(options, err);
+    if (status == GLINT_OK) {
+        status = glint_directory_make(options->directory, err);
+    }
     if (status == GLINT_OK) {
         status = glint_study_create(setup, &m.study, err);
     }

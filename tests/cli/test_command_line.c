@@ -12,8 +12,8 @@
 #include "../scratch.h"
 #include "run.h"
 
-static const char *const subcommands[] = {"info",    "models", "eval", "divide", "render",
-                                          "compare", "verify", "wave", "report", "bench"};
+static const char *const subcommands[] = {"info",  "models", "eval", "divide", "render", "compare",
+                                          "study", "verify", "wave", "report", "bench"};
 #define SUBCOMMAND_COUNT (sizeof subcommands / sizeof subcommands[0])
 
 static void help_lists_every_subcommand(void **state)

@@ -1,0 +1,188 @@
+/* `glint study`: the files it writes, that they are the same on every run but for the times, and
+ * what it refuses. What the numbers must be is tested elsewhere. */
+#define _XOPEN_SOURCE 700
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cjson/cJSON.h>
+#include <cmocka.h>
+
+#include "../scratch.h"
+#include "image/image.h"
+#include "run.h"
+
+static outcome study(const char *directory, const char *options)
+{
+    char command_line[2048];
+    snprintf(command_line, sizeof command_line, "study --out %s --size 120x90 %s",
+             scratch_path(directory), options);
+    return run(command_line, "");
+}
+
+static char *read_from(const char *directory, const char *name, size_t *count)
+{
+    char path[256];
+    snprintf(path, sizeof path, "%s/%s", directory, name);
+    return scratch_read(scratch_path(path), count);
+}
+
+static bool is_there(const char *directory, const char *name)
+{
+    char path[256];
+    snprintf(path, sizeof path, "%s/%s", directory, name);
+    return access(scratch_path(path), F_OK) == 0;
+}
+
+static int lines_of(const char *text)
+{
+    int count = 0;
+    for (; *text != '\0'; text++) {
+        count += *text == '\n';
+    }
+    return count;
+}
+
+static void the_files_and_the_table(void **state)
+{
+    (void)state;
+    outcome done = study("first", "--model sphere --n 10,200 --frames 2");
+    assert_outcome(&done, 0, "");
+    assert_says(done.out, "A blinn, B cosine-quadratic");
+    assert_says(done.out, "16128 triangles");
+    assert_says(done.out, "B/A");
+    assert_says(done.out, "substantially different");
+    char *csv = read_from("first", "study.csv", NULL);
+    assert_int_equal(lines_of(csv), 3);
+    assert_says(csv, "n,nmse,psnr_db,");
+    assert_says(csv, "\n10,0.00");
+    assert_says(csv, "\n200,0.00");
+    char *times = read_from("first", "times.csv", NULL);
+    assert_int_equal(lines_of(times), 3);
+    assert_says(times, "\n200,2,");
+    char *text = read_from("first", "study.json", NULL);
+    cJSON *json = cJSON_Parse(text);
+    assert_string_equal(cJSON_GetObjectItem(json, "b")->valuestring, "cosine-quadratic");
+    const cJSON *rows = cJSON_GetObjectItem(json, "rows");
+    assert_int_equal(cJSON_GetArraySize(rows), 2);
+    const cJSON *row = cJSON_GetArrayItem(rows, 1);
+    assert_int_equal(cJSON_GetObjectItem(row, "n")->valueint, 200);
+    assert_true(cJSON_GetObjectItem(row, "highlit_a")->valueint > 10);
+    assert_null(cJSON_GetObjectItem(json, "times"));
+    glint_image *sheet = NULL;
+    assert_int_equal(glint_image_read_png(scratch_path("first/sheet.png"), &sheet, NULL), GLINT_OK);
+    assert_true(sheet->width > 360 && sheet->height > 180);
+    glint_image_destroy(sheet);
+    assert_true(is_there("first", "n-0010.png") && is_there("first", "n-0200.png"));
+    cJSON_Delete(json);
+    free(text);
+    free(times);
+    free(csv);
+    forget(&done);
+}
+
+static void every_run_writes_the_same_but_for_times(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"study.csv", "study.json", "sheet.png", "n-0030.png"};
+    outcome one = study("one", "--a rtl --b phong:gouraud --n 30,5 --frames 0 --threads 1");
+    outcome two = study("two", "--a rtl --b phong:gouraud --n 30,5 --frames 0 --threads 4");
+    assert_outcome(&one, 0, "");
+    assert_outcome(&two, 0, "");
+    assert_false(is_there("one", "times.csv"));
+    assert_null(strstr(one.out, "B/A"));
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        size_t count[2];
+        char *a = read_from("one", names[i], &count[0]);
+        char *b = read_from("two", names[i], &count[1]);
+        assert_int_equal(count[0], count[1]);
+        assert_memory_equal(a, b, count[0]);
+        free(a);
+        free(b);
+    }
+    forget(&one);
+    forget(&two);
+}
+
+/* The same frames by `glint render`, compared by `glint compare`. */
+static void the_numbers_are_those_of_compare(void **state)
+{
+    (void)state;
+    char command_line[1024];
+    outcome done = study("numbers", "--b schlick --n 25 --frames 0 --json --yaw 60");
+    assert_outcome(&done, 0, "");
+    cJSON *json = cJSON_Parse(done.out);
+    const cJSON *row = cJSON_GetArrayItem(cJSON_GetObjectItem(json, "rows"), 0);
+    static const char *const models[] = {"blinn", "schlick"};
+    for (int i = 0; i < 2; i++) {
+        snprintf(command_line, sizeof command_line,
+                 "render --backend real --specular %s --n 25 --yaw 60 --size 120x90 --out %s.png",
+                 models[i], scratch_path(models[i]));
+        outcome rendered = run(command_line, "");
+        assert_outcome(&rendered, 0, "");
+        forget(&rendered);
+    }
+    snprintf(command_line, sizeof command_line, "compare --json %s.png %s.png",
+             scratch_path("blinn"), scratch_path("schlick"));
+    outcome compared = run(command_line, "");
+    assert_outcome(&compared, 1, "");
+    cJSON *expected = cJSON_Parse(compared.out);
+    static const char *const names[] = {"nmse", "psnr", "largest", "differing_pixels",
+                                        "object_pixels"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        assert_true(cJSON_GetObjectItem(row, names[i])->valuedouble ==
+                    cJSON_GetObjectItem(expected, names[i])->valuedouble);
+    }
+    cJSON_Delete(expected);
+    cJSON_Delete(json);
+    forget(&compared);
+    forget(&done);
+}
+
+static void what_cannot_be_studied_is_named(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *options;
+        int status;
+        const char *says;
+    } refused[] = {
+        {"--n 10,10", 2, "--n: 10 is there twice"},
+        {"--n 10,", 2, "--n: \"\" is not an integer from 0 to 1023"},
+        {"--n 5,1024", 2, "--n: \"1024\" is not an integer from 0 to 1023"},
+        {"--a glass", 2, "--a: \"glass\" is no method"},
+        {"--b blinn:smooth", 2, "--b: \"smooth\" is no shading"},
+        {"--f0 0.5", 2, "--f0 is for cook-torrance and torrance-sparrow"},
+        {"--b quadratic --n 5,0 --frames 0", 2, "model quadratic: n = 0 is not in 1"},
+        {"--model /nonexistent.obj", 1, "/nonexistent.obj"},
+        {"--model sphere --distance 0.5", 1, "nothing to compare"},
+    };
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        outcome done = study("refused", refused[i].options);
+        assert_outcome(&done, refused[i].status, NULL);
+        assert_says(done.err, "glint study: ");
+        assert_says(done.err, refused[i].says);
+        assert_int_equal(lines_of(done.err), 1);
+        assert_string_equal(done.out, "");
+        assert_false(is_there("refused", "study.csv") || is_there("refused", "n-0005.png"));
+        forget(&done);
+    }
+    scratch_write(scratch_path("file"), "x", 1);
+    outcome done = study("file", "--frames 0");
+    assert_outcome(&done, 1, NULL);
+    assert_says(done.err, "glint study: ");
+    forget(&done);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_files_and_the_table),
+        cmocka_unit_test(every_run_writes_the_same_but_for_times),
+        cmocka_unit_test(the_numbers_are_those_of_compare),
+        cmocka_unit_test(what_cannot_be_studied_is_named),
+    };
+    return cmocka_run_group_tests_name("study", tests, scratch_make, scratch_remove);
+}
