@@ -58,14 +58,18 @@ static void find_modified(const glint_lobes *lobes, glint_findings *findings)
         relative[i] = 100.0 * glint_lobes_worst(lobes, readings[i], 0).epicentre_relative.error;
         best = fmin(best, relative[i]);
     }
+    /* The one reading that would do, were it not for n = 1. */
+    const double squared_from_2 =
+        100.0 * glint_lobes_worst(lobes, GLINT_REFLECTANCE_SCHLICK_MODIFIED_SQUARED, 2)
+                    .epicentre_relative.error;
     for (size_t i = 0; i < sizeof claims / sizeof claims[0]; i++) {
         glint_finding *finding =
             glint_findings_add(findings, holds_if(best <= claims[i].stated), claims[i].where);
         SAY(finding->claim, "%s", claims[i].claim);
         SAY(finding->measured,
             "%.1f %% as printed; %.1f %% with cos(γ²), %.1f %% with (1 − c)², %.1f %% with "
-            "(n(1 − c))²",
-            relative[0], relative[1], relative[2], relative[3]);
+            "(n(1 − c))², which from n = 2 on has %.1f %%",
+            relative[0], relative[1], relative[2], relative[3], squared_from_2);
         say_exponents(finding, lobes, "where cos^n ≥ 0.6; (2.2) as printed and three readings");
     }
 }
