@@ -154,9 +154,26 @@ static bool ends_within(int pipe, int milliseconds)
     return poll(&end, 1, milliseconds) == 1;
 }
 
-/* Reads until the run has ended; sends the signal on the way. Returns waitpid()'s status, or -1. */
-static int follow(pid_t child, const abuse *how, lines *l, char *text[2])
+/* Whether the process has a handler of its own for the signal, as /proc tells. */
+static bool catches(pid_t process, int signal)
 {
+    char path[64], line[256];
+    unsigned long long caught = 0;
+    (void)snprintf(path, sizeof path, "/proc/%d/status", (int)process);
+    FILE *status = fopen(path, "r");
+    while (status != NULL && fgets(line, sizeof line, status) != NULL) {
+        (void)sscanf(line, "SigCgt: %llx", &caught);
+    }
+    if (status != NULL) {
+        (void)fclose(status);
+    }
+    return (caught >> (signal - 1) & 1) != 0;
+}
+
+/* Reads until the run has ended; sends the signal on the way. Returns waitpid()'s status, or -1. */
+static int follow(pid_t child, const abuse *how, lines *l, outcome *done)
+{
+    char *const text[2] = {done->out, done->err};
     const double start = child_seconds();
     const double limit = how->seconds > 0.0 ? how->seconds : SECONDS;
     size_t length[2] = {0, 0};
@@ -174,6 +191,7 @@ static int follow(pid_t child, const abuse *how, lines *l, char *text[2])
         }
         if (!sent && child_seconds() >= start + how->milliseconds * 1e-3) {
             sent = true;
+            done->caught = catches(child, how->signal);
             (void)kill(child, how->signal);
         }
         ended = ended || waitpid(child, &status, WNOHANG) == child;
@@ -206,8 +224,7 @@ static int run_child(const char *program, char **argv, const abuse *how, outcome
     if (how->broken_out) {
         (void)close(l.out.read);
     }
-    char *text[2] = {done->out, done->err};
-    const int status = follow(child, how, &l, text);
+    const int status = follow(child, how, &l, done);
     done->survived = !ends_within(l.alive.read, 1000);
     (void)close(l.in.write);
     (void)close(l.err.read);

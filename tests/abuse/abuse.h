@@ -32,6 +32,7 @@ typedef struct abuse {
 typedef struct outcome {
     int status; /* exit status; 128 + the signal's number; ABUSE_TIMED_OUT */
     char *out, *err;
+    bool caught;   /* it had a handler of its own for the signal when that was sent */
     bool survived; /* a process that it had started was still there one second after it ended */
 } outcome;
 
