@@ -193,12 +193,13 @@ static void find_relative(const glint_lobes *lobes, glint_findings *findings)
         100.0 * lobes->device.model.epicentre_relative.error);
     say_exponents(finding, lobes, "where cos^n ≥ 0.6");
     const glint_worst decay =
-        glint_lobe_worst_of(&lobes->exponents, lobes->cosine_quadratic_decay, 0).epicentre_relative;
+        glint_lobe_worst_of(&lobes->exponents, lobes->cosine_quadratic_decay, 2).epicentre_relative;
     finding = glint_findings_add(findings, holds_if(decay.error <= 0.03), "2.7, 3.1");
     SAY(finding->claim, "Cosine-quadratic: the same 3 %% in the zone of decay");
     SAY(finding->measured, "%.0f %% at n = %g", 100.0 * decay.error, decay.n);
-    say_exponents(finding, lobes,
-                  "where cos^n ≥ 0.01; W reaches zero where cos^n is still about 0.05");
+    say_exponents(
+        finding, lobes,
+        "from n = 2 on, where cos^n ≥ 0.01; W reaches zero where cos^n is still about 0.05");
 }
 
 /* W/cosⁿ − 1 at a cosine. */

@@ -16,6 +16,7 @@ extern const int glint_report_section_count;
 glint_report_section glint_section_lobes;
 glint_report_section glint_section_divider;
 glint_report_section glint_section_energy;
+glint_report_section glint_section_frames;
 glint_report_section glint_section_speed;
 
 #endif

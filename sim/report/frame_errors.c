@@ -1,0 +1,165 @@
+/* See frame_errors.h. Table 3.2's scene is not given in full: what is taken for it stands in
+ * glint_frame_scene(), and the report says so. */
+#include "report/frame_errors.h"
+
+#include <string.h>
+
+const char *const glint_test_figure_names[GLINT_FIGURE_COUNT] = {"sphere", "teapot"};
+const char *const glint_highlight_color_names[GLINT_HIGHLIGHT_COUNT] = {"white", "object's colour"};
+
+const char *const glint_frame_names[GLINT_FRAME_COUNT][2] = {
+    [GLINT_FRAME_SCHLICK] = {"schlick", "blinn"},
+    [GLINT_FRAME_SCHLICK_MODIFIED] = {"schlick-modified", "blinn"},
+    [GLINT_FRAME_SCHLICK_POWER] = {"schlick-modified-power", "blinn"},
+    [GLINT_FRAME_QUADRATIC] = {"quadratic", "blinn"},
+    [GLINT_FRAME_COSINE_QUADRATIC] = {"cosine-quadratic", "blinn"},
+    [GLINT_FRAME_LYON_4] = {"lyon-4", "blinn"},
+    [GLINT_FRAME_DEVICE] = {"c", "blinn"},
+    [GLINT_FRAME_VERILOG] = {"rtl", "blinn"},
+    [GLINT_FRAME_ROUNDING] = {"c", "cosine-quadratic"},
+    [GLINT_FRAME_IMPLEMENTATION] = {"rtl", "c"},
+};
+
+static const int many_exponents[] = {1,  2,  3,   5,   7,   10,  13,  17,  20,  30,
+                                     50, 80, 120, 169, 170, 250, 350, 500, 700, 1000};
+static const int few_exponents[] = {2, 13, 169, 170, 1000};
+
+static int exponents_of(bool quick, int *n)
+{
+    const int *chosen = quick ? few_exponents : many_exponents;
+    const size_t size = quick ? sizeof few_exponents : sizeof many_exponents;
+    memcpy(n, chosen, size);
+    return (int)(size / sizeof *chosen);
+}
+
+void glint_frame_scene(glint_highlight_color highlight, glint_scene *scene)
+{
+    static const uint8_t color[] = {238, 138, 32};
+    glint_scene_defaults(scene);
+    memcpy(scene->color, color, sizeof color);
+    if (highlight == GLINT_HIGHLIGHT_OBJECT)
+        memcpy(scene->highlight, color, sizeof color);
+    scene->kd = 0.5f;
+    scene->ks = 0.5f;
+}
+
+glint_status glint_frame_mesh(glint_test_figure figure, glint_mesh **mesh, glint_error *err)
+{
+    return figure == GLINT_FIGURE_SPHERE ? glint_mesh_sphere(GLINT_SPHERE_DENSITY, mesh, err)
+                                         : glint_mesh_teapot(GLINT_TEAPOT_DENSITY, mesh, err);
+}
+
+/* One figure, two methods: made, used for every exponent, and destroyed. */
+static glint_status create_study(const glint_report *report, const glint_scene *scene, int width,
+                                 int height, const char *reference, const char *method,
+                                 glint_study **study, glint_error *err)
+{
+    glint_study_setup setup = {
+        .scene = *scene, .width = width, .height = height, .threads = report->threads};
+    glint_status status = glint_study_method_parse(reference, &setup.method[0], err);
+    if (status == GLINT_OK)
+        status = glint_study_method_parse(method, &setup.method[1], err);
+    return status == GLINT_OK ? glint_study_create(&setup, study, err) : status;
+}
+
+static glint_status measure_method(const glint_report *report, const glint_scene *scene,
+                                   const glint_frame_errors *errors, glint_frame_method method,
+                                   double *nmse, glint_error *err)
+{
+    glint_study *study;
+    glint_status status =
+        create_study(report, scene, errors->width, errors->height, glint_frame_names[method][1],
+                     glint_frame_names[method][0], &study, err);
+    if (status != GLINT_OK)
+        return status;
+    for (int i = 0; i < errors->count && status == GLINT_OK; i++) {
+        glint_study_row row;
+        status = glint_study_run(study, errors->n[i], 0, report->stop, &row, err);
+        nmse[i] = row.difference.nmse;
+    }
+    glint_study_destroy(study);
+    return status;
+}
+
+static glint_status measure_figure(const glint_report *report, const glint_mesh *mesh,
+                                   glint_test_figure figure, glint_frame_errors *errors,
+                                   glint_error *err)
+{
+    glint_status status = GLINT_OK;
+    for (int highlight = 0; highlight < GLINT_HIGHLIGHT_COUNT; highlight++) {
+        glint_scene scene;
+        glint_frame_scene((glint_highlight_color)highlight, &scene);
+        scene.mesh = mesh;
+        for (int method = 0; method < GLINT_FRAME_COUNT && status == GLINT_OK; method++)
+            status = measure_method(report, &scene, errors, (glint_frame_method)method,
+                                    errors->nmse[figure][highlight][method], err);
+    }
+    return status;
+}
+
+glint_status glint_frame_errors_measure(const glint_report *report, glint_frame_errors *errors,
+                                        glint_error *err)
+{
+    glint_status status = GLINT_OK;
+    errors->width = report->quick ? 160 : 640;
+    errors->height = report->quick ? 120 : 480;
+    errors->count = exponents_of(report->quick, errors->n);
+    for (int figure = 0; figure < GLINT_FIGURE_COUNT && status == GLINT_OK; figure++) {
+        glint_mesh *mesh;
+        status = glint_frame_mesh((glint_test_figure)figure, &mesh, err);
+        if (status != GLINT_OK)
+            return status;
+        status = measure_figure(report, mesh, (glint_test_figure)figure, errors, err);
+        glint_mesh_destroy(mesh);
+    }
+    return status;
+}
+
+glint_worst_frame glint_worst_frame_of(const glint_frame_errors *errors, glint_test_figure figure,
+                                       glint_highlight_color highlight, glint_frame_method method,
+                                       int n_from, int n_to)
+{
+    glint_worst_frame worst = {0};
+    for (int i = 0; i < errors->count; i++) {
+        const double nmse = errors->nmse[figure][highlight][method][i];
+        if (errors->n[i] >= n_from && errors->n[i] <= n_to && nmse >= worst.nmse)
+            worst = (glint_worst_frame){nmse, errors->n[i]};
+    }
+    return worst;
+}
+
+static glint_status time_figure(const glint_report *report, const glint_mesh *mesh,
+                                glint_frame_times *times, glint_study_row *rows, glint_error *err)
+{
+    glint_scene scene;
+    glint_study *study;
+    glint_frame_scene(GLINT_HIGHLIGHT_WHITE, &scene);
+    scene.mesh = mesh;
+    glint_status status = create_study(report, &scene, times->width, times->height, "blinn",
+                                       "cosine-quadratic", &study, err);
+    if (status != GLINT_OK)
+        return status;
+    for (int i = 0; i < times->count && status == GLINT_OK; i++)
+        status = glint_study_run(study, times->n[i], times->frames, report->stop, &rows[i], err);
+    glint_study_destroy(study);
+    return status;
+}
+
+glint_status glint_frame_times_measure(const glint_report *report, glint_frame_times *times,
+                                       glint_error *err)
+{
+    glint_status status = GLINT_OK;
+    times->width = report->quick ? 160 : 640;
+    times->height = report->quick ? 120 : 480;
+    times->frames = report->quick ? 3 : 21;
+    times->count = exponents_of(report->quick, times->n);
+    for (int figure = 0; figure < GLINT_FIGURE_COUNT && status == GLINT_OK; figure++) {
+        glint_mesh *mesh;
+        status = glint_frame_mesh((glint_test_figure)figure, &mesh, err);
+        if (status != GLINT_OK)
+            return status;
+        status = time_figure(report, mesh, times, times->row[figure], err);
+        glint_mesh_destroy(mesh);
+    }
+    return status;
+}

@@ -1,0 +1,81 @@
+/* Whole frames by each formula against frames by exact cosⁿ: Table 3.2 and figure 3.13. */
+#ifndef GLINT_SIM_REPORT_FRAME_ERRORS_H
+#define GLINT_SIM_REPORT_FRAME_ERRORS_H
+
+#include "report/section.h"
+#include "study/study.h"
+
+/* The thesis's test figures. */
+typedef enum glint_test_figure {
+    GLINT_FIGURE_SPHERE,
+    GLINT_FIGURE_TEAPOT,
+    GLINT_FIGURE_COUNT
+} glint_test_figure;
+
+extern const char *const glint_test_figure_names[GLINT_FIGURE_COUNT];
+
+typedef enum glint_highlight_color {
+    GLINT_HIGHLIGHT_WHITE,
+    GLINT_HIGHLIGHT_OBJECT, /* the object's own colour */
+    GLINT_HIGHLIGHT_COUNT
+} glint_highlight_color;
+
+extern const char *const glint_highlight_color_names[GLINT_HIGHLIGHT_COUNT];
+
+/* Each compared with cosⁿ (blinn, in single precision), but for the last two. */
+typedef enum glint_frame_method {
+    GLINT_FRAME_SCHLICK,
+    GLINT_FRAME_SCHLICK_MODIFIED,
+    GLINT_FRAME_SCHLICK_POWER,
+    GLINT_FRAME_QUADRATIC,
+    GLINT_FRAME_COSINE_QUADRATIC,
+    GLINT_FRAME_LYON_4,
+    GLINT_FRAME_DEVICE,
+    GLINT_FRAME_VERILOG,
+    GLINT_FRAME_ROUNDING, /* the device against the cosine-quadratic: the circuit's own part */
+    GLINT_FRAME_IMPLEMENTATION, /* the Verilog against the C model */
+    GLINT_FRAME_COUNT
+} glint_frame_method;
+
+/* What stands in for cosⁿ, and what it is compared with: methods of study.h. */
+extern const char *const glint_frame_names[GLINT_FRAME_COUNT][2];
+
+#define GLINT_FRAME_EXPONENTS_MAX 24
+
+typedef struct glint_frame_errors {
+    int width, height;
+    int count; /* exponents */
+    int n[GLINT_FRAME_EXPONENTS_MAX];
+    double nmse[GLINT_FIGURE_COUNT][GLINT_HIGHLIGHT_COUNT][GLINT_FRAME_COUNT]
+               [GLINT_FRAME_EXPONENTS_MAX];
+} glint_frame_errors;
+
+/* A scene of the report, all but its mesh. */
+void glint_frame_scene(glint_highlight_color highlight, glint_scene *scene);
+
+glint_status glint_frame_mesh(glint_test_figure figure, glint_mesh **mesh, glint_error *err);
+
+glint_status glint_frame_errors_measure(const glint_report *report, glint_frame_errors *errors,
+                                        glint_error *err);
+
+typedef struct glint_worst_frame {
+    double nmse;
+    int n;
+} glint_worst_frame;
+
+/* The largest over exponents from n_from to n_to. */
+glint_worst_frame glint_worst_frame_of(const glint_frame_errors *errors, glint_test_figure figure,
+                                       glint_highlight_color highlight, glint_frame_method method,
+                                       int n_from, int n_to);
+
+typedef struct glint_frame_times {
+    int width, height, frames; /* frames timed of each method */
+    int count;
+    int n[GLINT_FRAME_EXPONENTS_MAX];
+    glint_study_row row[GLINT_FIGURE_COUNT][GLINT_FRAME_EXPONENTS_MAX]; /* A: cosⁿ, B: (2.15) */
+} glint_frame_times;
+
+glint_status glint_frame_times_measure(const glint_report *report, glint_frame_times *times,
+                                       glint_error *err);
+
+#endif
