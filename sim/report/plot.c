@@ -1,5 +1,5 @@
-/* Runs gnuplot; see plot.h. Each picture is gnuplot's standard output, so that it appears whole or
- * not at all. */
+/* Runs gnuplot; see plot.h. Each picture comes through a pipe from gnuplot's standard output:
+ * gnuplot itself does not notice a full disk. */
 #define _GNU_SOURCE
 
 #include "report/plot.h"
@@ -27,31 +27,53 @@ static const struct {
 };
 
 /* Returns 0 or an errno. */
-static int prepare(posix_spawn_file_actions_t *actions, const char *directory, FILE *out)
+static int prepare(posix_spawn_file_actions_t *actions, const char *directory, int out)
 {
     int failed = posix_spawn_file_actions_addopen(actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     if (failed == 0)
-        failed = posix_spawn_file_actions_adddup2(actions, fileno(out), STDOUT_FILENO);
+        failed = posix_spawn_file_actions_adddup2(actions, out, STDOUT_FILENO);
     if (failed == 0)
         failed = posix_spawn_file_actions_addopen(actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     return failed != 0 ? failed : posix_spawn_file_actions_addchdir_np(actions, directory);
 }
 
-/* Starts gnuplot (without the user's settings) on a script. Returns 0 or an errno. */
-static int start(const char *directory, const char *terminal, const char *script, FILE *out,
+/* Starts gnuplot (without the user's settings) on a script. In a process group of its own: a Ctrl-C
+ * is for this program, which says so when the picture is done, and not a failure of gnuplot.
+ * Returns 0 or an errno. */
+static int start(const char *directory, const char *terminal, const char *script, int out,
                  pid_t *child)
 {
     const char *const argv[] = {"gnuplot", "-d", "-e", terminal, script, NULL};
     posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attributes;
     int failed = posix_spawn_file_actions_init(&actions);
     if (failed != 0)
         return failed;
-    failed = prepare(&actions, directory, out);
-    if (failed == 0)
-        failed =
-            posix_spawnp(child, argv[0], &actions, NULL, (char *const *)(uintptr_t)argv, environ);
+    failed = posix_spawnattr_init(&attributes);
+    if (failed == 0) {
+        failed = prepare(&actions, directory, out);
+        if (failed == 0)
+            failed = posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+        if (failed == 0)
+            failed = posix_spawnp(child, argv[0], &actions, &attributes,
+                                  (char *const *)(uintptr_t)argv, environ);
+        posix_spawnattr_destroy(&attributes);
+    }
     posix_spawn_file_actions_destroy(&actions);
     return failed;
+}
+
+/* To its end; what cannot be written is for glint_new_file_commit() to find. */
+static void copy(int from, FILE *out)
+{
+    char bytes[16384];
+    for (;;) {
+        const ssize_t count = read(from, bytes, sizeof bytes);
+        if (count > 0)
+            fwrite(bytes, 1, (size_t)count, out);
+        else if (count == 0 || errno != EINTR)
+            return;
+    }
 }
 
 /* Its exit status; -1 for any other end. */
@@ -68,7 +90,15 @@ static glint_status run_gnuplot(const char *directory, const char *terminal, con
                                 FILE *out, bool *found, glint_error *err)
 {
     pid_t child;
-    const int failed = start(directory, terminal, script, out, &child);
+    int ends[2];
+    int failed = pipe2(ends, O_CLOEXEC) == 0 ? 0 : errno;
+    if (failed == 0) {
+        failed = start(directory, terminal, script, ends[1], &child);
+        close(ends[1]);
+        if (failed == 0)
+            copy(ends[0], out);
+        close(ends[0]);
+    }
     *found = failed != ENOENT;
     if (failed == ENOENT)
         return GLINT_OK;

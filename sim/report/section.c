@@ -15,7 +15,9 @@ glint_status glint_report_figure(glint_report *report, const char *name, const c
                                  glint_error *err)
 {
     bool plotted;
-    const glint_status status = glint_plot(report->directory, name, &plotted, err);
+    glint_status status = glint_report_go_on(report, err);
+    if (status == GLINT_OK)
+        status = glint_plot(report->directory, name, &plotted, err);
     if (status != GLINT_OK)
         return status;
     report->plotted = report->plotted && plotted;

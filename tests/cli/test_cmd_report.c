@@ -10,6 +10,9 @@
 #include <cjson/cJSON.h>
 #include <cmocka.h>
 
+#include <signal.h>
+#include <sys/resource.h>
+
 #include "../scratch.h"
 #include "image/image.h"
 #include "run.h"
@@ -61,8 +64,8 @@ static void the_markdown_has_the_numbers(void **state)
         "| 0.81 | 0.80729167 | holds |",
         "| 408 | 408 | holds |",
         "| 42 | 42 | holds |",
-        "| 2946 | 2946 | holds",
-        "| 2064 | 2064 | holds",
+        "| 2946 | 2946 | cannot be decided: ",
+        "| 2064 | 2064 | cannot be decided: ",
         "| 1.43 | 1.4273256 | holds",
         "| 100 | 79 | **does not hold**",
         "| 8 | 0.4427 | 9 | 1.5625 | 9 | 0.8073 |",
@@ -263,6 +266,29 @@ static void a_failing_gnuplot_is_a_failure(void **state)
     assert_int_equal(access(in_report("figure-2.12.svg"), F_OK), -1);
 }
 
+/* Files may grow to 16 KiB, which is less than the figure: as on a full disk, and gnuplot itself
+ * does not notice. */
+static void a_figure_that_does_not_fit_is_a_failure(void **state)
+{
+    (void)state;
+    struct rlimit before, small;
+    assert_true(gnuplot_is_there());
+    assert_int_equal(remove(in_report("figure-2.12.png")), 0);
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
+    small = before;
+    small.rlim_cur = 16384;
+    void (*handler)(int) = signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &small);
+    outcome done = report("");
+    setrlimit(RLIMIT_FSIZE, &before);
+    signal(SIGXFSZ, handler);
+    assert_int_equal(done.status, 1);
+    assert_says(done.err, "/figure-2.12.svg: File too large\n");
+    forget(&done);
+    assert_int_equal(access(in_report("figure-2.12.svg"), F_OK), -1);
+    assert_int_equal(access(in_report("figure-2.12.png"), F_OK), -1);
+}
+
 static void a_directory_that_cannot_be_is_a_failure(void **state)
 {
     (void)state;
@@ -312,6 +338,7 @@ int main(void)
         cmocka_unit_test(the_summary_says_what_holds),
         cmocka_unit_test(without_gnuplot_all_but_the_figure_is_made),
         cmocka_unit_test(a_failing_gnuplot_is_a_failure),
+        cmocka_unit_test(a_figure_that_does_not_fit_is_a_failure),
         cmocka_unit_test(a_directory_that_cannot_be_is_a_failure),
         cmocka_unit_test(the_command_line_is_read_strictly),
     };
