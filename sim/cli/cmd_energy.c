@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -207,6 +208,23 @@ static int check_picture(const run *all)
                                 longest, most);
 }
 
+/* Before the long work: whether each model takes each n. */
+static int check_exponents(const run *all)
+{
+    for (int i = 0; i < all->plan.model_count; i++) {
+        const glint_reflectance_info *info = glint_reflectance_describe(all->model[i]);
+        for (int j = 0; j < all->n.count; j++) {
+            const double n = all->n.value[j];
+            if (n < info->n_min || n > info->n_max || (info->whole_n && floor(n) != n))
+                return glint_complain(
+                    "energy", GLINT_EXIT_USAGE, "--n: model %s takes %s from %g to %g, not %g",
+                    glint_reflectance_names[all->model[i]], info->whole_n ? "integers" : "numbers",
+                    info->n_min, info->n_max, n);
+        }
+    }
+    return GLINT_OPTIONS_RUN;
+}
+
 static int find_what(run *all)
 {
     const energy_options *chosen = all->chosen;
@@ -218,6 +236,8 @@ static int find_what(run *all)
     if (status == GLINT_OPTIONS_RUN)
         status = find_numbers("angle", chosen->angle, 89.9999,
                               "degrees below 90 that ascend, as 0..89 or 0,45", &all->angle);
+    if (status == GLINT_OPTIONS_RUN)
+        status = check_exponents(all);
     return status == GLINT_OPTIONS_RUN ? check_picture(all) : status;
 }
 
