@@ -21,11 +21,34 @@ static double printed(const void *context, double angle)
     return 2.0 * PI * line * line * cos(angle) * sin(angle);
 }
 
-double glint_printed_albedo(double n, double limit)
+static double printed_by_solid_angle(const void *context, double angle)
+{
+    return printed(context, angle) * sin(angle);
+}
+
+static double integrate(glint_integrand *f, double n, double limit)
 {
     glint_gauss rule;
     glint_gauss_make(ORDER, &rule);
-    return glint_gauss_integrate(&rule, printed, &n, 0.0, limit);
+    return glint_gauss_integrate(&rule, f, &n, 0.0, limit);
+}
+
+double glint_printed_albedo(double n, double limit)
+{
+    return integrate(printed, n, limit);
+}
+
+double glint_printed_albedo_by_solid_angle(double n, double limit)
+{
+    return integrate(printed_by_solid_angle, n, limit);
+}
+
+/* 2π ∫ (a + bc)² c dc from 0 to 1 */
+double glint_misprinted_albedo(double n)
+{
+    const double sigma = (n + 1.0) / 3.0;
+    const double a = 1.0 - sigma, b = 0.5 * sigma;
+    return 2.0 * PI * (a * a / 2.0 + 2.0 * a * b / 3.0 + b * b / 4.0);
 }
 
 void glint_normalization_for(double a, const double *albedo, int count, glint_normalization *result)

@@ -10,6 +10,12 @@ double glint_printed_limit(double n);
  * zero rises again, and of cos θ, which beyond π/2 is negative. */
 double glint_printed_albedo(double n, double limit);
 
+/* The same with the dω of (2.25), which has sin θ already, read as sin θ dθ: sin²θ in all. */
+double glint_printed_albedo_by_solid_angle(double n, double limit);
+
+/* The integral of (2.24) over the hemisphere as it is printed, with (cos θ)/2 for cos(θ/2). */
+double glint_misprinted_albedo(double n);
+
 /* A factor (n + A)/B for the exponents n = 1 … count. The loss at an n is 1 less the albedo with
  * that factor at normal incidence. */
 typedef struct glint_normalization {

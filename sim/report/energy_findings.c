@@ -8,6 +8,9 @@
 /* What the thesis's figure 2.15 shows as not conserving. */
 #define CLAIMED_LAST 17
 
+/* Integrals that differ by less are one and the same, relatively. */
+#define SAME 1e-3
+
 static glint_verdict holds_if(bool held)
 {
     return held ? GLINT_HOLDS : GLINT_DOES_NOT_HOLD;
@@ -80,6 +83,76 @@ static void find_largest(const glint_energy_results *results, glint_findings *fi
     say_grid(finding, results->grid);
 }
 
+/* (2.24) has (cos θ₀)/2 for cos(θ₀/2). */
+static void find_half_angle(const glint_energy_results *results, glint_findings *findings)
+{
+    const int last = GLINT_ENERGY_N_MAX - 1;
+    const double centre = 1.0 - (GLINT_ENERGY_N_MAX + 1.0) / 6.0;
+    double printed[GLINT_ENERGY_N_MAX], apart = 0.0;
+    for (int i = 0; i < GLINT_ENERGY_N_MAX; i++) {
+        printed[i] = glint_misprinted_albedo(i + 1);
+        apart = fmax(apart, fabs(printed[i] / results->normal.w[i] - 1.0));
+    }
+    const excess above = excess_of(printed);
+    glint_finding *finding = glint_findings_add(findings, holds_if(apart < SAME), "(2.24)");
+    SAY(finding->claim, "at normal incidence, L = N, (2.23) becomes (2.24), with (cos θ₀)/2");
+    SAY(finding->measured,
+        "as printed the highlight's centre is %.0f at n = 1000 instead of 1 and R = %.0f instead "
+        "of %.4f; R > 1 for %d exponents, n = %d…%d. A misprint: cos(θ₀/2) is meant",
+        centre * centre, printed[last], results->normal.w[last], above.count, above.first,
+        above.last);
+    SAY(finding->conditions, "every n = 1…1000, over the hemisphere, in closed form; (2.25) has "
+                             "cos(θ₀/2), and so has everything else here");
+}
+
+/* (2.25) has dω₀ for dθ₀. */
+static void find_differential(const glint_energy_results *results, glint_findings *findings)
+{
+    const int last = GLINT_ENERGY_N_MAX - 1;
+    const double *held = results->normal.held;
+    double printed[GLINT_ENERGY_N_MAX], apart = 0.0;
+    for (int i = 0; i < GLINT_ENERGY_N_MAX; i++) {
+        const double limit = fmin(glint_printed_limit(i + 1), acos(0.0));
+        printed[i] = glint_printed_albedo_by_solid_angle(i + 1, limit);
+        apart = fmax(apart, fabs(printed[i] / held[i] - 1.0));
+    }
+    const excess above = excess_of(printed);
+    glint_finding *finding = glint_findings_add(findings, holds_if(apart < SAME), "(2.25)");
+    SAY(finding->claim, "R is the integral of W cos θ₀ sin θ₀ over dω₀");
+    SAY(finding->measured,
+        "with dω₀ = sin θ₀ dθ₀ R = %.4f at n = 17 and %.6f at 1000, with dθ₀ %.4f and %.6f; R > 1 "
+        "only for n = %d…%d. A misprint: dθ₀ is meant",
+        printed[CLAIMED_LAST - 1], printed[last], held[CLAIMED_LAST - 1], held[last], above.first,
+        above.last);
+    SAY(finding->conditions, "every n = 1…1000, to 5.8/√n, at most π/2; 2π and sin θ₀ are what "
+                             "dω₀ has beside dθ₀; dθ₀ is read everywhere else here");
+}
+
+/* How many exponents have an albedo of 1 or more. */
+static int full_count(const double *albedo)
+{
+    int count = 0;
+    for (int i = 0; i < GLINT_ENERGY_N_MAX; i++)
+        count += albedo[i] >= 1.0;
+    return count;
+}
+
+/* The sentence before (2.21) has the law the wrong way round. */
+static void find_law(const glint_energy_results *results, glint_findings *findings)
+{
+    const int w = full_count(results->normal.w), blinn = full_count(results->normal.blinn);
+    glint_finding *finding =
+        glint_findings_add(findings, holds_if(blinn == GLINT_ENERGY_N_MAX), "2.5");
+    SAY(finding->claim,
+        "by the law of conservation the incident energy is at most the reflected, R ≥ 1");
+    SAY(finding->measured,
+        "R ≥ 1 for %d exponents of Blinn's with (n+6)/(8π), which by figure 2.16 conserves, and "
+        "for %d of W, which there does not. A slip: (2.22) has R ≤ 1",
+        blinn, w);
+    SAY(finding->conditions, "every n = 1…1000, normal incidence; R ≤ 1 is read everywhere else "
+                             "here");
+}
+
 static void find_limit(const glint_energy_results *results, glint_findings *findings)
 {
     const double *w = results->normal.w, *printed = results->normal.printed;
@@ -147,6 +220,9 @@ static void find_reciprocity(const glint_energy_results *results, glint_findings
 void glint_energy_find(const glint_energy_results *results, glint_findings *findings)
 {
     find_reciprocity(results, findings);
+    find_law(results, findings);
+    find_half_angle(results, findings);
+    find_differential(results, findings);
     find_plain(results, findings);
     find_largest(results, findings);
     find_limit(results, findings);

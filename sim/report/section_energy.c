@@ -206,16 +206,6 @@ static void write_factors(FILE *out, const glint_energy_results *results)
     write_factor(out, "least largest loss", &results->least_largest);
 }
 
-static void write_misprints(FILE *out)
-{
-    fputs("\nThree slips of section 2.5, read here as they are meant: (2.24) has (cos θ₀)/2 for "
-          "cos(θ₀/2), with which\nthe parabola would be ((n+1)/6 − 1)² at the centre of the "
-          "highlight instead of 1; (2.25) integrates over\ndω₀ for dθ₀; and the text before "
-          "(2.21) has the incident energy at most equal to the reflected, which is\nthe other way "
-          "round, as (2.22) has it.\n",
-          out);
-}
-
 static glint_status write_strip(glint_report *report, const glint_energy_table *table, int model,
                                 glint_error *err)
 {
@@ -316,7 +306,6 @@ static glint_status write_text(glint_report *report, const glint_energy_results 
     if (status != GLINT_OK)
         return status;
     write_factors(report->markdown, results);
-    write_misprints(report->markdown);
     status = write_furnace(report, &results->grid->plan, err);
     if (status != GLINT_OK)
         return status;

@@ -49,6 +49,16 @@ static void the_printed_integral_is_as_printed(void **state)
     }
 }
 
+/* Where the integrals are elementary: W of n = 2 is cos²(θ/2) = (1 + cos θ)/2; with (cos θ)/2 the
+ * parabola of n = 1 is (1 + cos θ)²/9, that of n = 5 (cos θ − 1)². */
+static void the_misprints_are_as_printed(void **state)
+{
+    (void)state;
+    assert_near(glint_printed_albedo_by_solid_angle(2, PI / 2), PI / 3 + PI * PI / 16, 1e-12);
+    assert_near(glint_misprinted_albedo(1), 17 * PI / 54, 1e-12);
+    assert_near(glint_misprinted_albedo(5), PI / 6, 1e-12);
+}
+
 static void normal_albedos(double *albedo)
 {
     glint_albedo_rules rules;
@@ -208,6 +218,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_printed_integral_is_as_printed),
+        cmocka_unit_test(the_misprints_are_as_printed),
         cmocka_unit_test(the_smallest_b_is_tight),
         cmocka_unit_test(no_other_factor_loses_less),
         cmocka_unit_test(an_asymmetry_is_found),
