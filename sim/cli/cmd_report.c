@@ -30,7 +30,7 @@ static int parse(int argc, char **argv, report_options *chosen)
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
         {.name = "threads",
-         .help = "for the frames; the files are the same",
+         .help = "the files are the same, but for what is timed",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, GLINT_THREADS_MAX}},
         {.name = "quick",
@@ -54,7 +54,14 @@ static int parse(int argc, char **argv, report_options *chosen)
             "gnuplot) and pictures they are made of; of the divider alone divider.md,\n"
             "divider.json, figure-2.12.svg and .png, and the frames.\n"
             "\n"
-            "Exit status: 0 all written, 1 failed, or no gnuplot and so all but the figures,\n"
+            "The index.* files (divider.*) are written last. Ctrl-C or a failure before that "
+            "leaves\n"
+            "those of an earlier run as they were, beside data, plots and pictures, each of them\n"
+            "whole, that were ready. --json prints nothing but the JSON, and nothing at all when\n"
+            "interrupted.\n"
+            "\n"
+            "Exit status: 0 all written, 1 failed or interrupted, or no gnuplot and so all but the "
+            "figures,\n"
             "2 malformed command line. A claim that does not hold is no failure.",
         .options = options,
         .option_count = sizeof options / sizeof options[0],
@@ -79,8 +86,10 @@ static void print_claims(const glint_claims *claims)
     for (int i = 0; i < claims->count; i++) {
         const glint_claim *claim = &claims->claim[i];
         printf("%-15s thesis %-9.*f measured %-11.6g %s\n",
-               claim->holds ? "holds" : "does not hold:", claim->decimals, claim->stated,
-               claim->measured, claim->what);
+               claim->undecided ? "undecided:"
+               : claim->holds   ? "holds"
+                                : "does not hold:",
+               claim->decimals, claim->stated, claim->measured, claim->what);
     }
 }
 

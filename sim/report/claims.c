@@ -39,8 +39,9 @@ static bool rounds_to(double measured, double stated, int decimals)
 
 static void add(glint_claims *claims, glint_claim claim)
 {
-    claim.holds = claim.at_most ? claim.measured <= claim.stated
-                                : rounds_to(claim.measured, claim.stated, claim.decimals);
+    claim.holds = !claim.undecided &&
+                  (claim.at_most ? claim.measured <= claim.stated
+                                 : rounds_to(claim.measured, claim.stated, claim.decimals));
     claims->claim[claims->count++] = claim;
 }
 
@@ -143,16 +144,18 @@ static void add_totals(glint_claims *claims, const glint_table_21 *table)
     add(claims, (glint_claim){.what = "clocks with division",
                               .stated = 2946,
                               .measured = before,
-                              .note = "3 an addition, 41 a division: inferred"});
+                              .undecided = true,
+                              .note = "3 an addition, 41 a division: inferred from this number"});
     add(claims, (glint_claim){.what = "clocks with the sum instead",
                               .stated = 2064,
                               .measured = after,
-                              .note = "3 an addition, 20 a sum: inferred"});
+                              .undecided = true,
+                              .note = "3 an addition, 20 a sum: inferred from this number"});
     add(claims, (glint_claim){.what = "times faster",
                               .stated = 1.43,
                               .decimals = 2,
                               .measured = before / after,
-                              .note = "from the inferred clocks"});
+                              .note = "the quotient of those two; no time was measured"});
 }
 
 static void add_triangle(glint_claims *claims, const glint_table_21 *table)

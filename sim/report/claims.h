@@ -22,7 +22,8 @@ typedef struct glint_claim {
     int decimals; /* that the thesis prints: the claim holds when the measured number rounds so */
     bool at_most; /* instead: the claim holds when the measured number is no larger */
     double measured;
-    bool holds;
+    bool undecided; /* what was measured rests on the stated number itself */
+    bool holds;     /* false where it is undecided */
     const char *note; /* NULL: none */
 } glint_claim;
 

@@ -49,7 +49,10 @@ static void add_claims(cJSON *json, const glint_claims *claims)
         cJSON_AddStringToObject(entry, "what", claim->what);
         cJSON_AddNumberToObject(entry, "stated", claim->stated);
         cJSON_AddNumberToObject(entry, "measured", claim->measured);
-        cJSON_AddBoolToObject(entry, "holds", claim->holds);
+        if (claim->undecided)
+            cJSON_AddNullToObject(entry, "holds");
+        else
+            cJSON_AddBoolToObject(entry, "holds", claim->holds);
         if (claim->note != NULL)
             cJSON_AddStringToObject(entry, "note", claim->note);
         cJSON_AddItemToArray(list, entry);

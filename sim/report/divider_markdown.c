@@ -5,19 +5,26 @@
 
 static void write_claims(FILE *out, const glint_claims *claims, const char *level)
 {
-    int held = 0;
-    for (int i = 0; i < claims->count; i++)
+    int held = 0, undecided = 0;
+    for (int i = 0; i < claims->count; i++) {
         held += claims->claim[i].holds;
+        undecided += claims->claim[i].undecided;
+    }
     fprintf(out,
             "%s What the thesis says\n\n"
             "Every number of section 2.4 beside the measured one. A number holds when the measured "
-            "one,\nrounded to the digits that the thesis prints, is the same: %d of %d do.\n\n"
+            "one,\nrounded to the digits that the thesis prints, is the same: %d of %d do, %d "
+            "cannot be "
+            "decided.\n\n"
             "| | thesis | measured | |\n|---|---:|---:|---|\n",
-            level, held, claims->count);
+            level, held, claims->count, undecided);
     for (int i = 0; i < claims->count; i++) {
         const glint_claim *claim = &claims->claim[i];
         fprintf(out, "| %s | %.*f | %.8g | %s%s%s |\n", claim->what, claim->decimals, claim->stated,
-                claim->measured, claim->holds ? "holds" : "**does not hold**",
+                claim->measured,
+                claim->undecided ? "cannot be decided"
+                : claim->holds   ? "holds"
+                                 : "**does not hold**",
                 claim->note != NULL ? ": " : "", claim->note != NULL ? claim->note : "");
     }
 }

@@ -65,7 +65,7 @@ glint_status glint_lobe_errors(const glint_report *report, glint_reflectance_mod
     for (int i = 0; sweep.failed != 0 && i < GLINT_THREADS_MAX; i++)
         if (sweep.err[i].text[0] != '\0')
             return glint_fail(err, (glint_status)sweep.failed, "%s", sweep.err[i].text);
-    return GLINT_OK;
+    return (glint_status)sweep.failed;
 }
 
 static void keep(glint_worst *worst, double error, double n, double cosine)

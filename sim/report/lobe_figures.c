@@ -147,7 +147,9 @@ static const glint_chart schlick_chart = {
     .curves = 6,
     .curve = {"Schlick (2.1)", "modified (2.2) as printed", "read as cos(γ^2)",
               "read as 0.5n(1 − c)^2", "read as 0.5(n(1 − c))^2", "Table 3.2's, best a"},
-    .caption = "Figure 2.3: Schlick's function and each reading of its modification."};
+    .caption =
+        "Figure 2.3: the largest relative error in the epicentre of Schlick's function and of "
+        "each reading of its modification."};
 static const glint_chart quadratic_chart = {
     .name = "figure-2.7",
     .title = "Largest relative error of the quadratic where cos^n γ ≥ 0.56",
@@ -156,7 +158,9 @@ static const glint_chart quadratic_chart = {
     .settings = by_exponent,
     .curves = 1,
     .curve = {"quadratic (2.3), a by (2.8)"},
-    .caption = "Figure 2.7."};
+    .caption =
+        "Figure 2.7: the quadratic's largest relative error where cos^n is at least 0.56; the "
+        "thesis has at most 3 %."};
 static const glint_chart cosine_quadratic_chart = {
     .name = "figure-2.10",
     .title = "Largest relative error where cos^n γ ≥ 0.6",
@@ -166,7 +170,7 @@ static const glint_chart cosine_quadratic_chart = {
     .curves = 4,
     .curve = {"cosine-quadratic (2.15)", "k = 4", "k = 8", "k = 16"},
     .caption = "Figure 2.10, in the epicentre, and its family. Over the whole lobe the largest "
-               "relative error is 100 % for every n: where W is zero and cos^n is not."};
+               "relative error is 100 % from n = 3 on: where W is zero and cos^n is not."};
 
 static glint_status draw_schlick(glint_report *report, const glint_lobes *lobes, glint_error *err)
 {

@@ -63,16 +63,20 @@ static int start(const char *directory, const char *terminal, const char *script
     return failed;
 }
 
-/* To its end; what cannot be written is for glint_new_file_commit() to find. */
-static void copy(int from, FILE *out)
+/* To its end, whether it can be written or not. Returns 0 or the errno of what first failed. */
+static int copy(int from, FILE *out)
 {
     char bytes[16384];
+    int failed = 0;
     for (;;) {
         const ssize_t count = read(from, bytes, sizeof bytes);
-        if (count > 0)
-            fwrite(bytes, 1, (size_t)count, out);
-        else if (count == 0 || errno != EINTR)
-            return;
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (failed == 0 && (count < 0 || fwrite(bytes, 1, (size_t)count, out) < (size_t)count ||
+                            (count == 0 && fflush(out) != 0)))
+            failed = errno;
+        if (count <= 0)
+            return failed;
     }
 }
 
@@ -90,13 +94,13 @@ static glint_status run_gnuplot(const char *directory, const char *terminal, con
                                 FILE *out, bool *found, glint_error *err)
 {
     pid_t child;
-    int ends[2];
+    int ends[2], unwritten = 0;
     int failed = pipe2(ends, O_CLOEXEC) == 0 ? 0 : errno;
     if (failed == 0) {
         failed = start(directory, terminal, script, ends[1], &child);
         close(ends[1]);
         if (failed == 0)
-            copy(ends[0], out);
+            unwritten = copy(ends[0], out);
         close(ends[0]);
     }
     *found = failed != ENOENT;
@@ -107,7 +111,10 @@ static glint_status run_gnuplot(const char *directory, const char *terminal, con
     if (wait_for(child) != 0)
         return glint_fail(err, GLINT_IO_ERROR, "gnuplot failed; run it in %.300s on %s to see why",
                           directory, script);
-    return GLINT_OK;
+    return unwritten == 0
+               ? GLINT_OK
+               : glint_fail(err, GLINT_IO_ERROR, "cannot write the picture of %.300s/%s: %s",
+                            directory, script, strerror(unwritten));
 }
 
 static glint_status make_picture(const char *directory, const char *name, int kind, bool *found,

@@ -283,7 +283,7 @@ static void a_figure_that_does_not_fit_is_a_failure(void **state)
     setrlimit(RLIMIT_FSIZE, &before);
     signal(SIGXFSZ, handler);
     assert_int_equal(done.status, 1);
-    assert_says(done.err, "/figure-2.12.svg: File too large\n");
+    assert_says(done.err, "/figure-2.12.gnuplot: File too large\n");
     forget(&done);
     assert_int_equal(access(in_report("figure-2.12.svg"), F_OK), -1);
     assert_int_equal(access(in_report("figure-2.12.png"), F_OK), -1);

@@ -11,6 +11,8 @@
 #include <cmocka.h>
 
 #include "../scratch.h"
+
+#include "../child.h"
 #include "run.h"
 
 static char *summary; /* what the run for all tests printed */
@@ -94,11 +96,23 @@ static void claims_have_their_verdicts(void **state)
         {"2.3", "at most 0.1, n = 1", "does not hold", "0.1111"},
         {"2.7, 3.1", "in the epicentre", "does not hold", "14.7 %"},
         {"2.3", "√(1+2n)/n", "holds", "0.368"},
+        {"2.3", "largest relative error of all", "does not hold", "up to 20.8 %; "},
+        {"2.7, 3.1", "zone of decay", "does not hold", "100 % at n = 3"},
         {"2.3", "√(6n−3)/(n−2)", "does not hold", "there W is zero"},
         {"3.1", "4 times below", "does not hold", "0.70 times"},
         {"Table 3.2", "Quadratic: largest NMSE 0.00026", "does not hold", " at n = 13"},
         {"Table 3.2", "Cosine-quadratic: largest NMSE", "does not hold", "0.0018 at n = 13"},
         {"2.4", "largest absolute error, k = 2...16", "holds", "0.44270833"},
+        {"2.4", "clocks with division", "cannot be decided", "2946"},
+        {"(2.20)", "reciprocal", "holds", "difference 0, over all 23"},
+        {"2.5", "R ≥ 1", "does not hold", "for 0 exponents of Blinn's with (n+6)/(8π)"},
+        {"(2.24)", "(cos θ₀)/2", "does not hold", "centre is 27501 at n = 1000"},
+        {"(2.25)", "over dω₀", "does not hold", "R = 0.5346 at n = 17"},
+        {"(2.25)", "first lobe", "does not hold", "4.8978/√n"},
+        {"2.5, figure 2.15", "n = 1…17", "does not hold", "R > 1 for n = 1…19; "},
+        {"2.5", "worst case", "holds", "0 cells"},
+        {"(2.26), figure 2.16", "24.55", "does not hold", "B must be 25.944 "},
+        {"figure 2.16", "(n+6)/(8π)", "holds", "at most 0.999992"},
     };
     cJSON *json = read_json();
     for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
@@ -163,8 +177,9 @@ static void the_page_stands_alone(void **state)
 static void figures_are_drawn(void **state)
 {
     (void)state;
-    static const char *const figures[] = {"2.2",  "2.3",  "2.4",    "2.5",  "2.6", "2.7",
-                                          "2.10", "2.12", "family", "nmse", "3.13"};
+    static const char *const figures[] = {"2.2",  "2.3",    "2.4",  "2.5",         "2.6",
+                                          "2.7",  "2.10",   "2.12", "2.15",        "2.16",
+                                          "3.13", "family", "nmse", "energy-angle"};
     char *page = read_report("index.md");
     for (size_t i = 0; i < sizeof figures / sizeof figures[0]; i++) {
         char expected[64];
@@ -202,6 +217,63 @@ static void the_summary_counts_the_verdicts(void **state)
     cJSON_Delete(json);
 }
 
+/* What cannot be written at the end is said at the beginning. */
+static void a_page_that_cannot_be_is_said_before_the_work(void **state)
+{
+    (void)state;
+    assert_int_equal(mkdir(scratch_path("early"), 0777), 0);
+    assert_int_equal(mkdir(scratch_path("early/index.html"), 0777), 0);
+    char command_line[1200], expected[1200];
+    snprintf(command_line, sizeof command_line, "report --quick --out %s", scratch_path("early"));
+    snprintf(expected, sizeof expected, "glint report: cannot write %s: Is a directory\n",
+             scratch_path("early/index.html"));
+    outcome done = run(command_line, "");
+    assert_outcome(&done, 1, expected);
+    forget(&done);
+    assert_int_equal(remove(scratch_path("early/index.html")), 0);
+    assert_int_equal(remove(scratch_path("early")), 0); /* nothing else is in it */
+}
+
+static void write_slow_gnuplot(void)
+{
+    static const char before[] = "#!/bin/sh\n: >";
+    char script[1200];
+    assert_int_equal(mkdir(scratch_path("bin"), 0777), 0);
+    const int length =
+        snprintf(script, sizeof script, "%s%s\n/bin/sleep 1\n", before, scratch_path("plotting"));
+    scratch_write(scratch_path("bin/gnuplot"), script, (size_t)length);
+    assert_int_equal(chmod(scratch_path("bin/gnuplot"), 0755), 0);
+}
+
+/* As a terminal sends it: to all that it has started in its group. */
+static void an_interrupt_while_gnuplot_draws_is_no_failure_of_gnuplot(void **state)
+{
+    (void)state;
+    char out[1024];
+    snprintf(out, sizeof out, "%s", scratch_path("cut"));
+    const char *const argv[] = {
+        glint_under_test(), "report", "--quick", "--json", "--out", out, NULL};
+    char *path = strdup(getenv("PATH"));
+    assert_non_null(path);
+    write_slow_gnuplot();
+    setenv("PATH", scratch_path("bin"), 1);
+    const pid_t child = child_start(argv, scratch_path("child.out"), scratch_path("child.err"));
+    setenv("PATH", path, 1);
+    free(path);
+    const double limit = child_seconds() + 60;
+    while (access(scratch_path("plotting"), F_OK) != 0 && child_seconds() < limit)
+        child_pause();
+    kill(-child, SIGINT);
+    assert_int_equal(child_wait(child, 60), 1);
+    char *said = scratch_read(scratch_path("child.err"), NULL);
+    assert_string_equal(said, "glint report: interrupted\n");
+    free(said);
+    said = scratch_read(scratch_path("child.out"), NULL);
+    assert_string_equal(said, "");
+    free(said);
+    assert_int_equal(access(scratch_path("cut/index.html"), F_OK), -1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -211,6 +283,8 @@ int main(void)
         cmocka_unit_test(the_page_stands_alone),
         cmocka_unit_test(figures_are_drawn),
         cmocka_unit_test(the_summary_counts_the_verdicts),
+        cmocka_unit_test(a_page_that_cannot_be_is_said_before_the_work),
+        cmocka_unit_test(an_interrupt_while_gnuplot_draws_is_no_failure_of_gnuplot),
     };
     return cmocka_run_group_tests(tests, make_report, forget_report);
 }
