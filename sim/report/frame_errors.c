@@ -5,7 +5,8 @@
 #include <string.h>
 
 const char *const glint_test_figure_names[GLINT_FIGURE_COUNT] = {"sphere", "teapot"};
-const char *const glint_highlight_color_names[GLINT_HIGHLIGHT_COUNT] = {"white", "object's colour"};
+const char *const glint_frame_light_names[GLINT_LIGHT_COUNT] = {
+    "highlight white", "highlight of the object's colour", "the same, Ka = 1"};
 
 const char *const glint_frame_names[GLINT_FRAME_COUNT][2] = {
     [GLINT_FRAME_SCHLICK] = {"schlick", "blinn"},
@@ -32,13 +33,14 @@ static int exponents_of(bool quick, int *n)
     return (int)(size / sizeof *chosen);
 }
 
-void glint_frame_scene(glint_highlight_color highlight, glint_scene *scene)
+void glint_frame_scene(glint_frame_light light, glint_scene *scene)
 {
     static const uint8_t color[] = {238, 138, 32};
     glint_scene_defaults(scene);
     memcpy(scene->color, color, sizeof color);
-    if (highlight == GLINT_HIGHLIGHT_OBJECT)
+    if (light != GLINT_LIGHT_WHITE)
         memcpy(scene->highlight, color, sizeof color);
+    scene->ka = light == GLINT_LIGHT_AMBIENT ? 1.0f : 0.2f;
     scene->kd = 0.5f;
     scene->ks = 0.5f;
 }
@@ -86,13 +88,13 @@ static glint_status measure_figure(const glint_report *report, const glint_mesh 
                                    glint_error *err)
 {
     glint_status status = GLINT_OK;
-    for (int highlight = 0; highlight < GLINT_HIGHLIGHT_COUNT; highlight++) {
+    for (int light = 0; light < GLINT_LIGHT_COUNT; light++) {
         glint_scene scene;
-        glint_frame_scene((glint_highlight_color)highlight, &scene);
+        glint_frame_scene((glint_frame_light)light, &scene);
         scene.mesh = mesh;
         for (int method = 0; method < GLINT_FRAME_COUNT && status == GLINT_OK; method++)
             status = measure_method(report, &scene, errors, (glint_frame_method)method,
-                                    errors->nmse[figure][highlight][method], err);
+                                    errors->nmse[figure][light][method], err);
     }
     return status;
 }
@@ -116,12 +118,12 @@ glint_status glint_frame_errors_measure(const glint_report *report, glint_frame_
 }
 
 glint_worst_frame glint_worst_frame_of(const glint_frame_errors *errors, glint_test_figure figure,
-                                       glint_highlight_color highlight, glint_frame_method method,
+                                       glint_frame_light light, glint_frame_method method,
                                        int n_from, int n_to)
 {
     glint_worst_frame worst = {0};
     for (int i = 0; i < errors->count; i++) {
-        const double nmse = errors->nmse[figure][highlight][method][i];
+        const double nmse = errors->nmse[figure][light][method][i];
         if (errors->n[i] >= n_from && errors->n[i] <= n_to && nmse >= worst.nmse)
             worst = (glint_worst_frame){nmse, errors->n[i]};
     }
@@ -133,7 +135,7 @@ static glint_status time_figure(const glint_report *report, const glint_mesh *me
 {
     glint_scene scene;
     glint_study *study;
-    glint_frame_scene(GLINT_HIGHLIGHT_WHITE, &scene);
+    glint_frame_scene(GLINT_LIGHT_WHITE, &scene);
     scene.mesh = mesh;
     glint_status status = create_study(report, &scene, times->width, times->height, "blinn",
                                        "cosine-quadratic", &study, err);

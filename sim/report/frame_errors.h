@@ -14,13 +14,16 @@ typedef enum glint_test_figure {
 
 extern const char *const glint_test_figure_names[GLINT_FIGURE_COUNT];
 
-typedef enum glint_highlight_color {
-    GLINT_HIGHLIGHT_WHITE,
-    GLINT_HIGHLIGHT_OBJECT, /* the object's own colour */
-    GLINT_HIGHLIGHT_COUNT
-} glint_highlight_color;
+/* What of the scene Table 3.2 leaves open. */
+typedef enum glint_frame_light {
+    GLINT_LIGHT_WHITE,   /* the highlight white */
+    GLINT_LIGHT_COLORED, /* the highlight of the object's colour */
+    GLINT_LIGHT_AMBIENT, /* the same with all of the ambient light, Ka = 1: the brighter picture
+                            makes the smaller NMSE */
+    GLINT_LIGHT_COUNT
+} glint_frame_light;
 
-extern const char *const glint_highlight_color_names[GLINT_HIGHLIGHT_COUNT];
+extern const char *const glint_frame_light_names[GLINT_LIGHT_COUNT];
 
 /* Each compared with cosⁿ (blinn, in single precision), but for the last two. */
 typedef enum glint_frame_method {
@@ -46,17 +49,21 @@ typedef struct glint_frame_errors {
     int width, height;
     int count; /* exponents */
     int n[GLINT_FRAME_EXPONENTS_MAX];
-    double nmse[GLINT_FIGURE_COUNT][GLINT_HIGHLIGHT_COUNT][GLINT_FRAME_COUNT]
+    double nmse[GLINT_FIGURE_COUNT][GLINT_LIGHT_COUNT][GLINT_FRAME_COUNT]
                [GLINT_FRAME_EXPONENTS_MAX];
 } glint_frame_errors;
 
 /* A scene of the report, all but its mesh. */
-void glint_frame_scene(glint_highlight_color highlight, glint_scene *scene);
+void glint_frame_scene(glint_frame_light light, glint_scene *scene);
 
 glint_status glint_frame_mesh(glint_test_figure figure, glint_mesh **mesh, glint_error *err);
 
 glint_status glint_frame_errors_measure(const glint_report *report, glint_frame_errors *errors,
                                         glint_error *err);
+
+/* Table 3.2, its figure, its claims and its numbers. */
+glint_status glint_frame_errors_write(glint_report *report, const glint_frame_errors *errors,
+                                      glint_error *err);
 
 typedef struct glint_worst_frame {
     double nmse;
@@ -65,7 +72,7 @@ typedef struct glint_worst_frame {
 
 /* The largest over exponents from n_from to n_to. */
 glint_worst_frame glint_worst_frame_of(const glint_frame_errors *errors, glint_test_figure figure,
-                                       glint_highlight_color highlight, glint_frame_method method,
+                                       glint_frame_light light, glint_frame_method method,
                                        int n_from, int n_to);
 
 typedef struct glint_frame_times {
