@@ -35,6 +35,7 @@ static const writer writers[] = {
     {"verify --clocks 1000 --seed 1 --circuit specular --lanes 1 --gate cosine --out %s/p", true,
      1},
     {"verify --exhaustive --lanes 1 --from 50 --stride 4096 --shard 51/1000 --out %s/p", true, 1},
+    {"study --size 60x40 --n 10 --frames 0 --out %s", false, 0},
     {"report divider --out %s", false, 0},
 };
 #define WRITERS (sizeof writers / sizeof writers[0])
@@ -193,6 +194,11 @@ static const char *const printers[] = {
     "verify --exhaustive --shard 1/1000 --stride 4096 --out %s/p",
     "energy --model blinn --n 10 --angle 0..3",
     "energy --json --model blinn --n 10 --angle 0..3",
+    "models",
+    "models --json",
+    "models --coefficients",
+    "study --size 60x40 --n 10 --frames 0 --out %s",
+    "study --size 60x40 --n 10 --frames 0 --json --out %s",
     "bench --seconds 0.01",
     "report divider --out %s",
 };

@@ -32,6 +32,7 @@ static const victim victims[] = {
     {"bench --seconds 5", false, false, 1, "interrupted"},
     {"report --out D/r", false, false, 1, "interrupted"},
     {"report divider --out D/r", false, false, 1, "interrupted"},
+    {"study --size 1920x1080 --frames 1000 --out D/s", false, false, 1, "interrupted"},
     {"energy --method both", false, false, 1, "interrupted"},
     {"energy --json", false, false, 1, "interrupted"},
     {"eval", false, true, 1, "interrupted"},
