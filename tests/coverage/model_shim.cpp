@@ -1,0 +1,20 @@
+// The shim of sim/rtl over a specular device that counts its lines and toggles: its table,
+// GLINT_COUNTING_TABLE, is the other with one function more to do at the end.
+#include "../../sim/rtl/model_shim.cpp"
+
+#include "counters.hpp"
+
+namespace
+{
+glint_rtl_model counting(glint_rtl_model model)
+{
+    model.destroy = [](void *instance) {
+        write_counters(as_instance(instance), GLINT_COUNTING_NAME);
+        destroy(instance);
+    };
+    return model;
+}
+} // namespace
+
+extern "C" const glint_rtl_model GLINT_COUNTING_TABLE;
+const glint_rtl_model GLINT_COUNTING_TABLE = counting(GLINT_MODEL_TABLE);
