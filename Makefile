@@ -344,7 +344,7 @@ lint-c: $(BUILD)/rtl_models.h
 
 # ---- Longer checks: mutation, proofs, netlists, coverage, fuzzing, each with its own rules ----------
 
-include $(wildcard tests/*/rules.mk)
+include tests/circuits.mk $(wildcard tests/*/rules.mk)
 
 # ---- What a user calls -----------------------------------------------------------------------------
 

@@ -63,16 +63,18 @@ sequential | pipelined)
 esac
 
 rm -rf "$dir"
-mkdir -p "$dir/rtl"
-cp rtl/* "$dir/rtl"
+mkdir -p "$dir"
+rtl=rtl
 if [ -n "$fault" ]; then
+    rtl=$dir/rtl
+    cp -r rtl "$rtl"
     for edit in tests/*/wrong/"$fault"/*.sed tests/*/wrong/*/"$fault"/*.sed; do
         [ -e "$edit" ] || continue
         module=$(basename "$edit" .sed).v
-        sed -f "$edit" "rtl/$module" >"$dir/rtl/$module"
-        cmp -s "rtl/$module" "$dir/rtl/$module" && fail "$edit changes nothing in rtl/$module"
+        sed -f "$edit" "rtl/$module" >"$rtl/$module"
+        cmp -s "rtl/$module" "$rtl/$module" && fail "$edit changes nothing in rtl/$module"
     done
-    diff -rq rtl "$dir/rtl" >/dev/null && fail "there is no fault \"$fault\""
+    diff -rq rtl "$rtl" >/dev/null && fail "there is no fault \"$fault\""
 fi
 
 synthesise() { # COMMAND OF YOSYS
@@ -83,7 +85,7 @@ synthesise() { # COMMAND OF YOSYS
     # A vector becomes a wire for each bit: Verilator looks for loops vector by vector, and would see
     # one where low bits lead to high ones.
     yosys -q -p "
-        read_verilog -I$dir/rtl $dir/rtl/*.v
+        read_verilog -I$rtl $rtl/*.v
         chparam $set_all $top
         hierarchy -check -top $top
         rename -top $top
@@ -95,7 +97,7 @@ synthesise() { # COMMAND OF YOSYS
 
 # Yosys looks for its models of cells in the same place.
 cells=$(dirname "$(command -v yosys)")/../share/yosys
-verilog="-I$dir/rtl $dir/rtl/$top.v"
+verilog="-I$rtl $rtl/$top.v"
 for parameter in $parameters; do
     verilog="-G$parameter $verilog"
 done
@@ -134,7 +136,9 @@ shim_of_build=sim/rtl/$shim
 # shellcheck disable=SC2086  # lists of words
 {
     $VERILATE --top "$top" --prefix "$class" --Mdir "$dir/verilated" $signals $verilog
-    $MAKE -s -C "$dir/verilated" -f "$class.mk" OPT_FAST=-O1 "${class}__ALL.a" >/dev/null
+    # One file and no optimisation: to compile is what takes the time here.
+    $MAKE -s -C "$dir/verilated" -f "$class.mk" VM_PARALLEL_BUILDS=0 OPT_FAST=-O0 OPT_SLOW=-O0 \
+        "${class}__ALL.a" >/dev/null
     $COMPILE -isystem "$dir/verilated" "-DMODEL=$class" "-DGLINT_MODEL_TABLE=$table" $settings \
         "-DGLINT_MODEL_OBSERVED=$observed" -c "$shim_of_build" -o "$dir/shim.o"
 }

@@ -17,6 +17,8 @@ template <class Model> void write_counters(Circuit<Model> &circuit, const char *
         return;
     const std::string path =
         std::string(directory) + "/" + name + "-" + std::to_string(++written) + ".dat";
+    // Else instances of one module would be added up.
+    circuit.context.coveragep()->forcePerInstance(true);
     circuit.context.coveragep()->write(path.c_str());
 }
 

@@ -1,0 +1,30 @@
+# Coverage: of the Verilog by lines and toggles, of the C by gcov (docs/coverage.md).
+
+COVERAGE_CIRCUITS := $(foreach g,$(GATES),$(foreach p,$(PIPELINES),$g-$p-1)) cosine-pipelined-2 \
+                     sign-drawn-2 drawn-pipelined-4 $(DIVIDER_SHIFTS:%=sequential-%) \
+                     $(foreach n,6 12 16,pipelined-$n)
+COUNTING_CIRCUITS := $(COVERAGE_CIRCUITS:%=coverage:%)
+COVERAGE          := $(BUILD)/coverage
+
+$(foreach n,$(COUNTING_CIRCUITS),$(eval $(call circuit_rules,$n)))
+$(eval $(call circuit_program,$(COVERAGE)/circuits,$(COUNTING_CIRCUITS),$(COVERAGE)/drive,\
+    $(BUILD)/tests/coverage/drive.o $(COVERAGE)/verilated_cov.o))
+
+$(COVERAGE)/verilated_cov.o: $(VERILATED)/version
+	@mkdir -p $(@D)
+	$(CXX) $(SHIM_FLAGS) -w -c $(VERILATOR_ROOT_DIR)/include/verilated_cov.cpp -o $@
+
+.PHONY: coverage coverage-rtl coverage-c
+coverage: coverage-rtl coverage-c
+
+coverage-rtl:
+	sim/deps.sh coverage
+	+$(MAKE) -j$(JOBS) $(COVERAGE)/drive
+	tests/coverage/rtl.sh $(COVERAGE)/drive $(COVERAGE)
+
+# The tests once more, compiled so that gcov counts; the circuits are those of the plain build.
+coverage-c:
+	sim/deps.sh coverage
+	+$(MAKE) -j$(JOBS) BUILD=$(COVERAGE)/c VERILATED=$(VERILATED) CFLAGS='$(CFLAGS) -O1 --coverage \
+	    -DGLINT_SHORT' LDFLAGS='$(LDFLAGS) --coverage' build-tests
+	tests/coverage/c.sh $(COVERAGE)

@@ -1,0 +1,9 @@
+# The C model against an independent reference in exact rationals, over the whole domain.
+
+$(BUILD)/tests/reference/test_reference: LDLIBS += -lgmp
+
+.PHONY: reference
+reference:
+	sim/deps.sh test
+	+$(MAKE) -j$(JOBS) $(BUILD)/tests/reference/test_reference
+	tests/reference/run.sh $(BUILD)/tests/reference/test_reference $(BUILD)/reference.log
