@@ -22,9 +22,15 @@ coverage-rtl:
 	+$(MAKE) -j$(JOBS) $(COVERAGE)/drive
 	tests/coverage/rtl.sh $(COVERAGE)/drive $(COVERAGE)
 
-# The tests once more, compiled so that gcov counts; the circuits are those of the plain build.
+# The tests once more, compiled so that gcov counts, also from several threads; the circuits are those
+# of the plain build. Counting makes the loops over the whole domain slow, so they take the strides of
+# the sanitizers' build.
+COVERAGE_C = $(MAKE) BUILD=$(COVERAGE)/c VERILATED=$(VERILATED) LDFLAGS='$(LDFLAGS) --coverage' \
+    CFLAGS='$(CFLAGS) -O1 --coverage -fprofile-update=atomic -DGLINT_SANITIZED=1'
+
 coverage-c:
 	sim/deps.sh coverage
-	+$(MAKE) -j$(JOBS) BUILD=$(COVERAGE)/c VERILATED=$(VERILATED) CFLAGS='$(CFLAGS) -O1 --coverage \
-	    -DGLINT_SHORT' LDFLAGS='$(LDFLAGS) --coverage' build-tests
+	+$(COVERAGE_C) -j$(JOBS) build-tests
+	find $(COVERAGE)/c -name '*.gcda' -delete
+	+GLINT_REFERENCE_STEP=61 $(COVERAGE_C) run-tests
 	tests/coverage/c.sh $(COVERAGE)
