@@ -4,12 +4,14 @@
 
 #include "counters.hpp"
 
+#define NAME_OF(name) STRING_OF(name)
+
 namespace
 {
 glint_rtl_model counting(glint_rtl_model model)
 {
     model.destroy = [](void *instance) {
-        write_counters(as_instance(instance), GLINT_COUNTING_NAME);
+        write_counters(as_instance(instance), NAME_OF(GLINT_COUNTING_NAME));
         destroy(instance);
     };
     return model;

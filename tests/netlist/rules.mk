@@ -5,7 +5,9 @@ SECOND_SPECULAR  := cosine-pipelined-1 cosine-drawn-1 sign-pipelined-2 drawn-pip
 SECOND_DIVIDERS  := $(foreach f,sequential pipelined,$(foreach n,6 12 16,$f-$n))
 # Every gate and pipeline for the Verilog itself, which is quick to build.
 SECOND_SETTINGS  := $(foreach g,$(GATES),$(foreach p,$(PIPELINES),$g-$p-1)) cosine-pipelined-4
-SECOND_FAULTS    := $(foreach f,$(FAULTS),ice40-$(call wrong_name,$f):cosine-pipelined-1) \
+# Not late_limit: ROM 9 one code too large shuts out a point whose W is 0 anyhow, whatever n is; the pins
+# cannot show it.
+SECOND_FAULTS    := $(foreach f,$(filter-out %/limit_rom.sed,$(FAULTS)),ice40-$(call wrong_name,$f):cosine-pipelined-1) \
                     $(foreach f,$(DIVIDER_FAULTS),generic-$(call wrong_name,$f):$(call wrong_form,$f)-12)
 SECOND_OPINIONS  := $(foreach b,ice40 dsp generic,$(SECOND_SPECULAR:%=$b:%)) \
                     $(foreach b,ice40 generic,$(SECOND_DIVIDERS:%=$b:%)) \

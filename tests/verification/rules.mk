@@ -12,6 +12,7 @@ verification:
 	    exhaustion $(BUILD)/glint verify --exhaustive --gate all --pipeline all
 	+$(MAKE) mutation
 	+$(MAKE) formal
+	+$(MAKE) reference
 	+$(MAKE) netlist
 	+$(MAKE) coverage
 	+$(MAKE) fuzz
