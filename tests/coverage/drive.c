@@ -9,7 +9,6 @@
 #include <stdlib.h>
 
 #include "../netlist/opinions.h"
-#include "lockstep/divider_lockstep.h"
 #include "lockstep/exhaustive.h"
 #include "lockstep/lockstep.h"
 
@@ -22,26 +21,12 @@ typedef struct counts {
 static glint_status run_random(const opinion *circuit, uint64_t clocks, uint64_t seed,
                                counts *counts, glint_error *err)
 {
-    static glint_lockstep_result specular;
-    static glint_divider_lockstep_result divider;
-    glint_lockstep_result *found = circuit->specular != NULL ? &specular : &divider.found;
-    glint_status status;
-    if (circuit->specular != NULL)
-        status = glint_lockstep_run(&(glint_lockstep_options){.config = circuit->specular->config,
-                                                              .clocks = clocks,
-                                                              .seed = seed,
-                                                              .model = circuit->specular},
-                                    &specular, err);
-    else
-        status = glint_divider_lockstep_run(
-            &(glint_divider_lockstep_options){.form = circuit->divider->form,
-                                              .shifts = circuit->divider->shifts,
-                                              .clocks = clocks,
-                                              .seed = seed,
-                                              .model = circuit->divider},
-            &divider, err);
-    counts->comparisons += found->comparisons;
-    counts->mismatches += found->mismatches;
+    static glint_lockstep_result found;
+    const glint_lockstep_options options = {
+        .setting = opinion_setting(circuit), .clocks = clocks, .seed = seed};
+    const glint_status status = glint_lockstep_run(&options, &found, err);
+    counts->comparisons += found.comparisons;
+    counts->mismatches += found.mismatches;
     return status;
 }
 
@@ -58,7 +43,7 @@ static glint_status run_sweep(const glint_rtl_model *model, uint64_t seed, count
                                               .seed = seed,
                                               .threads = 1};
     const glint_status status = glint_exhaustive_run(&options, &result, err);
-    counts->comparisons += result.circuit[0].points * GLINT_EXHAUSTIVE_VALUES;
+    counts->comparisons += result.circuit[0].points * GLINT_ANSWER_VALUES;
     counts->mismatches += result.circuit[0].mismatches;
     return status;
 }

@@ -2,9 +2,11 @@
 
 #include <string.h>
 
-#include "lockstep/divider_lockstep.h"
-#include "lockstep/stimulus.h"
+#include "lockstep/random_pins.h"
+#include "lockstep/twin.h"
+#include "rtl/divider_model.h"
 #include "rtl/places.h"
+#include "rtl/rtl_model.h"
 
 #define PINS_MAX (1 + 4 * GLINT_LANES_MAX)
 
@@ -18,92 +20,57 @@ typedef struct pin {
 } pin;
 
 typedef struct pair {
-    const pins_options *options;
+    const glint_setting *setting;
     void *circuit;
-    glint_specular_device *specular;
-    glint_divider_device *divider;
-    glint_stimulus stimulus;
-    glint_divider_stimulus divider_stimulus;
+    glint_twin *model;
+    glint_random_pins source;
     pin pins[PINS_MAX];
     int pin_count;
 } pair;
 
-/* ---- Either circuit ----------------------------------------------------------------------------
- */
+/* ---- Either circuit -------------------------------------------------------------------------- */
 
-static int signal_count(const pair *pair)
+static glint_status create_both(pair *pair, uint64_t seed, glint_error *err)
 {
-    const pins_options *o = pair->options;
-    return o->specular != NULL ? glint_specular_signal_count(&o->specular->config)
-                               : glint_divider_signal_count(o->divider->form, o->divider->shifts);
-}
-
-static glint_signal_info signal_info(const pair *pair, int index)
-{
-    const pins_options *o = pair->options;
-    return o->specular != NULL
-               ? glint_specular_signal_info(&o->specular->config, index)
-               : glint_divider_signal_info(o->divider->form, o->divider->shifts, index);
-}
-
-static uint64_t signal_bits(const pair *pair, int index)
-{
-    if (pair->options->divider != NULL)
-        return glint_divider_signal_bits(pair->divider, index);
-    return glint_specular_signal_bits(&pair->options->specular->config,
-                                      glint_specular_device_signals(pair->specular), index);
-}
-
-static bool find_port(const pair *pair, const char *name, const void **data, int *size)
-{
-    const pins_options *o = pair->options;
-    return o->specular != NULL ? o->specular->find(pair->circuit, -1, name, data, size)
-                               : o->divider->find(pair->circuit, -1, name, data, size);
-}
-
-static glint_status create_both(pair *pair)
-{
-    const pins_options *o = pair->options;
-    pair->circuit = o->specular != NULL ? o->specular->create() : o->divider->create();
+    const glint_setting *setting = pair->setting;
+    pair->circuit =
+        setting->is_divider ? setting->divider_model->create() : setting->specular_model->create();
     if (pair->circuit == NULL)
-        return GLINT_NO_MEMORY;
-    if (o->divider != NULL) {
-        glint_divider_stimulus_init(&pair->divider_stimulus, o->seed);
-        return glint_divider_device_create(o->divider->form, o->divider->shifts, &pair->divider);
-    }
-    glint_stimulus_init(&pair->stimulus, o->seed, o->specular->config.lanes);
-    return glint_specular_device_create(&o->specular->config, &pair->specular);
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the circuit");
+    glint_random_pins_begin(&pair->source, setting, seed);
+    return glint_twin_create_model(setting, &pair->model, err);
 }
 
 static void destroy_both(pair *pair)
 {
-    const pins_options *o = pair->options;
-    glint_specular_device_destroy(pair->specular);
-    glint_divider_device_destroy(pair->divider);
-    if (pair->circuit != NULL && o->specular != NULL)
-        o->specular->destroy(pair->circuit);
-    if (pair->circuit != NULL && o->divider != NULL)
-        o->divider->destroy(pair->circuit);
+    glint_twin_destroy(pair->model);
+    if (pair->circuit == NULL)
+        return;
+    if (pair->setting->is_divider)
+        pair->setting->divider_model->destroy(pair->circuit);
+    else
+        pair->setting->specular_model->destroy(pair->circuit);
 }
 
 static void clock_both(pair *pair)
 {
-    const pins_options *o = pair->options;
-    if (o->divider != NULL) {
-        glint_divider_inputs inputs;
-        glint_divider_stimulus_next(&pair->divider_stimulus, &inputs);
-        glint_divider_device_clock(pair->divider, &inputs);
-        o->divider->clock(pair->circuit, &inputs);
-    } else {
-        glint_specular_inputs inputs;
-        glint_stimulus_next(&pair->stimulus, &inputs);
-        glint_specular_device_clock(pair->specular, &inputs);
-        o->specular->clock(pair->circuit, &inputs);
-    }
+    glint_pins pins;
+    glint_random_pins_next(&pair->source, &pins);
+    glint_twin_clock(pair->model, &pins);
+    if (pair->setting->is_divider)
+        pair->setting->divider_model->clock(pair->circuit, &pins.divider);
+    else
+        pair->setting->specular_model->clock(pair->circuit, &pins.specular);
 }
 
-/* ---- The pins ----------------------------------------------------------------------------------
- */
+static bool find_port(const pair *pair, const char *name, const void **data, int *size)
+{
+    const glint_setting *setting = pair->setting;
+    return setting->is_divider ? setting->divider_model->find(pair->circuit, -1, name, data, size)
+                               : setting->specular_model->find(pair->circuit, -1, name, data, size);
+}
+
+/* ---- The pins -------------------------------------------------------------------------------- */
 
 /* The outputs, and the one register that is a pin as well. */
 static bool is_pin(const glint_signal_info *info)
@@ -113,8 +80,8 @@ static bool is_pin(const glint_signal_info *info)
 
 static glint_status find_pins(pair *pair, glint_error *err)
 {
-    for (int i = 0; i < signal_count(pair); i++) {
-        pin pin = {.info = signal_info(pair, i), .index = i};
+    for (int i = 0; i < glint_setting_signal_count(pair->setting); i++) {
+        pin pin = {.info = glint_setting_signal(pair->setting, i), .index = i};
         const void *data;
         if (!is_pin(&pin.info))
             continue;
@@ -138,32 +105,36 @@ static uint64_t pin_bits(const pin *pin)
 
 static void compare(const pair *pair, pins_result *result)
 {
+    uint64_t model[GLINT_SETTING_SIGNALS_MAX];
+    glint_twin_read(pair->model, model, NULL);
     for (int i = 0; i < pair->pin_count; i++) {
         const pin *pin = &pair->pins[i];
-        const uint64_t model = signal_bits(pair, pin->index), circuit = pin_bits(pin);
-        if (model != circuit && result->mismatches++ == 0) {
+        const uint64_t circuit = pin_bits(pin);
+        if (model[pin->index] != circuit && result->mismatches++ == 0) {
             result->first_clock = result->clocks;
             result->first_pin = pin->info.name;
             result->first_lane = pin->info.lane;
-            result->first_model = model;
+            result->first_model = model[pin->index];
             result->first_circuit = circuit;
         }
     }
     result->comparisons += (uint64_t)pair->pin_count;
 }
 
+static bool has_build(const glint_setting *setting)
+{
+    return setting->is_divider ? setting->divider_model != NULL : setting->specular_model != NULL;
+}
+
 glint_status pins_run(const pins_options *options, pins_result *result, glint_error *err)
 {
-    pair pair = {.options = options};
+    pair pair = {.setting = &options->setting};
     memset(result, 0, sizeof *result);
-    if (options->clocks == 0 || (options->specular == NULL) == (options->divider == NULL))
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "one circuit and at least one clock are needed");
-    glint_status status = create_both(&pair);
-    if (status != GLINT_OK)
-        glint_fail(err, status, "cannot create the circuit or its C model");
+    if (options->clocks == 0 || !has_build(&options->setting))
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "a build and at least one clock are needed");
+    glint_status status = create_both(&pair, options->seed, err);
     if (status == GLINT_OK)
         status = find_pins(&pair, err);
-
     while (status == GLINT_OK && result->clocks < options->clocks &&
            !(options->stop_at_first && result->mismatches != 0)) {
         clock_both(&pair);

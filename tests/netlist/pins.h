@@ -9,13 +9,11 @@
 
 #include <stdbool.h>
 
-#include "rtl/divider_model.h"
-#include "rtl/rtl_model.h"
+#include "lockstep/setting.h"
 
 typedef struct pins_options {
-    const glint_rtl_model *specular;    /* the circuit: the one of these two … */
-    const glint_divider_model *divider; /* … that is not NULL */
-    uint64_t clocks;                    /* how many; 0 compares nothing, and is refused */
+    glint_setting setting; /* with the circuit's build: specular_model or divider_model */
+    uint64_t clocks;       /* how many; 0 compares nothing, and is refused */
     uint64_t seed;
     bool stop_at_first; /* the run ends with the clock of the first mismatch */
 } pins_options;
@@ -31,7 +29,8 @@ typedef struct pins_result {
     uint64_t first_model, first_circuit;
 } pins_result;
 
-/* Runs it. GLINT_OK whatever it finds. GLINT_DEVICE_FAULT when the circuit has not the pins. */
+/* Runs it. GLINT_OK whatever it finds. GLINT_DEVICE_FAULT when the circuit has not the pins,
+ * GLINT_BAD_ARGUMENT for no clocks or a setting without a build. */
 glint_status pins_run(const pins_options *options, pins_result *result, glint_error *err);
 
 #endif

@@ -12,7 +12,6 @@
 #include <cmocka.h>
 
 #include "../seed.h"
-#include "lockstep/divider_lockstep.h"
 #include "lockstep/lockstep.h"
 #include "opinions.h"
 #include "pins.h"
@@ -56,7 +55,7 @@ static int prepare(void **state)
 static tally compare_pins(const opinion *entry)
 {
     const pins_options options = {
-        .specular = entry->specular, .divider = entry->divider, .clocks = clocks, .seed = seed};
+        .setting = opinion_setting(entry), .clocks = clocks, .seed = seed};
     pins_result r;
     glint_error err;
     if (pins_run(&options, &r, &err) != GLINT_OK) {
@@ -73,25 +72,10 @@ static tally compare_pins(const opinion *entry)
 static tally compare_signals(const opinion *entry)
 {
     static glint_lockstep_result found;
-    glint_status status;
+    const glint_lockstep_options options = {
+        .setting = opinion_setting(entry), .clocks = clocks, .seed = seed};
     glint_error err;
-    if (entry->specular != NULL) {
-        const glint_lockstep_options options = {.config = entry->specular->config,
-                                                .clocks = clocks,
-                                                .seed = seed,
-                                                .model = entry->specular};
-        status = glint_lockstep_run(&options, &found, &err);
-    } else {
-        static glint_divider_lockstep_result divider;
-        const glint_divider_lockstep_options options = {.form = entry->divider->form,
-                                                        .shifts = entry->divider->shifts,
-                                                        .clocks = clocks,
-                                                        .seed = seed,
-                                                        .model = entry->divider};
-        status = glint_divider_lockstep_run(&options, &divider, &err);
-        found = divider.found;
-    }
-    if (status != GLINT_OK) {
+    if (glint_lockstep_run(&options, &found, &err) != GLINT_OK) {
         fail_msg("%s: %s", entry->name, err.text);
     }
     if (found.mismatches != 0) {
@@ -157,13 +141,14 @@ static void every_wrong_netlist_is_found(void **state)
 static void no_clocks_and_no_circuit_are_refused(void **state)
 {
     (void)state;
-    pins_options options = {.clocks = 1};
+    pins_options options = {.setting = opinion_setting(&opinions[0])};
     pins_result result;
     glint_error err;
     assert_int_equal(pins_run(&options, &result, &err), GLINT_BAD_ARGUMENT);
-    options.specular = opinions[0].specular;
-    options.divider = opinions[0].divider;
-    options.clocks = 0;
+    options.clocks = 1;
+    assert_int_equal(pins_run(&options, &result, &err), GLINT_OK);
+    options.setting.specular_model = NULL;
+    options.setting.divider_model = NULL;
     assert_int_equal(pins_run(&options, &result, &err), GLINT_BAD_ARGUMENT);
 }
 
@@ -177,8 +162,7 @@ static void a_run_stops_at_the_first_mismatch(void **state)
         if (kind_of(entry) != WRONG) {
             continue;
         }
-        pins_options options = {
-            .specular = entry->specular, .divider = entry->divider, .clocks = clocks, .seed = seed};
+        pins_options options = {.setting = opinion_setting(entry), .clocks = clocks, .seed = seed};
         pins_result all, first;
         glint_error err;
         assert_int_equal(pins_run(&options, &all, &err), GLINT_OK);
