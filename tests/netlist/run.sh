@@ -3,11 +3,11 @@
 #
 #   tests/netlist/run.sh PROGRAM LOG
 #
-# GLINT_NETLIST_CLOCKS: clocks for each circuit (1 000 000).
+# GLINT_NETLIST_CLOCKS: clocks for each circuit (200 000).
 set -eu
 
 program=$1 log=$2
-export GLINT_NETLIST_CLOCKS="${GLINT_NETLIST_CLOCKS:-1000000}"
+export GLINT_NETLIST_CLOCKS="${GLINT_NETLIST_CLOCKS:-200000}"
 begin=$(date +%s)
 status=0
 "$program" >"$log" 2>&1 || status=$?
