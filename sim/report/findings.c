@@ -16,11 +16,6 @@ static const char *const texts[GLINT_VERDICT_COUNT] = {
     [GLINT_CANNOT_BE_DECIDED] = "cannot be decided",
 };
 
-const char *glint_verdict_text(glint_verdict verdict)
-{
-    return texts[verdict];
-}
-
 glint_findings *glint_findings_create(void)
 {
     return calloc(1, sizeof(glint_findings));

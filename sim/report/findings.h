@@ -14,9 +14,6 @@ typedef enum glint_verdict {
     GLINT_VERDICT_COUNT
 } glint_verdict;
 
-/* "holds", "does not hold", "cannot be decided" */
-const char *glint_verdict_text(glint_verdict verdict);
-
 /* One line of Markdown each, without "|". */
 typedef struct glint_finding {
     glint_verdict verdict;

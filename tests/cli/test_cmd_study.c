@@ -141,6 +141,19 @@ static void the_numbers_are_those_of_compare(void **state)
     forget(&done);
 }
 
+/* Times of frames come with JSON only where frames were timed. */
+static void times_are_in_the_json_when_asked_for(void **state)
+{
+    (void)state;
+    outcome done = study("timed", "--b schlick --n 10,25 --frames 1 --json");
+    assert_outcome(&done, 0, "");
+    cJSON *json = cJSON_Parse(done.out);
+    const cJSON *times = cJSON_GetObjectItem(json, "times");
+    assert_int_equal(cJSON_GetArraySize(times), 2);
+    cJSON_Delete(json);
+    forget(&done);
+}
+
 static void what_cannot_be_studied_is_named(void **state)
 {
     (void)state;
@@ -182,6 +195,7 @@ int main(void)
         cmocka_unit_test(the_files_and_the_table),
         cmocka_unit_test(every_run_writes_the_same_but_for_times),
         cmocka_unit_test(the_numbers_are_those_of_compare),
+        cmocka_unit_test(times_are_in_the_json_when_asked_for),
         cmocka_unit_test(what_cannot_be_studied_is_named),
     };
     return cmocka_run_group_tests_name("study", tests, scratch_make, scratch_remove);

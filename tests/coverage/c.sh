@@ -1,9 +1,11 @@
 #!/bin/sh
 # Coverage of the C after the tests of a build that counts for gcov: prints a line a folder.
 #
-#   tests/coverage/c.sh DIR
+#   tests/coverage/c.sh DIR SECONDS
 #
-# DIR/c is the build. DIR/html gets each source, line by line; DIR/c.csv a row a file.
+# DIR/c is the build, SECONDS what the tests took. DIR/html gets each source, line by line; DIR/c.csv a
+# row a file. Then the functions that no test enters: exit status 1 when one of them has no reason in
+# tests/coverage/unentered.txt.
 set -eu
 
 fail() {
@@ -11,11 +13,12 @@ fail() {
     exit 1
 }
 
-dir=$1
+dir=$1 seconds=$2
 rm -rf "$dir/html"
 mkdir -p "$dir/html"
 gcovr --root . --object-directory "$dir/c" --filter 'cmodel/' --filter 'sim/' \
-    --html-details "$dir/html/index.html" --csv "$dir/c.csv" "$dir/c" >"$dir/gcovr.log" 2>&1 || {
+    --html-details "$dir/html/index.html" --csv "$dir/c.csv" --json "$dir/c.json" \
+    "$dir/c" >"$dir/gcovr.log" 2>&1 || {
     cat "$dir/gcovr.log"
     fail "gcovr failed"
 }
@@ -42,5 +45,16 @@ END {
     close(order)
     printf "C: %d of %d lines, %d of %d functions\n", covered, lines, entered, functions
     exit lines == 0
-}' "$dir/c.csv" | tee "$dir/c.txt"
+}' "$dir/c.csv" >"$dir/c.txt" || fail "no line was counted"
+cat "$dir/c.txt"
 echo "line by line: $dir/html/index.html"
+
+status=0
+awk -f tests/coverage/functions.awk tests/coverage/unentered.txt "$dir/c.json" \
+    >"$dir/functions.txt" || status=$?
+cat "$dir/functions.txt"
+counts=$(sed -n 's/^functions: \([0-9]*\) items, \([0-9]*\) failed$/\1 \2/p' "$dir/functions.txt")
+tests/verification/record.sh coverage-c \
+    'every function of cmodel/ and sim/ is entered by a test, or it is said why not' gcov \
+    "${counts% *}" functions "${counts#* }" "$seconds" 'make coverage'
+exit "$status"

@@ -36,6 +36,9 @@ coverage-c:
 	sim/deps.sh coverage
 	+$(COVERAGE_C) -j$(JOBS) build-tests
 	find $(COVERAGE)/c -name '*.gcda' -delete
-	+GLINT_REFERENCE_STEP=61 $(COVERAGE_C) TEST_PROGRAMS="$(filter-out $(COVERAGE_LIMITED),$(COVERAGE_TESTS))" run-tests
-	-GLINT=$(COVERAGE)/c/glint GLINT_BUILD=$(COVERAGE)/c $(COVERAGE_LIMITED) >$(COVERAGE)/limited.log 2>&1
-	tests/coverage/c.sh $(COVERAGE)
+	date +%s >$(COVERAGE)/c/begin
+	+GLINT_RECORDS= GLINT_REFERENCE_STEP=61 $(COVERAGE_C) \
+	    TEST_PROGRAMS="$(filter-out $(COVERAGE_LIMITED),$(COVERAGE_TESTS))" run-tests
+	-GLINT_RECORDS= GLINT=$(COVERAGE)/c/glint GLINT_BUILD=$(COVERAGE)/c $(COVERAGE_LIMITED) \
+	    >$(COVERAGE)/limited.log 2>&1
+	tests/coverage/c.sh $(COVERAGE) $$(($$(date +%s) - $$(cat $(COVERAGE)/c/begin)))

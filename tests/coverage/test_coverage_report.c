@@ -1,5 +1,5 @@
-/* tests/coverage/report.awk on counts made up here: what is covered, what has a reason, and each
- * way to fail. */
+/* tests/coverage/report.awk, and functions.awk below, on counts made up here: what is covered, what
+ * has a reason, and each way to fail. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>
@@ -151,6 +151,52 @@ static void runs_are_not_added_up(void **state)
     assert_int_equal(child_run(argv, 20), 1);
 }
 
+/* ---- tests/coverage/functions.awk -------------------------------------------------------------
+ */
+
+#define GCOVR                                                                                      \
+    "{\"files\": [{\"file\": \"sim/a.c\", \"functions\": [{\"execution_count\": 7, \"lineno\": "   \
+    "1, "                                                                                          \
+    "\"name\": \"used\"}, {\"execution_count\": 0, \"lineno\": 9, \"name\": \"idle\"}], "          \
+    "\"lines\": []}, "                                                                             \
+    "{\"file\": \"sim/b.c\", \"functions\": [{\"execution_count\": 1, \"lineno\": 3, \"name\": "   \
+    "\"idle\"}]}]}\n"
+
+static int functions(const char *reasons, const char *json)
+{
+    write_text("reasons", reasons);
+    write_text("gcovr.json", json);
+    const char *const argv[] = {"awk",
+                                "-f",
+                                "tests/coverage/functions.awk",
+                                scratch_path("reasons"),
+                                scratch_path("gcovr.json"),
+                                NULL};
+    const int status = child_run(argv, 20);
+    free(printed);
+    printed = scratch_read(scratch_path("child.out"), NULL);
+    return status;
+}
+
+static void a_function_that_is_not_entered_needs_a_reason(void **state)
+{
+    (void)state;
+    assert_int_equal(functions("# none\n", GCOVR), 1);
+    assert_printed("sim/a.c idle: no test enters it\nfunctions: 3 items, 1 failed\n");
+    assert_int_equal(functions("sim/a.c idle it cannot be\n", GCOVR), 0);
+    assert_printed("sim/a.c idle: it cannot be\nfunctions: 3 items, 0 failed\n");
+}
+
+static void a_reason_of_an_entered_or_no_function_fails(void **state)
+{
+    (void)state;
+    assert_int_equal(functions("sim/a.c idle so\nsim/b.c idle so\n", GCOVR), 1);
+    assert_printed("sim/b.c idle: entered, so that the reason does not hold\n");
+    assert_int_equal(functions("sim/a.c idle so\nsim/c.c idle so\n", GCOVR), 1);
+    assert_printed("sim/c.c idle: no such function\n");
+    assert_int_equal(functions("# none\n", "{\"files\": []}\n"), 1);
+}
+
 static int clean_up(void **state)
 {
     free(printed);
@@ -169,6 +215,8 @@ int main(void)
         cmocka_unit_test(a_reason_for_nothing_and_half_a_reason_fail),
         cmocka_unit_test(no_lines_and_no_toggles_fail),
         cmocka_unit_test(runs_are_not_added_up),
+        cmocka_unit_test(a_function_that_is_not_entered_needs_a_reason),
+        cmocka_unit_test(a_reason_of_an_entered_or_no_function_fails),
     };
     return cmocka_run_group_tests(tests, scratch_make, clean_up);
 }

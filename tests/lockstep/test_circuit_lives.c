@@ -1,4 +1,6 @@
 /* Circuits come and go in any order and in any thread, and those that stay still work. */
+#define _XOPEN_SOURCE 700
+
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -7,8 +9,11 @@
 
 #include <cmocka.h>
 
+#include "../scratch.h"
+
 #include "rtl/divider_rtl.h"
 #include "rtl/rtl.h"
+#include "wave/waveform.h"
 
 #define CIRCUITS 4
 
@@ -101,12 +106,55 @@ static void with_dividers_between(void **state)
     glint_rtl_destroy(second);
 }
 
+/* Clocks 2 to 11: the first edge is that of the reset of creation. */
+static void assert_ten_clocks(const char *path)
+{
+    glint_wave_info info;
+    glint_error err;
+    if (glint_wave_read_info(path, &info, &err) != GLINT_OK) {
+        fail_msg("%s", err.text);
+    }
+    assert_true(info.signals > 0);
+    assert_true(info.last_time - info.first_time == 10 * GLINT_RTL_TRACE_PERIOD);
+}
+
+/* A waveform that is closed is whole while its circuit lives on, and takes no more clocks. */
+static void with_waveforms_closed_before_they_end(void **state)
+{
+    (void)state;
+    const glint_specular_inputs inputs = {.en = 1};
+    const glint_divider_inputs divider_inputs = {.en = 1};
+    glint_divider_rtl *divider;
+    glint_error err;
+    glint_rtl *rtl = created();
+    assert_int_equal(glint_divider_rtl_create(GLINT_DIVIDER_SEQUENTIAL, 8, &divider, &err),
+                     GLINT_OK);
+    assert_int_equal(glint_rtl_trace_open(rtl, scratch_path("rtl.fst"), &err), GLINT_OK);
+    assert_int_equal(glint_divider_rtl_trace_open(divider, scratch_path("divider.fst"), &err),
+                     GLINT_OK);
+    for (int i = 0; i < 30; i++) {
+        if (i == 10) {
+            glint_rtl_trace_close(rtl);
+            glint_divider_rtl_trace_close(divider);
+        }
+        glint_rtl_clock(rtl, &inputs);
+        glint_divider_rtl_clock(divider, &divider_inputs);
+    }
+    assert_ten_clocks(scratch_path("rtl.fst"));
+    assert_ten_clocks(scratch_path("divider.fst"));
+    glint_rtl_trace_close(rtl); /* without one, nothing happens */
+    assert_works(rtl);
+    glint_rtl_destroy(rtl);
+    glint_divider_rtl_destroy(divider);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(in_any_order),
         cmocka_unit_test(in_another_thread),
         cmocka_unit_test(with_dividers_between),
+        cmocka_unit_test(with_waveforms_closed_before_they_end),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
