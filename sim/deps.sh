@@ -8,7 +8,7 @@
 set -u
 
 build='gcc g++ make pkg-config verilator zlib1g-dev libpng-dev libfreetype-dev fonts-dejavu-core libassimp-dev libcjson-dev libcmark-gfm-dev libcmark-gfm-extensions-dev nettle-dev'
-checks="$build libcmocka-dev libgmp-dev iverilog yosys clang valgrind"
+checks="$build libcmocka-dev libgmp-dev bc iverilog yosys clang valgrind"
 view='gtkwave xvfb xauth imagemagick'
 meshes='assimp-testmodels glmark2-data'
 plots='gnuplot-nox'

@@ -13,6 +13,7 @@
 #include "../scratch.h"
 
 #include "../child.h"
+#include "../terminal.h"
 #include "run.h"
 
 static char *summary; /* what the run for all tests printed */
@@ -274,6 +275,27 @@ static void an_interrupt_while_gnuplot_draws_is_no_failure_of_gnuplot(void **sta
     assert_int_equal(access(scratch_path("cut/index.html"), F_OK), -1);
 }
 
+/* A script reads the JSON, a person sees which section is under way. */
+static void json_goes_to_standard_output_and_progress_to_a_terminal(void **state)
+{
+    (void)state;
+    char out[1024], shown[4096];
+    snprintf(out, sizeof out, "%s", scratch_path("scripted"));
+    const char *const argv[] = {
+        glint_under_test(), "report", "--quick", "--json", "--out", out, NULL};
+    terminal terminal = terminal_open();
+    const pid_t child = child_start(argv, scratch_path("child.out"), terminal.name);
+    terminal_wait_for(&terminal, "glint report: 5 of 5: ", 120, shown, sizeof shown);
+    assert_says(shown, "glint report: 1 of 5: ");
+    assert_int_equal(child_wait(child, 120), 0);
+    terminal_close(&terminal);
+    char *printed = scratch_read(scratch_path("child.out"), NULL);
+    char *written = scratch_read(scratch_path("scripted/index.json"), NULL);
+    assert_string_equal(printed, written);
+    free(written);
+    free(printed);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -285,6 +307,7 @@ int main(void)
         cmocka_unit_test(the_summary_counts_the_verdicts),
         cmocka_unit_test(a_page_that_cannot_be_is_said_before_the_work),
         cmocka_unit_test(an_interrupt_while_gnuplot_draws_is_no_failure_of_gnuplot),
+        cmocka_unit_test(json_goes_to_standard_output_and_progress_to_a_terminal),
     };
     return cmocka_run_group_tests(tests, make_report, forget_report);
 }

@@ -1,5 +1,7 @@
 /* Each model against values computed by other means: reference.h, by bc from the printed formulas;
  * and the prepared coefficients against the thesis's equations in long double. */
+#define _XOPEN_SOURCE 700
+
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -9,6 +11,9 @@
 #include <cmocka.h>
 #include <math.h>
 
+#include "../scratch.h"
+
+#include "../child.h"
 #include "lobes.h"
 #include "reference.h"
 
@@ -18,6 +23,23 @@ static void assert_close(double value, double expected, double tolerance, const 
     if (!(fabs(value - expected) <= tolerance)) {
         fail_msg("%s, n = %g, cosine %g: %.17g, expected %.17g", model, n, cosine, value, expected);
     }
+}
+
+static void the_table_is_what_bc_computes_today(void **state)
+{
+    (void)state;
+    const char *const argv[] = {"tests/reflectance/reference.sh", NULL};
+    const pid_t child = child_start(argv, scratch_path("reference.h"), scratch_path("errors"));
+    const int status = child_wait(child, 120);
+    char *said = scratch_read(scratch_path("errors"), NULL);
+    assert_string_equal(said, "");
+    assert_int_equal(status, 0);
+    char *computed = scratch_read(scratch_path("reference.h"), NULL);
+    char *committed = scratch_read("tests/reflectance/reference.h", NULL);
+    assert_string_equal(computed, committed);
+    free(committed);
+    free(computed);
+    free(said);
 }
 
 static void lobes_have_the_values_of_their_formulas(void **state)
@@ -119,11 +141,12 @@ static void roughness_and_exponent_are_inverse(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_table_is_what_bc_computes_today),
         cmocka_unit_test(lobes_have_the_values_of_their_formulas),
         cmocka_unit_test(microfacet_models_have_the_values_of_their_formulas),
         cmocka_unit_test(quadratic_table_is_that_of_2_8),
         cmocka_unit_test(quadratic_meets_the_power_at_its_inflection),
         cmocka_unit_test(roughness_and_exponent_are_inverse),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
