@@ -180,6 +180,7 @@ static void explain(const glint_render_options *chosen, const char *command, con
         (void)glint_complain_error("render", &err);
         return;
     }
+    failure->program = glint_failure_program();
     (void)snprintf(failure->command, sizeof failure->command, "%s", command);
     glint_failure_output("render", failure, &frames, files->failure, GLINT_FAILURE_REPORT,
                          chosen->json ? stderr : stdout);

@@ -128,6 +128,7 @@ static bool print_json(const replay_options *chosen, const replay *of)
 static glint_status write_packet(const replay_options *chosen, replay *of, glint_error *err)
 {
     glint_failure fresh = *of->packet;
+    fresh.program = glint_failure_program();
     fresh.finding = of->now;
     fresh.answer.model = of->now.model;
     fresh.answer.rtl = of->now.rtl;

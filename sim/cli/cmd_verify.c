@@ -13,6 +13,7 @@
 #include "cli/failure_output.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "failure/shell.h"
 #include "lockstep/lockstep.h"
 
 #define SETTINGS_MAX 64
@@ -268,7 +269,10 @@ static void write_command(const verify_options *chosen, const glint_setting *set
 {
     char options[GLINT_SETTING_OPTIONS];
     glint_setting_options(setting, options);
-    (void)snprintf(text, size, "build/glint verify %s --seed %" PRId64 " --clocks %" PRId64,
+    text[0] = '\0';
+    glint_shell_append(text, size, glint_failure_program());
+    const size_t used = strlen(text);
+    (void)snprintf(text + used, size - used, " verify %s --seed %" PRId64 " --clocks %" PRId64,
                    options, chosen->seed, chosen->clocks);
 }
 
@@ -283,6 +287,7 @@ static void report_failure(const verify_options *chosen, task *task, glint_failu
         (void)glint_complain_error("verify", &task->err);
         return;
     }
+    failure->program = glint_failure_program();
     write_command(chosen, &failure->setting, failure->command, sizeof failure->command);
     glint_setting_name(&failure->setting, name);
     (void)snprintf(directory, sizeof directory, "%s/%s", chosen->out, name);

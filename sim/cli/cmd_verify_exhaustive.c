@@ -12,6 +12,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/parse.h"
+#include "failure/shell.h"
 #include "lockstep/exhaustive.h"
 
 typedef struct exhaustive_options {
@@ -197,8 +198,11 @@ static void write_command(const exhaustive_options *chosen, const glint_exhausti
 {
     char stride[STRIDE_TEXT];
     stride_options(chosen, stride);
-    (void)snprintf(text, size,
-                   "build/glint verify --exhaustive --gate %s --pipeline %s --lanes %d --shard "
+    text[0] = '\0';
+    glint_shell_append(text, size, glint_failure_program());
+    const size_t used = strlen(text);
+    (void)snprintf(text + used, size - used,
+                   " verify --exhaustive --gate %s --pipeline %s --lanes %d --shard "
                    "%" PRIu32 "/%u%s",
                    glint_gate_name(first->config.gate), glint_pipeline_name(first->config.pipeline),
                    first->config.lanes, first->n + 1, GLINT_N_COUNT, stride);
@@ -228,6 +232,7 @@ static void report_failure(const exhaustive_options *chosen, const glint_exhaust
         (void)glint_complain_error("verify", &err);
         return;
     }
+    failure->program = glint_failure_program();
     write_command(chosen, first, failure->command, sizeof failure->command);
     glint_setting_name(&setting, name);
     (void)snprintf(directory, sizeof directory, "%s/%s_exhaustive", chosen->out, name);
@@ -247,14 +252,15 @@ static void print_mismatches(const exhaustive_options *chosen, const run *run, F
 
 static void print_resume(const exhaustive_options *chosen, const run *run, FILE *out)
 {
-    char stride[STRIDE_TEXT];
+    char stride[STRIDE_TEXT], program[FILENAME_MAX] = "";
     if (run->status != GLINT_INTERRUPTED)
         return;
     stride_options(chosen, stride);
+    glint_shell_append(program, sizeof program, glint_failure_program());
     fprintf(out,
-            "resume: build/glint verify --exhaustive --gate %s --pipeline %s --lanes %" PRId64
+            "resume: %s verify --exhaustive --gate %s --pipeline %s --lanes %" PRId64
             " --shard %s --from %" PRIu32 "%s\n",
-            gate_choices[chosen->gate], pipeline_choices[chosen->pipeline], chosen->lanes,
+            program, gate_choices[chosen->gate], pipeline_choices[chosen->pipeline], chosen->lanes,
             chosen->shard, run->result.next, stride);
 }
 

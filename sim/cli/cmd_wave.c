@@ -4,13 +4,15 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "failure/shell.h"
 #include "file/directory.h"
 #include "rtl/rtl.h"
 #include "wave/divider_wave.h"
 #include "wave/save_file.h"
 #include "wave/waveform.h"
 
-#define PATH_SIZE 4096
+#define PATH_SIZE   4096
+#define QUOTED_SIZE (4 * PATH_SIZE)
 
 enum { BOTH_PIPELINES = GLINT_PIPELINE_COUNT };
 enum { SPECULAR, DIVIDER, ALL_CIRCUITS };
@@ -158,7 +160,10 @@ static int name_files(const wave_options *chosen, const char *name, wave_files *
 static void announce(const wave_files *files, cJSON *list)
 {
     if (list == NULL) {
-        printf("gtkwave %s %s\n", files->waveform, files->save_file);
+        char waveform[QUOTED_SIZE] = "", save_file[QUOTED_SIZE] = "";
+        glint_shell_append(waveform, sizeof waveform, files->waveform);
+        glint_shell_append(save_file, sizeof save_file, files->save_file);
+        printf("gtkwave %s %s\n", waveform, save_file);
         return;
     }
     cJSON *entry = cJSON_CreateObject();

@@ -1,11 +1,15 @@
+#define _GNU_SOURCE /* program_invocation_name */
+
 #include "cli/failure_output.h"
 
+#include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli/output.h"
 #include "failure/report.h"
+#include "failure/shell.h"
 
 static void print_report(const char *command, const glint_failure *failure, const char *directory,
                          FILE *out)
@@ -34,40 +38,19 @@ void glint_failure_output(const char *command, const glint_failure *failure,
         fprintf(out, "packet: %s\n", directory);
 }
 
-/* Whether a shell takes the word as it is. */
-static bool is_plain(const char *word)
+/* As argv[0] of the process: it is found again from the same directory, or on the path. */
+const char *glint_failure_program(void)
 {
-    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                "_-+./,:=%@";
-    return word[0] != '\0' && strspn(word, plain) == strlen(word);
-}
-
-/* Appends what fits. */
-static void append(char *text, size_t size, const char *part)
-{
-    const size_t used = strlen(text);
-    (void)snprintf(text + used, size - used, "%s", part);
-}
-
-static void append_quoted(char *text, size_t size, const char *word)
-{
-    append(text, size, "'");
-    for (; *word != '\0'; word++) {
-        const char letter[] = {*word, '\0'};
-        append(text, size, *word == '\'' ? "'\\''" : letter);
-    }
-    append(text, size, "'");
+    return program_invocation_name;
 }
 
 void glint_failure_command(int argc, char *const *argv, char *text, size_t size)
 {
     text[0] = '\0';
-    append(text, size, "build/glint");
+    glint_shell_append(text, size, glint_failure_program());
     for (int i = 0; i < argc; i++) {
-        append(text, size, " ");
-        if (is_plain(argv[i]))
-            append(text, size, argv[i]);
-        else
-            append_quoted(text, size, argv[i]);
+        const size_t used = strlen(text);
+        (void)snprintf(text + used, size - used, " ");
+        glint_shell_append(text, size, argv[i]);
     }
 }

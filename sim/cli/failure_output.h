@@ -18,8 +18,11 @@ void glint_failure_output(const char *command, const glint_failure *failure,
                           const glint_packet_frames *frames, const char *directory,
                           glint_failure_detail detail, FILE *out);
 
-/* A command line as one could type it again: "build/glint COMMAND ARGUMENT…", quoted where needed,
- * cut where it is longer than `size`. argv[0] is the subcommand. */
+/* The name that this program was called by. */
+const char *glint_failure_program(void);
+
+/* A command line as one could type it again: "PROGRAM COMMAND ARGUMENT…", quoted where needed, cut
+ * where it is longer than `size`. argv[0] is the subcommand. */
 void glint_failure_command(int argc, char *const *argv, char *text, size_t size);
 
 #endif

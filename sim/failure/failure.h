@@ -48,6 +48,7 @@ typedef struct glint_failure {
     glint_failure_kind kind;
     glint_setting setting;
     char command[GLINT_FAILURE_COMMAND]; /* that found it, whole */
+    const char *program; /* for the commands of the report; NULL: build/glint. Not in a packet */
 
     /* Random: pins[0] is what clock first_clock took, from reset state on; without pins, the whole
      * run from seed is played. */

@@ -5,9 +5,24 @@
 
 #include "failure/packet.h"
 #include "failure/pins.h"
+#include "failure/shell.h"
 #include "lockstep/mismatch.h"
 
 #define COLUMN 24 /* the longest text in one */
+#define WORD   8192
+
+/* A word of a command line. */
+static void print_word(FILE *out, const char *word)
+{
+    char text[WORD] = "";
+    glint_shell_append(text, sizeof text, word);
+    fprintf(out, "%s", text);
+}
+
+static void print_program(FILE *out, const glint_failure *failure)
+{
+    print_word(out, failure->program != NULL ? failure->program : "build/glint");
+}
 
 /* ---- What differs -------------------------------------------------------------------------------
  */
@@ -52,11 +67,11 @@ static void print_point(FILE *out, const glint_failure *failure)
             answer->material.g, answer->material.b, answer->at % config->lanes,
             glint_answer_value_name(answer->value));
     fprintf(out, "model %" PRId32 ", rtl %" PRId32 "\n", answer->model, answer->rtl);
-    fprintf(out,
-            "  alone: echo '%u 0x%" PRIx32 " %u %u %u' | build/glint eval --backend rtl "
-            "--gate %s --pipeline %s\n",
-            answer->material.n, code, answer->material.r, answer->material.g, answer->material.b,
-            glint_gate_name(config->gate), glint_pipeline_name(config->pipeline));
+    fprintf(out, "  alone: echo '%u 0x%" PRIx32 " %u %u %u' | ", answer->material.n, code,
+            answer->material.r, answer->material.g, answer->material.b);
+    print_program(out, failure);
+    fprintf(out, " eval --backend rtl --gate %s --pipeline %s\n", glint_gate_name(config->gate),
+            glint_pipeline_name(config->pipeline));
 }
 
 static void print_division(FILE *out, const glint_failure *failure)
@@ -70,8 +85,9 @@ static void print_division(FILE *out, const glint_failure *failure)
             " (%.9g)\n",
             division->difference[component], division->k, glint_answer_value_name(answer->value),
             answer->model, answer->model / one, answer->rtl, answer->rtl / one);
-    fprintf(out, "  alone: echo '%d %u' | build/glint divide --backend rtl --form %s --shifts %d\n",
-            division->difference[component], division->k,
+    fprintf(out, "  alone: echo '%d %u' | ", division->difference[component], division->k);
+    print_program(out, failure);
+    fprintf(out, " divide --backend rtl --form %s --shifts %d\n",
             glint_divider_form_name(failure->setting.form), failure->setting.shifts);
 }
 
@@ -246,6 +262,19 @@ static void print_how_played(FILE *out, const glint_failure *failure)
                 failure->pin_count);
 }
 
+static void print_look(FILE *out, const char *directory)
+{
+    static const char *const files[] = {GLINT_PACKET_WAVE, GLINT_PACKET_SAVE_FILE};
+    fprintf(out, "look:   gtkwave");
+    for (int i = 0; i < 2; i++) {
+        char path[WORD];
+        (void)snprintf(path, sizeof path, "%s/%s", directory, files[i]);
+        fprintf(out, " ");
+        print_word(out, path);
+    }
+    fprintf(out, "\n");
+}
+
 void glint_failure_report(FILE *out, const glint_failure *failure, const glint_capture *capture,
                           const char *directory)
 {
@@ -268,7 +297,10 @@ void glint_failure_report(FILE *out, const glint_failure *failure, const glint_c
         fprintf(out, "whole:  %s\n", failure->command);
     if (capture == NULL || directory == NULL)
         return;
-    fprintf(out, "look:   gtkwave %s/%s %s/%s\n", directory, GLINT_PACKET_WAVE, directory,
-            GLINT_PACKET_SAVE_FILE);
-    fprintf(out, "replay: build/glint replay %s\n", directory);
+    print_look(out, directory);
+    fprintf(out, "replay: ");
+    print_program(out, failure);
+    fprintf(out, " replay ");
+    print_word(out, directory);
+    fprintf(out, "\n");
 }

@@ -13,6 +13,8 @@
 #include <cmocka.h>
 
 #include "../scratch.h"
+
+#include "../child.h"
 #include "image/image.h"
 #include "run.h"
 #include "wave/waveform.h"
@@ -78,6 +80,14 @@ static bool find_line(const char *text, const char *name, char *line, size_t siz
     return true;
 }
 
+/* The beginning of a line with a command: of the program as it was called. */
+static const char *own_line(const char *name, const char *command)
+{
+    static char line[1024];
+    (void)snprintf(line, sizeof line, "\n%s%s %s", name, glint_under_test(), command);
+    return line;
+}
+
 static void assert_packet(const char *directory, int files)
 {
     char path[256];
@@ -105,7 +115,7 @@ static void assert_replayed(const char *said, char *first, size_t size)
     char again[1024];
     char command_line[2048];
     assert_true(find_line(said, "\n  clock ", first, size));
-    assert_true(find_line(said, "\nreplay: build/glint ", replay, sizeof replay));
+    assert_true(find_line(said, own_line("replay: ", ""), replay, sizeof replay));
     outcome replayed = run(replay, "");
     assert_outcome(&replayed, 1, "");
     assert_says(replayed.out, ": the same mismatch; ");
@@ -166,8 +176,9 @@ static void a_mismatch_of_the_exhaustive_run_leaves_a_packet(void **state)
     outcome done = run(command_line, "");
     assert_int_equal(done.status, 1);
     assert_says(done.out, ": a mismatch (exhaustive)\n");
-    assert_says(done.out, "\nwhole:  build/glint verify --exhaustive --gate cosine --pipeline "
-                          "pipelined --lanes 1 --shard 61/1024 --stride 97 --seed 4\n");
+    assert_says(done.out,
+                own_line("whole:  ", "verify --exhaustive --gate cosine --pipeline pipelined "
+                                     "--lanes 1 --shard 61/1024 --stride 97 --seed 4\n"));
     assert_packet("failure/specular_cosine_pipelined_1_exhaustive", 4);
     assert_replayed(done.out, first, sizeof first);
     assert_non_null(strstr(first, "mul1"));
@@ -214,7 +225,7 @@ static void a_frame_that_differs_leaves_a_packet(void **state)
                      8);
     assert_says(done.out, "\ntriangle ");
     assert_says(done.out, "its highlight there: n 80, cosine 0x");
-    assert_says(done.out, "\nwhole:  build/glint render --model sphere --size 96x80");
+    assert_says(done.out, own_line("whole:  ", "render --model sphere --size 96x80"));
     glint_image *frame = read_picture(scratch_path("whole-c.png"));
     for (int i = 0; i < 3; i++) {
         assert_int_equal(frame->rgb[3 * (y * 96 + x) + i], c[i]);
@@ -249,6 +260,32 @@ static void other_shadings_leave_packets_too(void **state)
     }
 }
 
+/* What a command that ends with status 1 prints; to be freed. */
+static char *run_in_shell(const char *command_line)
+{
+    const char *const argv[] = {"sh", "-c", command_line, NULL};
+    assert_int_equal(child_run(argv, 60.0), 1);
+    return scratch_read(scratch_path("child.out"), NULL);
+}
+
+/* Pasted into a shell, the replay command works: the program as it was called, quotes about what is
+ * no plain word. */
+static void the_replay_command_can_be_pasted(void **state)
+{
+    (void)state;
+    char command_line[4096];
+    char replay[2048];
+    (void)snprintf(command_line, sizeof command_line,
+                   "%s verify --circuit specular --clocks 3000 --seed 5 --out \"%s\"",
+                   glint_under_test(), scratch_path("it's a \\$HOME packet"));
+    char *said = run_in_shell(command_line);
+    assert_true(find_line(said, "\nreplay: ", replay, sizeof replay));
+    free(said);
+    said = run_in_shell(replay);
+    assert_says(said, ": the same mismatch; ");
+    free(said);
+}
+
 /* A setting that was not built is refused, and named. */
 static void a_circuit_that_is_not_there_is_told(void **state)
 {
@@ -267,6 +304,7 @@ int main(void)
         cmocka_unit_test(a_mismatch_of_the_exhaustive_run_leaves_a_packet),
         cmocka_unit_test(a_frame_that_differs_leaves_a_packet),
         cmocka_unit_test(other_shadings_leave_packets_too),
+        cmocka_unit_test(the_replay_command_can_be_pasted),
         cmocka_unit_test(a_circuit_that_is_not_there_is_told),
     };
     return cmocka_run_group_tests(tests, choose_wrong_command, scratch_remove);
