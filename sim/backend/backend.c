@@ -11,6 +11,7 @@ struct glint_backend {
     glint_rtl *rtl;                /* kind rtl only, like circuit */
     glint_specular_config circuit; /* that was chosen */
     glint_backend_watch *watch;
+    glint_history *history; /* since there is a watch, until that has found something */
 };
 
 /* The fastest lane count in the bench. */
@@ -51,6 +52,7 @@ void glint_backend_destroy(glint_backend *backend)
     if (backend == NULL)
         return;
     glint_rtl_destroy(backend->rtl);
+    glint_history_destroy(backend->history);
     free(backend);
 }
 
@@ -97,6 +99,11 @@ static uint32_t value_of(const shaded *of, glint_answer_value value, size_t i)
     }
 }
 
+static glint_setting setting_of(const glint_backend *backend)
+{
+    return (glint_setting){.specular = backend->circuit};
+}
+
 /* Notes the first answer that is not the model's. */
 static void compare_run(const glint_backend *backend, const glint_material *material,
                         const uint32_t *cos_code, size_t count, const shaded *model,
@@ -109,7 +116,7 @@ static void compare_run(const glint_backend *backend, const glint_material *mate
             if (value_of(model, value, i) == value_of(rtl, value, i))
                 continue;
             watch->found = true;
-            watch->setting = (glint_setting){.specular = backend->circuit};
+            watch->setting = setting_of(backend);
             glint_answer_keep_points(&watch->answer, backend->circuit.lanes, material, cos_code,
                                      count, i);
             watch->answer.value = value;
@@ -140,15 +147,34 @@ static glint_status watch_run(const glint_backend *backend, const glint_material
     return status;
 }
 
+static bool is_watched(const glint_backend *backend)
+{
+    return backend->watch != NULL && !backend->watch->found;
+}
+
+static void give_history(glint_backend *backend)
+{
+    backend->watch->history = backend->history;
+    backend->history = NULL;
+}
+
 static glint_status shade_rtl(glint_backend *backend, const glint_material *material,
                               const uint32_t *cos_code, size_t count, uint32_t *w_code, uint8_t *r,
                               uint8_t *g, uint8_t *b, glint_error *err)
 {
-    const glint_status status =
+    const glint_setting setting = setting_of(backend);
+    const bool watched = is_watched(backend) && count != 0;
+    if (watched)
+        glint_history_add(
+            &backend->history, &setting,
+            &(glint_batch){.material = material, .cos_code = cos_code, .count = count});
+    glint_status status =
         glint_rtl_batch(backend->rtl, material, cos_code, count, w_code, r, g, b, err);
-    if (status != GLINT_OK || count == 0 || backend->watch == NULL)
-        return status;
-    return watch_run(backend, material, cos_code, count, &(shaded){w_code, r, g, b}, err);
+    if (status == GLINT_OK && watched)
+        status = watch_run(backend, material, cos_code, count, &(shaded){w_code, r, g, b}, err);
+    if (watched && (backend->watch->found || status == GLINT_DEVICE_FAULT))
+        give_history(backend);
+    return status;
 }
 
 glint_status glint_backend_shade(glint_backend *backend, const glint_material *material,

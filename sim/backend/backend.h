@@ -6,12 +6,15 @@
 #define GLINT_SIM_BACKEND_H
 
 #include "lockstep/answer.h"
+#include "lockstep/history.h"
 
-/* The first answer of any circuit under watch that is not the C model's. */
+/* The first answer of any circuit under watch that is not the C model's. Destroy history. */
 typedef struct glint_backend_watch {
     bool found;
     glint_setting setting; /* of that circuit */
     glint_answer answer;
+    glint_history *history; /* of that circuit up to there, or of one that kept an answer back;
+                             * NULL: neither, or no memory */
 } glint_backend_watch;
 
 typedef enum glint_backend_kind {

@@ -9,6 +9,7 @@ struct glint_divider_backend {
     glint_divider_config config;
     glint_divider_rtl *rtl; /* kind rtl only */
     glint_backend_watch *watch;
+    glint_history *history; /* since there is a watch, until that has found something */
 };
 
 glint_status glint_divider_backend_create(const glint_divider_config *config,
@@ -41,6 +42,7 @@ void glint_divider_backend_destroy(glint_divider_backend *backend)
     if (backend == NULL)
         return;
     glint_divider_rtl_destroy(backend->rtl);
+    glint_history_destroy(backend->history);
     free(backend);
 }
 
@@ -71,19 +73,23 @@ void glint_divider_backend_set_watch(glint_divider_backend *backend, glint_backe
     backend->watch = watch;
 }
 
+static glint_setting setting_of(const glint_divider_backend *backend)
+{
+    return (glint_setting){
+        .is_divider = true, .form = backend->config.form, .shifts = backend->config.shifts};
+}
+
 /* Notes the first quotient that is not the model's. */
 static void compare_run(const glint_divider_backend *backend, const glint_division *divisions,
                         size_t count, const glint_quotients *model, const glint_quotients *rtl)
 {
-    const glint_divider_config *config = &backend->config;
     glint_backend_watch *watch = backend->watch;
     for (size_t i = 0; i < count && !watch->found; i++)
         for (int c = 0; c < GLINT_DIVIDER_COMPONENTS && !watch->found; c++) {
             if (model[i].code[c] == rtl[i].code[c])
                 continue;
             watch->found = true;
-            watch->setting =
-                (glint_setting){.is_divider = true, .form = config->form, .shifts = config->shifts};
+            watch->setting = setting_of(backend);
             glint_answer_keep_divisions(&watch->answer, divisions, count, i);
             watch->answer.value = (glint_answer_value)(GLINT_ANSWER_R + c);
             watch->answer.model = model[i].code[c];
@@ -91,19 +97,43 @@ static void compare_run(const glint_divider_backend *backend, const glint_divisi
         }
 }
 
-static glint_status divide_rtl(glint_divider_backend *backend, const glint_division *divisions,
-                               size_t count, glint_quotients *quotients, glint_error *err)
+static glint_status watch_run(const glint_divider_backend *backend, const glint_division *divisions,
+                              size_t count, const glint_quotients *quotients, glint_error *err)
 {
-    glint_status status = glint_divider_rtl_batch(backend->rtl, divisions, count, quotients, err);
-    if (status != GLINT_OK || count == 0 || backend->watch == NULL)
-        return status;
     glint_quotients *model = malloc(count * sizeof *model);
     if (model == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory to hold a run against the model");
-    status = glint_divide_batch(backend->config.shifts, divisions, count, model);
+    const glint_status status = glint_divide_batch(backend->config.shifts, divisions, count, model);
     if (status == GLINT_OK)
         compare_run(backend, divisions, count, model, quotients);
     free(model);
+    return status;
+}
+
+static bool is_watched(const glint_divider_backend *backend)
+{
+    return backend->watch != NULL && !backend->watch->found;
+}
+
+static void give_history(glint_divider_backend *backend)
+{
+    backend->watch->history = backend->history;
+    backend->history = NULL;
+}
+
+static glint_status divide_rtl(glint_divider_backend *backend, const glint_division *divisions,
+                               size_t count, glint_quotients *quotients, glint_error *err)
+{
+    const glint_setting setting = setting_of(backend);
+    const bool watched = is_watched(backend) && count != 0;
+    if (watched)
+        glint_history_add(&backend->history, &setting,
+                          &(glint_batch){.division = divisions, .count = count});
+    glint_status status = glint_divider_rtl_batch(backend->rtl, divisions, count, quotients, err);
+    if (status == GLINT_OK && watched)
+        status = watch_run(backend, divisions, count, quotients, err);
+    if (watched && (backend->watch->found || status == GLINT_DEVICE_FAULT))
+        give_history(backend);
     return status;
 }
 

@@ -161,19 +161,20 @@ static glint_status run(const glint_render_options *chosen, const outputs *files
     return status;
 }
 
-/* The packet of two frames that differ. The report is for people; with --json it must not mix with
- * the result. */
+/* The packet of two frames that differ, or of a circuit that kept an answer back. The report is for
+ * people; with --json it must not mix with the result. */
 static void explain(const glint_render_options *chosen, const char *command, const glint_mesh *mesh,
                     const outputs *files, const glint_render_result *result)
 {
     glint_scene scene = chosen->scene;
     scene.mesh = mesh;
+    const bool differs = glint_render_differs(result);
     const glint_packet_frames frames = {result->frame[0].image, result->frame[1].image};
     const glint_frame_pair pair = {.scene = &scene,
                                    .backend = &chosen->backend,
                                    .model = frames.model,
                                    .rtl = frames.rtl,
-                                   .difference = &result->difference};
+                                   .difference = differs ? &result->difference : NULL};
     glint_failure *failure;
     glint_error err;
     if (glint_failure_of_frame(&pair, glint_stop_flag(), &failure, &err) != GLINT_OK) {
@@ -182,8 +183,9 @@ static void explain(const glint_render_options *chosen, const char *command, con
     }
     failure->program = glint_failure_program();
     (void)snprintf(failure->command, sizeof failure->command, "%s", command);
-    glint_failure_output("render", failure, &frames, files->failure, GLINT_FAILURE_REPORT,
-                         chosen->json ? stderr : stdout);
+    if (differs || glint_failure_playable(failure))
+        glint_failure_output("render", failure, differs ? &frames : NULL, files->failure,
+                             GLINT_FAILURE_REPORT, chosen->json ? stderr : stdout);
     glint_failure_destroy(failure);
 }
 
@@ -233,6 +235,9 @@ int glint_cmd_render(int argc, char **argv)
         status = run(&chosen, &files, &mesh, &result, &err);
     }
     int exit_status;
+    if (status == GLINT_DEVICE_FAULT && chosen.both && result.frame[1].image != NULL) {
+        explain(&chosen, command, mesh, &files, &result);
+    }
     if (status == GLINT_OK) {
         exit_status = report(&chosen, command, mesh, &files, &result);
     } else {

@@ -60,6 +60,12 @@ static int parse(int argc, char **argv, replay_options *chosen)
     return glint_options_parse(&line, argc, argv);
 }
 
+/* Whether the answer was asked again: pins are played without it. */
+static bool has_answers(const replay *of)
+{
+    return of->packet->has_answer && of->packet->pins == NULL;
+}
+
 static void print_answers(const replay *of)
 {
     const glint_answer *answer = &of->packet->answer;
@@ -83,7 +89,7 @@ static void print_text(const replay *of)
     glint_setting_describe(&of->packet->setting, setting);
     printf("%s: %s; %" PRIu64 " comparisons\n", setting, verdict(of), found->comparisons);
     glint_mismatch_print(stdout, &of->packet->setting, found);
-    if (of->packet->has_answer)
+    if (has_answers(of))
         print_answers(of);
 }
 
@@ -117,7 +123,7 @@ static bool print_json(const replay_options *chosen, const replay *of)
     cJSON_AddNumberToObject(json, "comparisons", (double)of->capture->found.comparisons);
     cJSON_AddNumberToObject(json, "clock", (double)of->now.clock);
     cJSON_AddItemToObject(json, "mismatches", mismatches_of(of));
-    if (of->packet->has_answer) {
+    if (has_answers(of)) {
         cJSON_AddNumberToObject(json, "model", of->now.model);
         cJSON_AddNumberToObject(json, "rtl", of->now.rtl);
     }
@@ -130,8 +136,10 @@ static glint_status write_packet(const replay_options *chosen, replay *of, glint
     glint_failure fresh = *of->packet;
     fresh.program = glint_failure_program();
     fresh.finding = of->now;
-    fresh.answer.model = of->now.model;
-    fresh.answer.rtl = of->now.rtl;
+    if (has_answers(of)) {
+        fresh.answer.model = of->now.model;
+        fresh.answer.rtl = of->now.rtl;
+    }
     return glint_packet_write(&fresh, NULL, chosen->out, err);
 }
 

@@ -192,6 +192,22 @@ static void stride_options(const exhaustive_options *chosen, char text[STRIDE_TE
                        chosen->seed);
 }
 
+/* All that was chosen, from an n on. */
+static void write_command_from(const exhaustive_options *chosen, uint32_t from, char *text,
+                               size_t size)
+{
+    char stride[STRIDE_TEXT];
+    stride_options(chosen, stride);
+    text[0] = '\0';
+    glint_shell_append(text, size, glint_failure_program());
+    const size_t used = strlen(text);
+    (void)snprintf(text + used, size - used,
+                   " verify --exhaustive --gate %s --pipeline %s --lanes %" PRId64
+                   " --shard %s --from %" PRIu32 "%s",
+                   gate_choices[chosen->gate], pipeline_choices[chosen->pipeline], chosen->lanes,
+                   chosen->shard, from, stride);
+}
+
 /* All that was tried with this n. */
 static void write_command(const exhaustive_options *chosen, const glint_exhaustive_mismatch *first,
                           char *text, size_t size)
@@ -219,49 +235,51 @@ static void print_mismatch(const glint_exhaustive_mismatch *m, FILE *out)
             glint_answer_value_name(answer->value), answer->model, answer->rtl);
 }
 
-/* The packet of the first mismatch, and what it says. */
-static void report_failure(const exhaustive_options *chosen, const glint_exhaustive_mismatch *first,
-                           FILE *out)
+/* The packet of the first mismatch, or of a circuit that kept an answer back, and what it says. */
+static void report_failure(const exhaustive_options *chosen, const run *run, FILE *out)
 {
     char name[GLINT_SETTING_TEXT], directory[FILENAME_MAX];
-    const glint_setting setting = {.specular = first->config};
+    const glint_exhaustive_mismatch *first = run->result.kept != 0 ? run->result.mismatch : NULL;
+    const glint_setting setting = first != NULL ? (glint_setting){.specular = first->config}
+                                                : *glint_history_setting(run->result.history);
     glint_failure *failure;
     glint_error err;
-    if (glint_failure_of_answer(GLINT_FAILURE_EXHAUSTIVE, &setting, &first->answer, &failure,
-                                &err) != GLINT_OK) {
+    if (glint_failure_of_history(GLINT_FAILURE_EXHAUSTIVE, &setting,
+                                 first != NULL ? &first->answer : NULL, run->result.history,
+                                 &failure, &err) != GLINT_OK) {
         (void)glint_complain_error("verify", &err);
         return;
     }
     failure->program = glint_failure_program();
-    write_command(chosen, first, failure->command, sizeof failure->command);
+    if (failure->pins == NULL && first != NULL)
+        write_command(chosen, first, failure->command, sizeof failure->command);
+    else /* what went before that n may matter */
+        write_command_from(chosen, (uint32_t)chosen->from, failure->command,
+                           sizeof failure->command);
     glint_setting_name(&setting, name);
     (void)snprintf(directory, sizeof directory, "%s/%s_exhaustive", chosen->out, name);
-    glint_failure_output("verify", failure, NULL, directory, GLINT_FAILURE_REPORT, out);
+    if (glint_failure_playable(failure))
+        glint_failure_output("verify", failure, NULL, directory, GLINT_FAILURE_REPORT, out);
     glint_failure_destroy(failure);
 }
 
 static void print_mismatches(const exhaustive_options *chosen, const run *run, FILE *out)
 {
-    if (run->result.kept == 0)
-        return;
-    fprintf(out, "the first mismatches:\n");
+    if (run->result.kept != 0)
+        fprintf(out, "the first mismatches:\n");
     for (int i = 0; i < run->result.kept; i++)
         print_mismatch(&run->result.mismatch[i], out);
-    report_failure(chosen, &run->result.mismatch[0], out);
+    if (run->result.kept != 0 || run->result.history != NULL)
+        report_failure(chosen, run, out);
 }
 
 static void print_resume(const exhaustive_options *chosen, const run *run, FILE *out)
 {
-    char stride[STRIDE_TEXT], program[FILENAME_MAX] = "";
+    char command[GLINT_FAILURE_COMMAND];
     if (run->status != GLINT_INTERRUPTED)
         return;
-    stride_options(chosen, stride);
-    glint_shell_append(program, sizeof program, glint_failure_program());
-    fprintf(out,
-            "resume: %s verify --exhaustive --gate %s --pipeline %s --lanes %" PRId64
-            " --shard %s --from %" PRIu32 "%s\n",
-            program, gate_choices[chosen->gate], pipeline_choices[chosen->pipeline], chosen->lanes,
-            chosen->shard, run->result.next, stride);
+    write_command_from(chosen, run->result.next, command, sizeof command);
+    fprintf(out, "resume: %s\n", command);
 }
 
 static void print_circuits(const run *run)
@@ -352,6 +370,15 @@ static int report(const exhaustive_options *chosen, const run *run)
                                                                              : GLINT_EXIT_FAILURE;
 }
 
+/* What was found before a failure is still told. */
+static int end(const exhaustive_options *chosen, const run *run)
+{
+    if (run->status == GLINT_OK || run->status == GLINT_INTERRUPTED)
+        return report(chosen, run);
+    print_mismatches(chosen, run, chosen->json ? stderr : stdout);
+    return glint_complain_error("verify", &run->err);
+}
+
 static int verify(const exhaustive_options *chosen)
 {
     run run = {.options = {.from = (uint32_t)chosen->from,
@@ -362,16 +389,17 @@ static int verify(const exhaustive_options *chosen)
                            .threads = (int)chosen->threads,
                            .stop = glint_stop_flag(),
                            .progress = show_progress,
-                           .progress_context = &run}};
+                           .progress_context = &run,
+                           .keep_history = true}};
     choose_circuits(chosen, &run.options);
     glint_progress_begin(&run.progress, "verify", run.unit);
     run.start = glint_seconds();
     run.status = glint_exhaustive_run(&run.options, &run.result, &run.err);
     run.seconds = glint_seconds() - run.start;
     glint_progress_end(&run.progress);
-    if (run.status != GLINT_OK && run.status != GLINT_INTERRUPTED)
-        return glint_complain_error("verify", &run.err);
-    return report(chosen, &run);
+    const int status = end(chosen, &run);
+    glint_history_destroy(run.result.history);
+    return status;
 }
 
 static int64_t processors(void)

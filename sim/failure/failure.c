@@ -68,7 +68,7 @@ glint_status glint_failure_play(const glint_failure *failure, const volatile boo
     memset(finding, 0, sizeof *finding);
     if (capture != NULL)
         *capture = NULL;
-    if (failure->kind == GLINT_FAILURE_RANDOM)
+    if (failure->kind == GLINT_FAILURE_RANDOM || failure->pins != NULL)
         return play(&(glint_play){.setting = &failure->setting,
                                   .pins = failure->pins,
                                   .count = failure->pin_count,

@@ -7,6 +7,7 @@
 
 #include "failure/capture.h"
 #include "lockstep/answer.h"
+#include "lockstep/history.h"
 #include "lockstep/lockstep.h"
 
 typedef enum glint_failure_kind {
@@ -22,6 +23,7 @@ extern const char *const glint_failure_kind_names[GLINT_FAILURE_KINDS];
 /* Where a frame differs. */
 typedef struct glint_failure_frame {
     int width, height;
+    bool has_pixel;           /* unless the circuit kept an answer back: then what follows is not */
     int x, y;                 /* the first pixel, row by row, that differs */
     uint8_t model[3], rtl[3]; /* its colour in both frames */
     bool has_triangle;        /* the mesh's triangle that is seen there */
@@ -50,8 +52,9 @@ typedef struct glint_failure {
     char command[GLINT_FAILURE_COMMAND]; /* that found it, whole */
     const char *program; /* for the commands of the report; NULL: build/glint. Not in a packet */
 
-    /* Random: pins[0] is what clock first_clock took, from reset state on; without pins, the whole
-     * run from seed is played. */
+    /* pins[0] is what clock first_clock took, from reset state on. Random: without pins, the whole
+     * run from seed is played. Others: without pins, the answer is asked; they have pins when it is
+     * not enough to ask, or when none came. */
     uint64_t seed, first_clock;
     size_t pin_count;
     glint_pins *pins;
@@ -76,12 +79,19 @@ glint_status glint_failure_of_answer(glint_failure_kind kind, const glint_settin
                                      const glint_answer *answer, glint_failure **failure,
                                      glint_error *err);
 
+/* The same, for a circuit whose history is known, which then need not have answered. Where to ask
+ * again does not show a difference, the history is played; where that shows one, the failure keeps
+ * the pins of the fewest of its last clocks that show it. history: may be NULL. */
+glint_status glint_failure_of_history(glint_failure_kind kind, const glint_setting *setting,
+                                      const glint_answer *answer, const glint_history *history,
+                                      glint_failure **failure, glint_error *err);
+
 void glint_failure_destroy(glint_failure *failure); /* NULL is allowed */
 
 /* Whether there is anything to play: a frame may differ without an answer that does. */
 static inline bool glint_failure_playable(const glint_failure *failure)
 {
-    return failure->kind == GLINT_FAILURE_RANDOM || failure->has_answer;
+    return failure->kind == GLINT_FAILURE_RANDOM || failure->has_answer || failure->pins != NULL;
 }
 
 /* Plays it. stop: may be NULL. capture: the clocks around, to be freed with free(); may be NULL.

@@ -41,6 +41,9 @@ static void describe_frame(const glint_frame_pair *pair, const again *again,
     const int width = pair->rtl->width;
     frame->width = width;
     frame->height = pair->rtl->height;
+    frame->has_pixel = pair->difference != NULL;
+    if (!frame->has_pixel)
+        return;
     frame->x = pair->difference->first_x;
     frame->y = pair->difference->first_y;
     const size_t at = (size_t)frame->y * (size_t)width + (size_t)frame->x;
@@ -51,23 +54,34 @@ static void describe_frame(const glint_frame_pair *pair, const again *again,
     find_triangle(pair, again, frame);
 }
 
+/* No answer that differs: what there is to say is about the specular device. */
+static glint_setting setting_of(const glint_frame_pair *pair, const glint_backend_watch *watch)
+{
+    if (watch->found)
+        return watch->setting;
+    if (watch->history != NULL)
+        return *glint_history_setting(watch->history);
+    return (glint_setting){
+        .specular = {pair->backend->gate, pair->backend->pipeline,
+                     pair->backend->lanes != 0 ? pair->backend->lanes : GLINT_LANES_MAX}};
+}
+
 glint_status glint_failure_of_frame(const glint_frame_pair *pair, const volatile bool *stop,
                                     glint_failure **failure, glint_error *err)
 {
     again again = {0};
     *failure = NULL;
     glint_status status = render_again(pair, stop, &again, err);
-    if (status == GLINT_OK) {
-        /* No answer that differs: what there is to say is about the specular device. */
-        const glint_setting specular = {
-            .specular = {pair->backend->gate, pair->backend->pipeline,
-                         pair->backend->lanes != 0 ? pair->backend->lanes : GLINT_LANES_MAX}};
-        status = glint_failure_of_answer(
-            GLINT_FAILURE_FRAME, again.watch.found ? &again.watch.setting : &specular,
-            again.watch.found ? &again.watch.answer : NULL, failure, err);
+    /* A circuit that keeps an answer back ends the frame, and may yet be found out. */
+    if (status == GLINT_OK || (status == GLINT_DEVICE_FAULT && again.watch.history != NULL)) {
+        const glint_setting setting = setting_of(pair, &again.watch);
+        status = glint_failure_of_history(GLINT_FAILURE_FRAME, &setting,
+                                          again.watch.found ? &again.watch.answer : NULL,
+                                          again.watch.history, failure, err);
     }
     if (status == GLINT_OK)
         describe_frame(pair, &again, &(*failure)->frame);
+    glint_history_destroy(again.watch.history);
     glint_renderer_destroy(again.renderer);
     glint_image_destroy(again.image);
     return status;

@@ -9,7 +9,8 @@ typedef struct glint_frame_pair {
     const glint_scene *scene;            /* rendered twice, */
     const glint_backend_config *backend; /* by the C model and by this */
     const glint_image *model, *rtl;
-    const glint_image_difference *difference; /* of the two, not equal */
+    const glint_image_difference *difference; /* of the two, not equal; NULL: the circuit kept an
+                                               * answer back, and there is no frame of the rtl */
 } glint_frame_pair;
 
 /* Renders the scene once more by the Verilog with every answer held against the C model's. stop:

@@ -212,12 +212,11 @@ static void read_clock(reader *r, const cJSON *values, glint_pins *pins)
     }
 }
 
-/* Without pins, the run is played from its seed. */
+/* A random run without pins is played from its seed. */
 static void read_pins(reader *r, const cJSON *json)
 {
     glint_failure *failure = r->failure;
     const cJSON *from = member(json, "pins");
-    failure->seed = exact(r, json, "seed", 10);
     failure->first_clock = 1;
     if (from == NULL || r->failed)
         return;
@@ -316,6 +315,11 @@ static void read_frame(reader *r, const cJSON *json)
     const cJSON *from = object(r, json, "frame");
     frame->width = (int)integer(r, from, "width", 1, SIDE_MAX);
     frame->height = (int)integer(r, from, "height", 1, SIDE_MAX);
+    frame->has_pixel = member(from, "x") != NULL;
+    if (!frame->has_pixel && r->failure->has_answer)
+        refuse(r, "x is missing");
+    if (!frame->has_pixel)
+        return;
     frame->x = (int)integer(r, from, "x", 0, frame->width - 1);
     frame->y = (int)integer(r, from, "y", 0, frame->height - 1);
     rgb(r, from, "model", frame->model);
@@ -338,7 +342,7 @@ static void check_clock(reader *r)
 {
     const glint_failure *failure = r->failure;
     const uint64_t clock = failure->finding.clock;
-    if (failure->kind != GLINT_FAILURE_RANDOM || r->failed)
+    if ((failure->kind != GLINT_FAILURE_RANDOM && failure->pins == NULL) || r->failed)
         return;
     if (clock < failure->first_clock ||
         (failure->pins != NULL && clock - failure->first_clock >= failure->pin_count))
@@ -369,10 +373,11 @@ static void read_all(reader *r, const cJSON *json)
     if (r->failed)
         return;
     if (failure->kind == GLINT_FAILURE_RANDOM)
-        read_pins(r, json);
+        failure->seed = exact(r, json, "seed", 10);
     else
         read_answer(r, json);
-    if (failure->kind == GLINT_FAILURE_EXHAUSTIVE && !failure->has_answer)
+    read_pins(r, json);
+    if (failure->kind == GLINT_FAILURE_EXHAUSTIVE && !glint_failure_playable(failure))
         refuse(r, "answer is missing");
     if (failure->kind == GLINT_FAILURE_FRAME)
         read_frame(r, json);

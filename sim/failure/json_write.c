@@ -117,6 +117,8 @@ static void add_frame(cJSON *json, const glint_failure_frame *frame)
     cJSON *to = cJSON_AddObjectToObject(json, "frame");
     cJSON_AddNumberToObject(to, "width", frame->width);
     cJSON_AddNumberToObject(to, "height", frame->height);
+    if (!frame->has_pixel)
+        return;
     cJSON_AddNumberToObject(to, "x", frame->x);
     cJSON_AddNumberToObject(to, "y", frame->y);
     add_rgb(to, "model", frame->model);

@@ -40,6 +40,11 @@ static void print_run(FILE *out, const glint_failure *failure)
 
 static void print_frame(FILE *out, const glint_failure_frame *frame)
 {
+    if (!frame->has_pixel) {
+        fprintf(out, "frame of %dx%d: the circuit keeps an answer back\n", frame->width,
+                frame->height);
+        return;
+    }
     fprintf(out, "frame of %dx%d, first at x=%d y=%d: model %u,%u,%u, rtl %u,%u,%u\n", frame->width,
             frame->height, frame->x, frame->y, frame->model[0], frame->model[1], frame->model[2],
             frame->rtl[0], frame->rtl[1], frame->rtl[2]);
@@ -100,7 +105,11 @@ static void print_answer(FILE *out, const glint_failure *failure)
         print_division(out, failure);
     else
         print_point(out, failure);
-    if (!finding->answer_differs)
+    if (failure->pins != NULL)
+        fprintf(out,
+                "asked again, alone with its neighbours, the circuit answers as the model does: "
+                "what is below went before them\n");
+    else if (!finding->answer_differs)
         fprintf(out,
                 "asked again, alone with its neighbours, the circuit answers %" PRId32
                 " as the model does: what went before them matters\n",
@@ -252,9 +261,10 @@ static void print_lockstep(FILE *out, const glint_failure *failure, const glint_
 
 static void print_how_played(FILE *out, const glint_failure *failure)
 {
-    if (failure->kind != GLINT_FAILURE_RANDOM)
+    if (failure->kind == GLINT_FAILURE_RANDOM)
+        fprintf(out, "seed: %" PRIu64 "\n", failure->seed);
+    else if (failure->pins == NULL)
         return;
-    fprintf(out, "seed: %" PRIu64 "\n", failure->seed);
     if (failure->pins == NULL)
         fprintf(out, "played from clock 1: no part of the run shows the mismatch by itself\n");
     else

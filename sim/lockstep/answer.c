@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "lockstep/batch_pins.h"
+
 #define CLOCKS_AFTER_RESULT 10 /* idle ones, so that a waveform shows what comes behind it */
 
 /* The part of a run that is kept: items first … last − 1. */
@@ -129,57 +131,12 @@ glint_status glint_answer_ask(const glint_answer *answer, const glint_setting *s
 /* ---- Clock by clock -----------------------------------------------------------------------------
  */
 
-static void put_points(const glint_answer *answer, int lanes, int clock, glint_specular_inputs *in)
-{
-    in->en = 1;
-    if (clock == 0) {
-        in->n_we = in->rgb_we = 1;
-        in->n = answer->material.n;
-        in->r = answer->material.r;
-        in->g = answer->material.g;
-        in->b = answer->material.b;
-    }
-    for (int lane = 0; lane < lanes && clock * lanes + lane < answer->count; lane++) {
-        in->cos[lane] = answer->cos_code[clock * lanes + lane];
-        in->in_valid |= 1u << lane;
-    }
-}
-
-/* The sequential form takes one component after the other. */
-static void put_division(const glint_answer *answer, const glint_setting *setting, int clock,
-                         glint_divider_inputs *in)
-{
-    const bool sequential = setting->form == GLINT_DIVIDER_SEQUENTIAL;
-    const int pace = sequential ? setting->shifts + 1 : 1;
-    const int turn = clock / pace;
-    const int each = sequential ? GLINT_DIVIDER_COMPONENTS : 1;
-    in->en = 1;
-    if (clock % pace != 0 || turn >= answer->count * each)
-        return;
-    const glint_division *division = &answer->division[turn / each];
-    in->start = 1;
-    in->k = division->k;
-    memcpy(in->difference, division->difference, sizeof in->difference);
-    if (sequential)
-        in->difference[0] = division->difference[turn % each];
-}
-
-/* Clocks that feed `items` points or divisions. */
-static size_t feeding_clocks(const glint_setting *setting, size_t items)
-{
-    if (!setting->is_divider)
-        return (items + (size_t)setting->specular.lanes - 1) / (size_t)setting->specular.lanes;
-    return setting->form == GLINT_DIVIDER_PIPELINED
-               ? items
-               : items * GLINT_DIVIDER_COMPONENTS * (size_t)(setting->shifts + 1);
-}
-
 /* The clock, from 1 on, at which the answer's point is taken. */
 static uint64_t clock_taken(const glint_answer *answer, const glint_setting *setting)
 {
     if (!setting->is_divider)
         return (uint64_t)(answer->at / setting->specular.lanes) + 1;
-    const uint64_t before = feeding_clocks(setting, (size_t)answer->at);
+    const uint64_t before = glint_batch_feeding_clocks(setting, (size_t)answer->at);
     return setting->form == GLINT_DIVIDER_PIPELINED
                ? before + 1
                : before +
@@ -191,14 +148,14 @@ glint_pins *glint_answer_pins(const glint_answer *answer, const glint_setting *s
                               size_t *count, uint64_t *expected)
 {
     const size_t latency = (size_t)glint_setting_latency(setting);
-    *count = feeding_clocks(setting, (size_t)answer->count) + latency + CLOCKS_AFTER_RESULT;
+    const glint_batch batch = {.material = &answer->material,
+                               .cos_code = answer->cos_code,
+                               .division = answer->division,
+                               .count = (size_t)answer->count};
+    *count = glint_batch_feeding_clocks(setting, batch.count) + latency + CLOCKS_AFTER_RESULT;
     *expected = clock_taken(answer, setting) + latency - 1;
-    glint_pins *pins = calloc(*count, sizeof *pins);
-    for (size_t clock = 0; pins != NULL && clock < *count; clock++) {
-        if (setting->is_divider)
-            put_division(answer, setting, (int)clock, &pins[clock].divider);
-        else
-            put_points(answer, setting->specular.lanes, (int)clock, &pins[clock].specular);
-    }
+    glint_pins *pins = malloc(*count * sizeof *pins);
+    for (size_t clock = 0; pins != NULL && clock < *count; clock++)
+        pins[clock] = glint_batch_pins(setting, &batch, clock);
     return pins;
 }

@@ -14,6 +14,7 @@ enum {
     N_MULTIPLIERS = 2, /* σ = 1: t is the cosine */
     COLORS = GLINT_COLOR_MAX + 1,
     QUARTERS = GLINT_N_COUNT / COLORS,
+    RUNS_REMEMBERED = 256, /* with 16 lanes the clocks of a history */
 };
 
 /* Points of one material: the codes list[begin…end−1], without a list the codes begin…end−1. */
@@ -46,11 +47,24 @@ typedef struct work {
     uint64_t total;
 } work;
 
+/* What was asked in a run: count codes of the sweep, from `at` on. */
+typedef struct asked {
+    sweep sweep;
+    uint32_t at, count;
+} asked;
+
+/* The last runs of a circuit; number i is at i mod RUNS_REMEMBERED. */
+typedef struct memory {
+    uint64_t runs;
+    asked asked[RUNS_REMEMBERED];
+} memory;
+
 typedef struct worker {
     work *work;
     pthread_t thread;
     glint_rtl *rtl[GLINT_EXHAUSTIVE_CIRCUITS_MAX];
     bool (*seen)[GLINT_EXHAUSTIVE_CODES]; /* the W codes that occurred, for each config */
+    memory *memory;                       /* for each config; NULL: no history is wanted */
     uint32_t cos_code[RUN];
     answers model, circuit;
     glint_exhaustive_result found;
@@ -171,6 +185,47 @@ static glint_status plan(work *work, const glint_exhaustive_options *options, gl
     return GLINT_OK;
 }
 
+/* ---- What a circuit was asked -------------------------------------------------------------------
+ */
+
+/* The codes of a run; returns their count. */
+static uint32_t codes_of(const sweep *sweep, uint32_t at, uint32_t stride, uint32_t codes[RUN])
+{
+    uint32_t count = 0;
+    for (; at < sweep->end && count < RUN; at += stride)
+        codes[count++] = sweep->list != NULL ? sweep->list[at] : at;
+    return count;
+}
+
+static void remember(worker *worker, int config, const sweep *sweep, uint32_t at, uint32_t count)
+{
+    if (worker->memory == NULL)
+        return;
+    memory *memory = &worker->memory[config];
+    memory->asked[memory->runs++ % RUNS_REMEMBERED] = (asked){*sweep, at, count};
+}
+
+/* The run under way is the last of them. */
+static void keep_history(worker *worker, int config)
+{
+    const glint_exhaustive_options *options = worker->work->options;
+    const glint_setting setting = {.specular = options->config[config],
+                                   .specular_model = options->model};
+    uint32_t codes[RUN];
+    if (worker->memory == NULL || worker->found.history != NULL)
+        return;
+    const memory *memory = &worker->memory[config];
+    uint64_t run = memory->runs > RUNS_REMEMBERED ? memory->runs - RUNS_REMEMBERED : 0;
+    for (; run < memory->runs; run++) {
+        const asked *asked = &memory->asked[run % RUNS_REMEMBERED];
+        (void)codes_of(&asked->sweep, asked->at, options->stride, codes);
+        glint_history_add(&worker->found.history, &setting,
+                          &(glint_batch){.material = &asked->sweep.material,
+                                         .cos_code = codes,
+                                         .count = asked->count});
+    }
+}
+
 /* ---- Comparing ----------------------------------------------------------------------------------
  */
 
@@ -194,6 +249,8 @@ static void count_mismatch(worker *worker, int config, uint32_t n, const glint_m
     const glint_specular_config *settings = &worker->work->options->config[config];
     glint_exhaustive_result *found = &worker->found;
     found->circuit[config].mismatches++;
+    if (found->kept == 0)
+        keep_history(worker, config);
     if (found->kept == GLINT_EXHAUSTIVE_KEPT)
         return;
     glint_exhaustive_mismatch *kept = &found->mismatch[found->kept++];
@@ -235,6 +292,8 @@ static glint_status compare_run(worker *worker, int config, uint32_t n,
         return glint_fail(&worker->err, status, "the C model refuses n = %u", material->n);
     status = glint_rtl_batch(worker->rtl[config], material, worker->cos_code, count, circuit->w,
                              circuit->r, circuit->g, circuit->b, &worker->err);
+    if (status == GLINT_DEVICE_FAULT && worker->found.kept == 0)
+        keep_history(worker, config);
     if (status != GLINT_OK)
         return status;
     for (size_t i = 0; i < count; i++)
@@ -252,10 +311,10 @@ static glint_status compare_sweep(worker *worker, int config, uint32_t n, const 
     glint_status status = GLINT_OK;
     uint32_t at = sweep->begin + glint_exhaustive_offset(options, n);
     while (at < sweep->end && status == GLINT_OK) {
-        size_t count = 0;
-        for (; at < sweep->end && count < RUN; at += options->stride)
-            worker->cos_code[count++] = sweep->list != NULL ? sweep->list[at] : at;
+        const uint32_t count = codes_of(sweep, at, options->stride, worker->cos_code);
+        remember(worker, config, sweep, at, count);
         status = compare_run(worker, config, n, &sweep->material, count);
+        at += count * options->stride;
     }
     return status;
 }
@@ -331,6 +390,8 @@ static void free_worker(worker *worker)
 {
     if (worker == NULL)
         return;
+    glint_history_destroy(worker->found.history);
+    free(worker->memory);
     free(worker->seen);
     free(worker);
 }
@@ -341,8 +402,11 @@ static worker *make_worker(work *work)
     if (made == NULL)
         return NULL;
     made->work = work;
-    made->seen = calloc((size_t)work->options->configs, sizeof *made->seen);
-    if (made->seen == NULL) {
+    const size_t configs = (size_t)work->options->configs;
+    made->seen = calloc(configs, sizeof *made->seen);
+    if (work->options->keep_history)
+        made->memory = calloc(configs, sizeof *made->memory);
+    if (made->seen == NULL || (made->memory == NULL && work->options->keep_history)) {
         free_worker(made);
         return NULL;
     }
@@ -383,6 +447,12 @@ static void add_circuit(glint_exhaustive_circuit *sum, worker *const *workers, i
     }
 }
 
+static void take_history(glint_exhaustive_result *result, worker *worker)
+{
+    result->history = worker->found.history;
+    worker->found.history = NULL;
+}
+
 /* Each thread has kept its first mismatches with n rising: the smallest n among them is next. */
 static void merge_mismatches(glint_exhaustive_result *result, worker *const *workers, int count)
 {
@@ -400,6 +470,8 @@ static void merge_mismatches(glint_exhaustive_result *result, worker *const *wor
             }
         }
         taken[from]++;
+        if (first != NULL && result->kept == 0)
+            take_history(result, workers[from]);
         if (first != NULL)
             result->mismatch[result->kept++] = *first;
     } while (first != NULL && result->kept < GLINT_EXHAUSTIVE_KEPT);
@@ -417,8 +489,11 @@ static glint_status sum_up(const work *work, worker *const *workers, int count,
     result->next =
         taken < work->parts ? work->first + taken * work->options->shards : GLINT_N_COUNT;
     for (int i = 0; i < count; i++)
-        if (workers[i]->status != GLINT_OK)
+        if (workers[i]->status != GLINT_OK) {
+            if (result->kept == 0)
+                take_history(result, workers[i]);
             return glint_fail(err, workers[i]->status, "%s", workers[i]->err.text);
+        }
     if (taken < work->parts)
         return glint_fail(err, GLINT_INTERRUPTED, "interrupted");
     return GLINT_OK;

@@ -15,6 +15,7 @@
 #include <stdbool.h>
 
 #include "lockstep/answer.h"
+#include "lockstep/history.h"
 
 #define GLINT_EXHAUSTIVE_CIRCUITS_MAX (GLINT_GATE_COUNT * GLINT_PIPELINE_COUNT)
 #define GLINT_EXHAUSTIVE_THREADS_MAX  64
@@ -33,6 +34,7 @@ typedef struct glint_exhaustive_options {
     const volatile bool *stop;                                      /* may be NULL */
     void (*progress)(void *context, uint64_t done, uint64_t total); /* points; may be NULL */
     void *progress_context;
+    bool keep_history; /* in the result; to be destroyed */
 } glint_exhaustive_options;
 
 typedef struct glint_exhaustive_mismatch {
@@ -57,6 +59,8 @@ typedef struct glint_exhaustive_result {
     uint32_t next; /* every chosen n below it is done; GLINT_N_COUNT: all are */
     int kept;      /* the first mismatches, n rising */
     glint_exhaustive_mismatch mismatch[GLINT_EXHAUSTIVE_KEPT];
+    glint_history *history; /* of the first mismatch's circuit up to it, or of a circuit that kept
+                             * an answer back; NULL: neither, not asked for, or no memory */
 } glint_exhaustive_result;
 
 /* Where the stride begins for this n: 0…stride−1. */
@@ -65,7 +69,8 @@ uint32_t glint_exhaustive_offset(const glint_exhaustive_options *options, uint32
 /* Runs it, one circuit of each config for each thread; progress is called by the caller's thread.
  * GLINT_OK whatever it finds: the finding is in result. GLINT_INTERRUPTED when stopped: what was
  * begun of an n is finished, and result->next says where to go on. GLINT_BAD_ARGUMENT for options
- * out of range, or with no n among those chosen. */
+ * out of range, or with no n among those chosen. GLINT_DEVICE_FAULT when a circuit keeps an answer
+ * back. */
 glint_status glint_exhaustive_run(const glint_exhaustive_options *options,
                                   glint_exhaustive_result *result, glint_error *err);
 

@@ -184,6 +184,164 @@ static void a_difference_of_the_fast_build_alone_is_told(void **state)
     glint_failure_destroy(read);
 }
 
+/* ---- What went before ---------------------------------------------------------------------------
+ */
+
+/* A circuit that goes wrong at one clock since it was made, which no signal shows before: it takes
+ * another cosine, or none. Of one lane; one at a time. */
+extern const glint_rtl_model glint_rtl_model_cosine_pipelined_1;
+static const glint_rtl_model *const sound = &glint_rtl_model_cosine_pipelined_1;
+enum { WRONG_CLOCK = 300, WRONG_BIT = 0x400 };
+static uint64_t clocks_since_made;
+static bool takes_none;
+
+static void *make_ageing(void)
+{
+    clocks_since_made = 0;
+    return sound->create();
+}
+
+static void clock_ageing(void *instance, const glint_specular_inputs *pins)
+{
+    glint_specular_inputs taken = *pins;
+    if (++clocks_since_made == WRONG_CLOCK) {
+        taken.cos[0] ^= WRONG_BIT;
+        taken.in_valid = takes_none ? 0 : taken.in_valid;
+    }
+    sound->clock(instance, &taken);
+}
+
+static size_t batch_ageing(void *instance, const glint_material *material,
+                           const glint_rtl_batch_io *io)
+{
+    static uint32_t taken[5000];
+    const uint64_t before = clocks_since_made;
+    glint_rtl_batch_io wrong = *io;
+    const bool goes_wrong = before < WRONG_CLOCK && WRONG_CLOCK <= before + io->count;
+    assert_true(io->count <= 5000);
+    memcpy(taken, io->cos_code, io->count * sizeof *taken);
+    if (goes_wrong) {
+        taken[WRONG_CLOCK - before - 1] ^= WRONG_BIT;
+    }
+    wrong.cos_code = taken;
+    clocks_since_made += io->count + GLINT_LATENCY_PIPELINED - 1;
+    return sound->batch(instance, material, &wrong) - (goes_wrong && takes_none);
+}
+
+/* Runs n = 2 of the exhaustive comparison: nearly every code has a W of its own. */
+static glint_status compare_ageing(const glint_rtl_model *ageing, glint_exhaustive_result *result)
+{
+    glint_error err;
+    const glint_exhaustive_options options = {.config = {ageing->config},
+                                              .configs = 1,
+                                              .model = ageing,
+                                              .from = 2,
+                                              .shard = 3,
+                                              .shards = GLINT_N_COUNT,
+                                              .stride = 1,
+                                              .threads = 1,
+                                              .keep_history = true};
+    return glint_exhaustive_run(&options, result, &err);
+}
+
+static glint_rtl_model ageing_circuit(void)
+{
+    glint_rtl_model ageing = *sound;
+    ageing.create = make_ageing;
+    ageing.clock = clock_ageing;
+    ageing.batch = batch_ageing;
+    return ageing;
+}
+
+/* Asked alone it is right; the packet has the clocks that make it wrong. */
+static void what_went_before_is_played(void **state)
+{
+    (void)state;
+    static glint_exhaustive_result result;
+    glint_error err;
+    const glint_rtl_model ageing = ageing_circuit();
+    const glint_setting setting = {.specular = ageing.config, .specular_model = &ageing};
+    takes_none = false;
+    assert_int_equal(compare_ageing(&ageing, &result), GLINT_OK);
+    assert_true(result.kept > 0);
+    const glint_answer *answer = &result.mismatch[0].answer;
+    assert_int_equal(answer->cos_code[answer->at], WRONG_CLOCK - 1);
+    assert_non_null(result.history);
+    make_failure(&setting, answer);
+    assert_false(glint_failure_differs(&failure->finding));
+    glint_failure_destroy(failure);
+    assert_done(glint_failure_of_history(GLINT_FAILURE_EXHAUSTIVE, &setting, answer, result.history,
+                                         &failure, &err),
+                &err);
+    glint_history_destroy(result.history);
+    assert_true(failure->finding.lockstep_differs);
+    assert_int_equal(failure->finding.clock, WRONG_CLOCK);
+    assert_string_equal(failure->finding.mismatch[0].signal.name, "reg1");
+    assert_int_equal(failure->first_clock, 1);
+    assert_int_equal(failure->pin_count, WRONG_CLOCK + GLINT_CAPTURE_AFTER);
+    assert_survives_the_packet(&setting);
+    char *report = scratch_read(scratch_path("packet/" GLINT_PACKET_REPORT), NULL);
+    assert_non_null(strstr(report, "what is below went before them"));
+    assert_non_null(strstr(report, "\n>        300 "));
+    assert_non_null(strstr(report, "\nplayed from clock 1, 308 clocks\n"));
+    free(report);
+}
+
+/* No answer, no point to ask for: the clock that loses it is found all the same. */
+static void a_circuit_that_keeps_an_answer_back_is_found_out(void **state)
+{
+    (void)state;
+    static glint_exhaustive_result result;
+    glint_error err;
+    const glint_rtl_model ageing = ageing_circuit();
+    takes_none = true;
+    assert_int_equal(compare_ageing(&ageing, &result), GLINT_DEVICE_FAULT);
+    assert_int_equal(result.kept, 0);
+    assert_non_null(result.history);
+    const glint_setting setting = *glint_history_setting(result.history);
+    assert_ptr_equal(setting.specular_model, &ageing);
+    glint_failure_destroy(failure);
+    assert_done(glint_failure_of_history(GLINT_FAILURE_EXHAUSTIVE, &setting, NULL, result.history,
+                                         &failure, &err),
+                &err);
+    glint_history_destroy(result.history);
+    assert_int_equal(failure->finding.clock, WRONG_CLOCK);
+    assert_string_equal(failure->finding.mismatch[0].signal.name, "s1_valid");
+    assert_survives_the_packet(&setting);
+}
+
+/* The last clocks of many, as pins. */
+static void a_history_keeps_the_last_clocks(void **state)
+{
+    (void)state;
+    static uint32_t cos_code[40000];
+    const glint_setting setting = {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_DRAWN, 2}};
+    const glint_material material = {9, 1, 2, 3};
+    const glint_batch batch = {.material = &material, .cos_code = cos_code, .count = 39999};
+    glint_history *history = NULL;
+    size_t count;
+    uint64_t first;
+    for (uint32_t i = 0; i < 40000; i++) {
+        cos_code[i] = i;
+    }
+    for (int i = 0; i < 5; i++) {
+        glint_history_add(&history, &setting, &batch);
+    }
+    assert_non_null(history);
+    glint_pins *pins = glint_history_pins(history, &count, &first);
+    assert_non_null(pins);
+    assert_int_equal(count, GLINT_HISTORY_CLOCKS);
+    assert_int_equal(first, 5 * 20000 - GLINT_HISTORY_CLOCKS + 1);
+    const glint_specular_inputs *last = &pins[count - 1].specular;
+    assert_int_equal(last->in_valid, 1);
+    assert_int_equal(last->cos[0], 39998);
+    assert_false(last->n_we);
+    assert_true(pins[count - 20000].specular.n_we && pins[count - 40000].specular.rgb_we);
+    assert_int_equal(pins[count - 20000].specular.n, 9);
+    free(pins);
+    glint_history_destroy(history);
+}
+
 /* ---- The dividers -------------------------------------------------------------------------------
  */
 
@@ -237,8 +395,13 @@ static void a_frame_without_an_answer_still_says_where(void **state)
     const glint_setting setting = {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 16}};
     glint_failure_destroy(failure);
     assert_done(glint_failure_of_answer(GLINT_FAILURE_FRAME, &setting, NULL, &failure, &err), &err);
-    failure->frame = (glint_failure_frame){
-        .width = 10, .height = 8, .x = 9, .y = 2, .model = {1, 2, 3}, .rtl = {4, 5, 6}};
+    failure->frame = (glint_failure_frame){.width = 10,
+                                           .height = 8,
+                                           .has_pixel = true,
+                                           .x = 9,
+                                           .y = 2,
+                                           .model = {1, 2, 3},
+                                           .rtl = {4, 5, 6}};
     assert_done(glint_image_create(10, 8, &image, &err), &err);
     const glint_packet_frames frames = {image, image};
     assert_done(glint_packet_write(failure, &frames, scratch_path("frame"), &err), &err);
@@ -300,6 +463,7 @@ static void a_right_circuit_is_never_noted(void **state)
         assert_done(glint_render(renderer, &scene, image, NULL, &stats, &err), &err);
         assert_true(stats.highlights > 0 && !watch.found);
     }
+    assert_null(watch.history);
     glint_renderer_destroy(renderer);
     glint_image_destroy(image);
     glint_mesh_destroy(mesh);
@@ -311,6 +475,9 @@ int main(void)
         cmocka_unit_test(a_mismatch_of_the_exhaustive_run_is_found_in_its_block),
         cmocka_unit_test(the_points_about_it_stay_on_their_lanes),
         cmocka_unit_test(a_difference_of_the_fast_build_alone_is_told),
+        cmocka_unit_test(what_went_before_is_played),
+        cmocka_unit_test(a_circuit_that_keeps_an_answer_back_is_found_out),
+        cmocka_unit_test(a_history_keeps_the_last_clocks),
         cmocka_unit_test(a_divider_is_asked_clock_by_clock),
         cmocka_unit_test(a_frame_without_an_answer_still_says_where),
         cmocka_unit_test(one_thread_alone_can_be_watched),

@@ -1,0 +1,25 @@
+/* The pins by which a run of points or divisions goes through a circuit, clock by clock, as
+ * glint_rtl_batch() and glint_divider_rtl_batch() feed it. */
+#ifndef GLINT_SIM_BATCH_PINS_H
+#define GLINT_SIM_BATCH_PINS_H
+
+#include "lockstep/setting.h"
+
+/* Points of one material, for the specular device, or divisions. */
+typedef struct glint_batch {
+    const glint_material *material;
+    const uint32_t *cos_code;
+    const glint_division *division;
+    size_t count;
+} glint_batch;
+
+/* Clocks that feed so many points or divisions. */
+size_t glint_batch_feeding_clocks(const glint_setting *setting, size_t count);
+
+/* Clocks from the first that feeds to the one after which all has come out. */
+size_t glint_batch_clocks(const glint_setting *setting, size_t count);
+
+/* The pins of a clock, 0…; behind those that feed, idle ones. */
+glint_pins glint_batch_pins(const glint_setting *setting, const glint_batch *batch, size_t clock);
+
+#endif
