@@ -162,8 +162,8 @@ static glint_status run(const glint_render_options *chosen, const outputs *files
 }
 
 /* The packet of two frames that differ, or of a circuit that kept an answer back. The report is for
- * people; with --json it must not mix with the result. */
-static void explain(const glint_render_options *chosen, const char *command, const glint_mesh *mesh,
+ * people; with --json it must not mix with the result. Returns whether there is a packet. */
+static bool explain(const glint_render_options *chosen, const char *command, const glint_mesh *mesh,
                     const outputs *files, const glint_render_result *result)
 {
     glint_scene scene = chosen->scene;
@@ -179,14 +179,16 @@ static void explain(const glint_render_options *chosen, const char *command, con
     glint_error err;
     if (glint_failure_of_frame(&pair, glint_stop_flag(), &failure, &err) != GLINT_OK) {
         (void)glint_complain_error("render", &err);
-        return;
+        return false;
     }
     failure->program = glint_failure_program();
     (void)snprintf(failure->command, sizeof failure->command, "%s", command);
+    bool written = false;
     if (differs || glint_failure_playable(failure))
-        glint_failure_output("render", failure, differs ? &frames : NULL, files->failure,
-                             GLINT_FAILURE_REPORT, chosen->json ? stderr : stdout);
+        written = glint_failure_output("render", failure, differs ? &frames : NULL, files->failure,
+                                       GLINT_FAILURE_REPORT, chosen->json ? stderr : stdout);
     glint_failure_destroy(failure);
+    return written;
 }
 
 static int report(const glint_render_options *chosen, const char *command, const glint_mesh *mesh,
@@ -198,12 +200,15 @@ static int report(const glint_render_options *chosen, const char *command, const
     } else if (!glint_render_report_json(chosen, result)) {
         return glint_complain("render", GLINT_EXIT_FAILURE, "no memory");
     }
-    if (glint_render_differs(result)) {
-        explain(chosen, command, mesh, files, result);
-    }
+    const bool explained =
+        glint_render_differs(result) && explain(chosen, command, mesh, files, result);
     const int status = glint_output_finish("render", GLINT_EXIT_OK);
     if (status != GLINT_EXIT_OK || !glint_render_differs(result)) {
         return status;
+    }
+    if (!explained) {
+        return glint_complain("render", GLINT_EXIT_FAILURE, "c and rtl differ: see %s, %s and %s",
+                              files->frame, files->frame_c, files->diff);
     }
     return glint_complain("render", GLINT_EXIT_FAILURE, "c and rtl differ: see %s, %s, %s and %s",
                           files->frame, files->frame_c, files->diff, files->failure);
@@ -236,7 +241,7 @@ int glint_cmd_render(int argc, char **argv)
     }
     int exit_status;
     if (status == GLINT_DEVICE_FAULT && chosen.both && result.frame[1].image != NULL) {
-        explain(&chosen, command, mesh, &files, &result);
+        (void)explain(&chosen, command, mesh, &files, &result);
     }
     if (status == GLINT_OK) {
         exit_status = report(&chosen, command, mesh, &files, &result);

@@ -8,6 +8,7 @@
 #include "cli/failure_output.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "file/same.h"
 #include "lockstep/mismatch.h"
 
 /* Not a failure: the packet could not be tried, which says nothing of the circuit. */
@@ -25,6 +26,15 @@ typedef struct replay {
     glint_capture *capture;
     bool same;
 } replay;
+
+/* What comes of a packet has no pictures, and would take the place of those that it has. */
+static bool is_same_packet(const char *a, const char *b)
+{
+    char data_of_a[FILENAME_MAX], data_of_b[FILENAME_MAX];
+    (void)snprintf(data_of_a, sizeof data_of_a, "%s/%s", a, GLINT_PACKET_DATA);
+    (void)snprintf(data_of_b, sizeof data_of_b, "%s/%s", b, GLINT_PACKET_DATA);
+    return glint_file_same(data_of_a, data_of_b);
+}
 
 static int parse(int argc, char **argv, replay_options *chosen)
 {
@@ -57,7 +67,12 @@ static int parse(int argc, char **argv, replay_options *chosen)
         .positionals = positionals,
         .positional_count = 1,
     };
-    return glint_options_parse(&line, argc, argv);
+    const int status = glint_options_parse(&line, argc, argv);
+    if (status == GLINT_OPTIONS_RUN && chosen->out != NULL &&
+        is_same_packet(chosen->directory, chosen->out))
+        return glint_complain("replay", GLINT_EXIT_USAGE, "--out: %s is the packet itself",
+                              chosen->out);
+    return status;
 }
 
 /* Whether the answer was asked again: pins are played without it. */

@@ -294,7 +294,7 @@ static void report_failure(const verify_options *chosen, task *task, glint_failu
     if (detail == GLINT_FAILURE_BRIEFLY)
         fprintf(out, "also %" PRIu64 " mismatches of %" PRIu64 ", ", task->result.mismatches,
                 task->result.comparisons);
-    glint_failure_output("verify", failure, NULL, directory, detail, out);
+    (void)glint_failure_output("verify", failure, NULL, directory, detail, out);
     glint_failure_destroy(failure);
 }
 

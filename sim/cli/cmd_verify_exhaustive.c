@@ -259,7 +259,7 @@ static void report_failure(const exhaustive_options *chosen, const run *run, FIL
     glint_setting_name(&setting, name);
     (void)snprintf(directory, sizeof directory, "%s/%s_exhaustive", chosen->out, name);
     if (glint_failure_playable(failure))
-        glint_failure_output("verify", failure, NULL, directory, GLINT_FAILURE_REPORT, out);
+        (void)glint_failure_output("verify", failure, NULL, directory, GLINT_FAILURE_REPORT, out);
     glint_failure_destroy(failure);
 }
 

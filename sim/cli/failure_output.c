@@ -24,7 +24,7 @@ static void print_report(const char *command, const glint_failure *failure, cons
     free(capture);
 }
 
-void glint_failure_output(const char *command, const glint_failure *failure,
+bool glint_failure_output(const char *command, const glint_failure *failure,
                           const glint_packet_frames *frames, const char *directory,
                           glint_failure_detail detail, FILE *out)
 {
@@ -36,6 +36,7 @@ void glint_failure_output(const char *command, const glint_failure *failure,
         print_report(command, failure, written ? directory : NULL, out);
     if (written)
         fprintf(out, "packet: %s\n", directory);
+    return written;
 }
 
 /* As argv[0] of the process: it is found again from the same directory, or on the path. */

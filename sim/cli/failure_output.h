@@ -2,6 +2,7 @@
 #ifndef GLINT_SIM_CLI_FAILURE_OUTPUT_H
 #define GLINT_SIM_CLI_FAILURE_OUTPUT_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
 #include "failure/packet.h"
@@ -13,8 +14,9 @@ typedef enum glint_failure_detail {
 } glint_failure_detail;
 
 /* Writes the packet into `directory` and prints on out what it says, and where it is. What cannot
- * be written is told on standard error; the report is printed all the same. */
-void glint_failure_output(const char *command, const glint_failure *failure,
+ * be written is told on standard error; the report is printed all the same. Returns whether the
+ * packet was written. */
+bool glint_failure_output(const char *command, const glint_failure *failure,
                           const glint_packet_frames *frames, const char *directory,
                           glint_failure_detail detail, FILE *out);
 

@@ -65,9 +65,13 @@ static bool is_file_of_packet(const char *name)
     return strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
 }
 
-/* An older packet may be replaced; nothing else. */
+/* An older packet may be replaced; nothing else, and no link: what it leads to would lose its
+ * files, and a directory cannot take a link's name. */
 static glint_status check_old(const char *directory, glint_error *err)
 {
+    struct stat found;
+    if (lstat(directory, &found) == 0 && S_ISLNK(found.st_mode))
+        return glint_fail(err, GLINT_IO_ERROR, "%s: not replaced, as it is a link", directory);
     DIR *old = opendir(directory);
     const struct dirent *entry;
     glint_status status = GLINT_OK;

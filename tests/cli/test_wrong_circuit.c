@@ -260,6 +260,41 @@ static void other_shadings_leave_packets_too(void **state)
     }
 }
 
+/* It would lose its pictures. */
+static void a_packet_does_not_replace_itself(void **state)
+{
+    (void)state;
+    char command_line[2048];
+    (void)snprintf(command_line, sizeof command_line,
+                   "render --model sphere --size 96x80 --lanes 1 --backend both --out %s",
+                   scratch_path("kept.png"));
+    outcome done = run(command_line, "");
+    assert_int_equal(done.status, 1);
+    forget(&done);
+    (void)snprintf(command_line, sizeof command_line, "replay %s/ --out %s",
+                   scratch_path("kept-failure"), scratch_path("./kept-failure"));
+    done = run(command_line, "");
+    assert_int_equal(done.status, 2);
+    assert_says(done.err, "kept-failure is the packet itself");
+    forget(&done);
+    assert_packet("kept-failure", 7);
+}
+
+/* What has no packet is not named as one. */
+static void a_frame_without_a_packet_names_none(void **state)
+{
+    (void)state;
+    char command_line[2048];
+    (void)snprintf(command_line, sizeof command_line,
+                   "render --model sphere --size 96x80 --lanes 1 --backend both --out %s",
+                   scratch_path("bare.png"));
+    scratch_write(scratch_path("bare-failure"), "", 0);
+    outcome done = run(command_line, "");
+    assert_int_equal(done.status, 1);
+    assert_says(done.err, "bare-diff.png\n");
+    forget(&done);
+}
+
 /* What a command that ends with status 1 prints; to be freed. */
 static char *run_in_shell(const char *command_line)
 {
@@ -304,6 +339,8 @@ int main(void)
         cmocka_unit_test(a_mismatch_of_the_exhaustive_run_leaves_a_packet),
         cmocka_unit_test(a_frame_that_differs_leaves_a_packet),
         cmocka_unit_test(other_shadings_leave_packets_too),
+        cmocka_unit_test(a_packet_does_not_replace_itself),
+        cmocka_unit_test(a_frame_without_a_packet_names_none),
         cmocka_unit_test(the_replay_command_can_be_pasted),
         cmocka_unit_test(a_circuit_that_is_not_there_is_told),
     };

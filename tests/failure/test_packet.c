@@ -522,6 +522,22 @@ static void nothing_but_a_packet_is_replaced(void **state)
     assert_int_equal(scratch_count(), before + 1);
 }
 
+/* A link in the packet's place, and what it leads to, stay as they are. */
+static void no_link_is_replaced(void **state)
+{
+    (void)state;
+    glint_error err;
+    find(&faults[0]);
+    assert_int_equal(glint_packet_write(failure, NULL, scratch_path("linked"), &err), GLINT_OK);
+    assert_int_equal(symlink("linked", scratch_path("link")), 0);
+    const int before = scratch_count();
+    assert_int_equal(glint_packet_write(failure, NULL, scratch_path("link"), &err), GLINT_IO_ERROR);
+    assert_non_null(strstr(err.text, "link: not replaced, as it is a link"));
+    assert_int_equal(access(scratch_path("linked/" GLINT_PACKET_DATA), F_OK), 0);
+    assert_int_equal(scratch_count(), before);
+    assert_int_equal(unlink(scratch_path("link")), 0);
+}
+
 static void a_packet_that_cannot_be_written_is_told(void **state)
 {
     (void)state;
@@ -549,6 +565,7 @@ int main(void)
         cmocka_unit_test(every_lane_is_there),
         cmocka_unit_test(a_packet_is_read_and_played),
         cmocka_unit_test(nothing_but_a_packet_is_replaced),
+        cmocka_unit_test(no_link_is_replaced),
         cmocka_unit_test(a_packet_that_cannot_be_written_is_told),
     };
     return cmocka_run_group_tests(tests, prepare, clean_up);
