@@ -197,6 +197,8 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
     run *all = context;
     int64_t difference, k;
     glint_error err;
+    if (line == NULL)
+        return flush_run(all);
     switch (read_line(line, length, &difference, &k, &err)) {
     case GLINT_LINE_VALUES:
         return add_row(all, number, (int32_t)difference, (int32_t)k);
@@ -215,12 +217,10 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
 static int divide(run *all)
 {
     fputs(all->json ? "[" : "difference,k,shifts,quotient_code,quotient,exact,error\n", stdout);
-    int status = glint_input_lines("divide", take_line, all);
-    if (status == GLINT_EXIT_OK)
-        status = flush_run(all);
-    if (status == GLINT_EXIT_FAILURE)
+    const int status = glint_input_lines("divide", take_line, all);
+    if (status != GLINT_EXIT_OK && ferror(stdout)) /* which has been said */
         return status;
-    if (all->json) /* closed after a malformed line too: the rows before it are valid */
+    if (all->json) /* closed whatever ended it: the rows before that are valid */
         fputs("\n]\n", stdout);
     return glint_output_finish("divide", status);
 }

@@ -131,6 +131,9 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
     run *points = context;
     glint_eval_point point;
     glint_error err;
+    if (line == NULL) {
+        return flush_run(points);
+    }
     switch (glint_eval_read_line(line, length, &point, &err)) {
     case GLINT_LINE_VALUES:
         return add_point(points, &point);
@@ -139,7 +142,10 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
     case GLINT_LINE_MALFORMED:
         break;
     }
-    flush_run(points);
+    const int status = flush_run(points);
+    if (status != GLINT_EXIT_OK) {
+        return status;
+    }
     fflush(stdout);
     return glint_complain("eval", GLINT_EXIT_USAGE, "line %" PRIu64 ": %s", number, err.text);
 }
@@ -147,14 +153,11 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
 static int eval(run *points)
 {
     fputs(points->json ? "[" : "n,cos_code,w_code,r,g,b\n", stdout);
-    int status = glint_input_lines("eval", take_line, points);
-    if (status == GLINT_EXIT_OK) {
-        status = flush_run(points);
-    }
-    if (status == GLINT_EXIT_FAILURE) {
+    const int status = glint_input_lines("eval", take_line, points);
+    if (status != GLINT_EXIT_OK && ferror(stdout)) { /* which has been said */
         return status;
     }
-    if (points->json) { /* closed after a malformed line too: the rows before it are valid */
+    if (points->json) { /* closed whatever ended it: the rows before that are valid */
         fputs("\n]\n", stdout);
     }
     return glint_output_finish("eval", status);

@@ -12,6 +12,9 @@
 #include "cli/output.h"
 #include "cli/parse.h"
 
+/* A device has lines without end. */
+#define LINE_MAX_BYTES ((size_t)16 << 20)
+
 static char *skip_blanks(char *text)
 {
     return text + strspn(text, " \t");
@@ -62,6 +65,10 @@ static bool trim(char *line, size_t length)
 glint_line_kind glint_line_cut(char *line, size_t length, char **value, int count,
                                const char *values, glint_error *err)
 {
+    if (length == LINE_MAX_BYTES) {
+        glint_fail(err, GLINT_BAD_INPUT, "longer than 16 MB: this is not text");
+        return GLINT_LINE_MALFORMED;
+    }
     if (!trim(line, length)) {
         glint_fail(err, GLINT_BAD_INPUT, "a NUL byte is in it: this is not text");
         return GLINT_LINE_MALFORMED;
@@ -87,35 +94,56 @@ glint_line_kind glint_line_refuse(const char *name, const char *text, const char
     return GLINT_LINE_MALFORMED;
 }
 
-/* Why getline() returned nothing: the end of the input, or something worse. */
-static int check_input(const char *command)
+/* Reads one line with its line end, of at most LINE_MAX_BYTES, and a NUL. The length; 0 at the end of
+ * the input, at an error, or when it is to stop. */
+static size_t read_line(char *line)
 {
-    const int reason = errno;
+    size_t length = 0;
+    int c = '\0';
+    while (length < LINE_MAX_BYTES && c != '\n' && (c = getc_unlocked(stdin)) != EOF) {
+        line[length++] = (char)c;
+    }
+    line[length] = '\0';
+    return ferror(stdin) || glint_stop_requested() ? 0 : length;
+}
+
+/* Why there is no further line: the end of the input, or something worse. */
+static int check_input(const char *command, int reason)
+{
     if (glint_stop_requested()) {
         return glint_complain(command, GLINT_EXIT_FAILURE, "interrupted");
     }
-    if (feof(stdin)) {
+    if (!ferror(stdin)) {
         return GLINT_EXIT_OK;
     }
     return glint_complain(command, GLINT_EXIT_FAILURE, "cannot read standard input: %s",
                           strerror(reason));
 }
 
-int glint_input_lines(const char *command, glint_line_taker *take, void *context)
+static int take_lines(const char *command, char *line, glint_line_taker *take, void *context)
 {
-    char *line = NULL;
-    size_t size = 0;
     int status = GLINT_EXIT_OK;
     uint64_t number = 0;
     while (status == GLINT_EXIT_OK) {
         errno = 0;
-        const ssize_t length = glint_stop_requested() ? -1 : getline(&line, &size, stdin);
-        if (length < 0) {
-            status = check_input(command);
-            break;
+        const size_t length = read_line(line);
+        const int reason = errno;
+        if (length == 0) {
+            status = take(context, number, NULL, 0);
+            return status == GLINT_EXIT_OK ? check_input(command, reason) : status;
         }
-        status = take(context, ++number, line, (size_t)length);
+        status = take(context, ++number, line, length);
     }
+    return status;
+}
+
+int glint_input_lines(const char *command, glint_line_taker *take, void *context)
+{
+    char *line = malloc(LINE_MAX_BYTES + 1); /* of which few pages are ever touched */
+    if (line == NULL) {
+        return glint_complain(command, GLINT_EXIT_FAILURE, "no memory");
+    }
+    const int status = take_lines(command, line, take, context);
     free(line);
     return status;
 }

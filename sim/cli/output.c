@@ -61,6 +61,9 @@ int glint_output_finish(const char *command, int status)
         return status;
     }
     const int why = errno != 0 ? errno : earlier;
+    if (why == EINTR && stop_requested) {
+        return glint_complain(command, GLINT_EXIT_FAILURE, "interrupted");
+    }
     return glint_complain(command, GLINT_EXIT_FAILURE, "cannot write to standard output: %s",
                           why != 0 ? strerror(why) : "an earlier write failed");
 }

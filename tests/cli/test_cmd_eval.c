@@ -392,13 +392,13 @@ static void real_is_the_formula(void **state)
 
 /* ---- Ctrl-C ---- */
 
-/* Starts `glint eval` with pipes at both ends. */
-static pid_t start_eval(int *input, int *output)
+/* Starts `glint eval`, with one option or NULL, with pipes at both ends. */
+static pid_t start_eval(const char *option, int *input, int *output)
 {
     pid_t child;
     int in[2], out[2];
     posix_spawn_file_actions_t actions;
-    char *argv[] = {(char *)(uintptr_t)glint_under_test(), "eval", NULL};
+    char *argv[] = {(char *)(uintptr_t)glint_under_test(), "eval", (char *)(uintptr_t)option, NULL};
     assert_int_equal(pipe(in), 0);
     assert_int_equal(pipe(out), 0);
     assert_int_equal(posix_spawn_file_actions_init(&actions), 0);
@@ -424,7 +424,7 @@ static void an_interrupt_ends_the_wait_for_input(void **state)
     int input;
     int output;
     char line[32];
-    const pid_t child = start_eval(&input, &output);
+    const pid_t child = start_eval(NULL, &input, &output);
     /* Single-point runs until standard output's buffer overflows: then it surely runs. */
     for (int i = 0; i < 1500; i++) {
         const int length = snprintf(line, sizeof line, "5 1 %d 2 3\n", i % 2);
@@ -438,6 +438,49 @@ static void an_interrupt_ends_the_wait_for_input(void **state)
     char *err = scratch_read(scratch_path("stderr"), NULL);
     assert_string_equal(err, "glint eval: interrupted\n");
     free(err);
+}
+
+/* Every point that was read is answered, and the array is closed. */
+static void an_interrupt_leaves_whole_json(void **state)
+{
+    (void)state;
+    int input;
+    int output;
+    size_t count = 0;
+    ssize_t got;
+    static char out[1 << 16];
+    const pid_t child = start_eval("--json", &input, &output);
+    for (int i = 0; i < 300; i++) { /* of a material each, so that some are answered at once */
+        char line[32];
+        const int length = snprintf(line, sizeof line, "5 1 %d 2 3\n", i % 2);
+        assert_int_equal(write(input, line, (size_t)length), length);
+    }
+    got = read(output, out, 2); /* standard output's buffer overflowed: it surely runs */
+    assert_int_equal(got, 2);
+    count += (size_t)got;
+    /* It waits for more by now, or still reads what it was given. */
+    assert_int_equal(kill(child, SIGINT), 0);
+    while ((got = read(output, out + count, sizeof out - 1 - count)) > 0) {
+        count += (size_t)got;
+    }
+    assert_int_equal(wait_for(child), 1);
+    close(input);
+    close(output);
+    cJSON *json = cJSON_Parse(out);
+    assert_true(cJSON_IsArray(json) && cJSON_GetArraySize(json) > 0);
+    cJSON_Delete(json);
+}
+
+static void a_line_without_end_is_refused(void **state)
+{
+    (void)state;
+    static const char *const commands[] = {"eval", "divide"};
+    for (size_t i = 0; i < 2; i++) {
+        outcome done = run_plumbed(commands[i], "", &(plumbing){.in = "/dev/zero"});
+        assert_int_equal(done.status, 2);
+        assert_says(done.err, ": line 1: longer than 16 MB: this is not text\n");
+        forget(&done);
+    }
 }
 
 int main(void)
@@ -458,6 +501,8 @@ int main(void)
         cmocka_unit_test(c_follows_the_formula),
         cmocka_unit_test(real_is_the_formula),
         cmocka_unit_test(an_interrupt_ends_the_wait_for_input),
+        cmocka_unit_test(an_interrupt_leaves_whole_json),
+        cmocka_unit_test(a_line_without_end_is_refused),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
