@@ -37,11 +37,21 @@ static void ignore_warning(png_structp png, png_const_charp message)
     (void)message;
 }
 
+static void check_stop(png_structp png, reader *from)
+{
+    if (from->stop != NULL && *from->stop) {
+        from->status = glint_fail(from->err, GLINT_INTERRUPTED, "interrupted");
+        png_error(png, "interrupted");
+    }
+}
+
 static void get_bytes(png_structp png, png_bytep bytes, size_t count)
 {
     reader *from = png_get_io_ptr(png);
     errno = 0;
-    if (fread(bytes, 1, count, from->stream) == count) {
+    const bool whole = fread(bytes, 1, count, from->stream) == count;
+    check_stop(png, from);
+    if (whole) {
         return;
     }
     if (ferror(from->stream)) {
@@ -60,14 +70,6 @@ static void check_size(png_structp png, png_infop info, reader *from)
             from->err, GLINT_BAD_INPUT, "%.400s: %lux%lu is too large: each side is at most %d",
             from->path, (unsigned long)width, (unsigned long)height, GLINT_IMAGE_SIDE_MAX);
         png_error(png, "too large");
-    }
-}
-
-static void check_stop(png_structp png, reader *from)
-{
-    if (from->stop != NULL && *from->stop) {
-        from->status = glint_fail(from->err, GLINT_INTERRUPTED, "interrupted");
-        png_error(png, "interrupted");
     }
 }
 
@@ -122,6 +124,9 @@ static void read_rows(png_structp png, png_infop info, reader *from)
     }
     png_set_read_fn(png, from, get_bytes);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); /* check_size() says it better */
+    /* Chunks that no pixel depends on are not read: libpng clears as much memory as such a chunk
+     * claims to need, up to 2 GB. */
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, NULL, -1);
     png_read_info(png, info);
     check_size(png, info, from);
     const int passes = ask_for_rgba(png, info);
@@ -164,6 +169,9 @@ glint_status glint_image_read_png_until(const char *path, const volatile bool *s
     *image = NULL;
     reader from = {
         .path = path, .stop = stop, .stream = fopen(path, "rb"), .status = GLINT_OK, .err = err};
+    if (from.stream == NULL && errno == EINTR && stop != NULL && *stop) {
+        return glint_fail(err, GLINT_INTERRUPTED, "interrupted");
+    }
     if (from.stream == NULL) {
         return glint_fail(err, GLINT_IO_ERROR, "cannot read %.400s: %s", path, strerror(errno));
     }

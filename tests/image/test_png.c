@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <sys/resource.h>
 
 #include <cmocka.h>
 #include <png.h>
@@ -238,6 +239,21 @@ static void too_large_a_side_is_refused(void **state)
     assert_refused(scratch_path("wide.png"), GLINT_BAD_INPUT, "16385x1 is too large");
 }
 
+/* 44 bytes whose text claims to be 2 GB long. */
+static void a_chunk_takes_no_memory_that_it_only_claims(void **state)
+{
+    (void)state;
+    static const uint8_t bytes[] =
+        "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x10\0\0\0\x10\x08\x06\0\0\0\x1f\xf3\xff\x61"
+        "\x7f\xff\xff\xfftEXtabc";
+    struct rusage before, after;
+    scratch_write(scratch_path("claims.png"), bytes, sizeof bytes - 1);
+    assert_int_equal(getrusage(RUSAGE_SELF, &before), 0);
+    assert_refused(scratch_path("claims.png"), GLINT_BAD_INPUT, "the file ends early");
+    assert_int_equal(getrusage(RUSAGE_SELF, &after), 0);
+    assert_true(after.ru_maxrss - before.ru_maxrss < 200000); /* kilobytes */
+}
+
 static void a_failed_write_leaves_nothing(void **state)
 {
     (void)state;
@@ -279,6 +295,7 @@ int main(void)
         cmocka_unit_test(a_flipped_bit_is_refused),
         cmocka_unit_test(what_is_no_png_is_refused),
         cmocka_unit_test(too_large_a_side_is_refused),
+        cmocka_unit_test(a_chunk_takes_no_memory_that_it_only_claims),
         cmocka_unit_test(a_failed_write_leaves_nothing),
         cmocka_unit_test(sizes_are_checked),
     };
