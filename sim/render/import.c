@@ -3,6 +3,7 @@
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "render/import.h"
@@ -27,6 +28,32 @@ static glint_status refused(const char *path, glint_error *err)
                       why[0] != '\0' ? why : "no reason given");
 }
 
+/* Some of assimp's readers put another vertex in the place of one that a face names and that is not
+ * there, and say so in the log only; in these words, which are those of assimp 5.2. */
+static const char *const replacing[] = {
+    "3DS: Vertex index overflow",
+    "AC3D: Invalid vertex reference",
+    "Index overflow in MDL7 vertex list",
+    "Index overflow in MDLn vertex list",
+    "Index overflow in Q1-MDL vertex list",
+    "LWO2: Failure evaluating face record, index is out of range",
+    "LWOB: face index is out of range",
+    "MD2: Vertex index is outside the allowed range",
+    "MDC vertex index is out of range",
+    "NFF2: Vertex index overflow",
+    "OFF: Vertex index is out of range",
+    "Quick3D: Vertex index overflow",
+};
+
+/* aiLogStreamCallback; user: a bool, set where one of these is said. */
+static void listen(const char *message, char *user)
+{
+    bool *replaced = (bool *)user;
+    for (size_t i = 0; i < sizeof replacing / sizeof replacing[0]; i++) {
+        *replaced = *replaced || strstr(message, replacing[i]) != NULL;
+    }
+}
+
 static const struct aiScene *read_scene(const char *path, unsigned steps)
 {
     struct aiPropertyStore *settings = aiCreatePropertyStore();
@@ -47,11 +74,18 @@ static const struct aiScene *read_scene(const char *path, unsigned steps)
  * all steps, as a scene whose later processing fails is released twice (assimp 5.2). */
 static glint_status check_content(const char *path, glint_error *err)
 {
+    bool replaced = false;
+    const struct aiLogStream log = {listen, (char *)&replaced};
+    aiAttachLogStream(&log);
     const struct aiScene *scene = read_scene(path, aiProcess_ValidateDataStructure);
+    (void)aiDetachLogStream(&log);
     if (scene == NULL) {
         return refused(path, err);
     }
-    const glint_status status = glint_imported_check(path, scene, err);
+    const glint_status status =
+        replaced ? glint_fail(err, GLINT_BAD_INPUT,
+                              "%.300s: a face names a vertex that is not there", path)
+                 : glint_imported_check(path, scene, err);
     aiReleaseImport(scene);
     return status;
 }

@@ -51,8 +51,7 @@ glint_status glint_mesh_quad(glint_mesh **mesh, glint_error *err);
  * taken from the faces about it. Vertices less than 1e-5 apart are one: assimp joins them, so a
  * model that small as a whole has no triangles. GLINT_IO_ERROR for a path that cannot be read;
  * GLINT_BAD_INPUT for what is no mesh file, has no triangles, more than 32 million of them, a
- * coordinate that is not a number or beyond 1e18, or an index of a vertex that is not there (but of
- * .off, where assimp takes the last vertex instead).
+ * coordinate that is not a number or beyond 1e18, or an index of a vertex that is not there.
  *
  * assimp works in a process of its own, with as much time and memory as the size of the file
  * justifies: when it crashes or does not come to an end, that is GLINT_BAD_INPUT too, or

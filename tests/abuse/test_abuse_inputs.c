@@ -85,7 +85,12 @@ static const mesh_case meshes[] = {
     {"zero_area.stl", STL("1 0 0"), REFUSED},
     {"cut.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0", REFUSED},
     {"good.off", OFF("3 1", "3 0 1 2"), DRAWN},
-    {"index_beyond.off", OFF("3 1", "3 0 1 7"), DRAWN}, /* assimp takes the last vertex instead */
+    {"index_beyond.off", OFF("3 1", "3 0 1 7"), REFUSED},
+    {"index_beyond.ac",
+     "AC3Db\nMATERIAL \"\" rgb 1 1 1 amb 0 0 0 emis 0 0 0 spec 0 0 0 shi 0 trans 0\nOBJECT world\n"
+     "kids 1\nOBJECT poly\nnumvert 3\n0 0 0\n1 0 0\n0 1 0\nnumsurf 1\nSURF 0x0\nmat 0\nrefs 3\n"
+     "0 0 0\n1 0 0\n9 0 0\nkids 0\n",
+     REFUSED},
     {"2_32.off", OFF("4294967295 4294967295", "3 0 1 2"), REFUSED},
     {"index_beyond.ase",
      "*3DSMAX_ASCIIEXPORT 200\n*GEOMOBJECT {\n*NODE_NAME \"a\"\n*MESH {\n*MESH_NUMVERTEX 3\n"
@@ -137,6 +142,12 @@ static void bad_meshes(void **state)
     }
 }
 
+/* A triangle whose corners are vertices 0, 1 and 65535 of three. */
+static const uint8_t index_beyond_3ds[] =
+    "MM\x56\0\0\0\x3d\x3d\x50\0\0\0\0\x40\x4a\0\0\0a\0\0\x41\x42\0\0\0\x10\x41\x2c\0\0\0\3\0"
+    "\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\x20\x41\x10\0"
+    "\0\0\1\0\0\0\1\0\xff\xff\7";
+
 /* Counts of 2^32 - 1, and of what fits no memory, in binary headers. */
 static void bad_binary_meshes(void **state)
 {
@@ -153,6 +164,8 @@ static void bad_binary_meshes(void **state)
         scratch_write(scratch_path("length.3ds"), three_ds, sizeof three_ds);
         try_mesh(scratch_path("length.3ds"), REFUSED);
     }
+    scratch_write(scratch_path("index_beyond.3ds"), index_beyond_3ds, sizeof index_beyond_3ds);
+    try_mesh(scratch_path("index_beyond.3ds"), REFUSED);
     uint8_t zeros[4096] = {0};
     static const char *const names[] = {"zeros.obj", "zeros.ply", "zeros.stl", "zeros.3ds",
                                         "zeros.fbx", "zeros.dae", "zeros.gltf"};
@@ -304,14 +317,16 @@ static void unusual_streams(void **state)
         const abuse inputs[] = {{.in = scratch_path("long")},
                                 {.in = program != NULL ? program : "build/glint"},
                                 {.in = scratch_path("")},
-                                {.close_in = true}};
+                                {.close_in = true},
+                                {.in = "/dev/zero"}};
         static const struct {
             int status;
             const char *part;
         } expected[] = {{2, "line 1: "},
                         {2, "line 1: "},
                         {1, "cannot read standard input: Is a directory"},
-                        {1, "cannot read standard input: Bad file descriptor"}};
+                        {1, "cannot read standard input: Bad file descriptor"},
+                        {2, "line 1: longer than 16 MB"}};
         for (size_t k = 0; k < sizeof inputs / sizeof inputs[0]; k++) {
             outcome done = abuse_run("lines of eval and divide", commands[i], &inputs[k]);
             abuse_expect_failure(&done, commands[i], expected[k].status, expected[k].part);
