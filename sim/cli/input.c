@@ -94,16 +94,38 @@ glint_line_kind glint_line_refuse(const char *name, const char *text, const char
     return GLINT_LINE_MALFORMED;
 }
 
-/* Reads one line with its line end, of at most LINE_MAX_BYTES, and a NUL. The length; 0 at the end of
- * the input, at an error, or when it is to stop. */
-static size_t read_line(char *line)
+/* The line that is being read. */
+typedef struct line_room {
+    char *bytes;
+    size_t size;
+} line_room;
+
+static bool grow(line_room *line)
+{
+    const size_t size = line->size == 0 ? 256 : 2 * line->size;
+    char *bytes = realloc(line->bytes, size + 1); /* and a NUL */
+    if (bytes == NULL) {
+        return false;
+    }
+    *line = (line_room){bytes, size};
+    return true;
+}
+
+/* Reads one line with its line end, of at most LINE_MAX_BYTES, and ends it with NUL. The length; 0
+ * at the end of the input, at an error, with errno, or when it is to stop. */
+static size_t read_line(line_room *line)
 {
     size_t length = 0;
     int c = '\0';
     while (length < LINE_MAX_BYTES && c != '\n' && (c = getc_unlocked(stdin)) != EOF) {
-        line[length++] = (char)c;
+        if (length == line->size && !grow(line)) {
+            return 0;
+        }
+        line->bytes[length++] = (char)c;
     }
-    line[length] = '\0';
+    if (length > 0) {
+        line->bytes[length] = '\0';
+    }
     return ferror(stdin) || glint_stop_requested() ? 0 : length;
 }
 
@@ -113,37 +135,29 @@ static int check_input(const char *command, int reason)
     if (glint_stop_requested()) {
         return glint_complain(command, GLINT_EXIT_FAILURE, "interrupted");
     }
-    if (!ferror(stdin)) {
+    if (feof(stdin)) {
         return GLINT_EXIT_OK;
     }
     return glint_complain(command, GLINT_EXIT_FAILURE, "cannot read standard input: %s",
                           strerror(reason));
 }
 
-static int take_lines(const char *command, char *line, glint_line_taker *take, void *context)
+int glint_input_lines(const char *command, glint_line_taker *take, void *context)
 {
+    line_room line = {0};
     int status = GLINT_EXIT_OK;
     uint64_t number = 0;
     while (status == GLINT_EXIT_OK) {
         errno = 0;
-        const size_t length = read_line(line);
+        const size_t length = read_line(&line);
         const int reason = errno;
         if (length == 0) {
             status = take(context, number, NULL, 0);
-            return status == GLINT_EXIT_OK ? check_input(command, reason) : status;
+            status = status == GLINT_EXIT_OK ? check_input(command, reason) : status;
+            break;
         }
-        status = take(context, ++number, line, length);
+        status = take(context, ++number, line.bytes, length);
     }
-    return status;
-}
-
-int glint_input_lines(const char *command, glint_line_taker *take, void *context)
-{
-    char *line = malloc(LINE_MAX_BYTES + 1); /* of which few pages are ever touched */
-    if (line == NULL) {
-        return glint_complain(command, GLINT_EXIT_FAILURE, "no memory");
-    }
-    const int status = take_lines(command, line, take, context);
-    free(line);
+    free(line.bytes);
     return status;
 }

@@ -29,8 +29,8 @@ glint_line_kind glint_line_refuse(const char *name, const char *text, const char
 typedef int glint_line_taker(void *context, uint64_t number, char *line, size_t length);
 
 /* Hands over the lines of standard input until their end or until one is not taken with
- * GLINT_EXIT_OK, and then NULL when all were taken, also when the input cannot be read any further or
- * it was interrupted; says so after that. A line of 16 MB or more is handed over cut, for
+ * GLINT_EXIT_OK, and then NULL when all were taken, also when the input cannot be read any further
+ * or it was interrupted; says so after that. A line of 16 MB or more is handed over cut, for
  * glint_line_cut() to refuse. */
 int glint_input_lines(const char *command, glint_line_taker *take, void *context);
 
