@@ -1,5 +1,5 @@
 /* What the command says and how it ends; see output.h. */
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700
 
 #include "cli/output.h"
 
@@ -43,6 +43,7 @@ void glint_output_init(void)
     sigemptyset(&action.sa_mask);
     action.sa_handler = SIG_IGN;
     sigaction(SIGPIPE, &action, NULL);
+    sigaction(SIGXFSZ, &action, NULL); /* a write beyond ulimit -f fails, as on a full disk */
     /* No SA_RESTART: a subcommand waiting for input must wake up. */
     action.sa_handler = request_stop;
     action.sa_flags = (int)SA_RESETHAND;

@@ -20,8 +20,8 @@ enum {
 
 /* Called once, first thing in main(): a closed standard stream is held by /dev/null, opened so
  * that using it still fails (else the next file opened would take its number and receive its
- * text); a broken pipe becomes a write error; SIGINT and SIGTERM raise the stop flag, a second one
- * of them kills. */
+ * text); a broken pipe and a limit on file sizes become write errors; SIGINT and SIGTERM raise the
+ * stop flag, a second one of them kills. */
 void glint_output_init(void);
 
 /* Flushes and checks standard output: the last thing a subcommand does. Returns status, or

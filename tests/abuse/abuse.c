@@ -102,7 +102,6 @@ static int output_of(const abuse *how, const lines *l)
 static void limit_files(long bytes)
 {
     const struct rlimit bound = {(rlim_t)bytes, (rlim_t)bytes};
-    (void)signal(SIGXFSZ, SIG_IGN);
     if (setrlimit(RLIMIT_FSIZE, &bound) != 0) {
         _exit(125);
     }
