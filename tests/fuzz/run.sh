@@ -8,9 +8,19 @@
 # exit status is 1 then, and when a target did nothing. GLINT_SEED= repeats a run's choices.
 set -u
 
+fail() {
+    echo "tests/fuzz/run.sh: $*" >&2
+    exit 1
+}
+
+[ $# -ge 3 ] || fail "at least three arguments, not $#: BUILD SECONDS TARGET..."
 build=$1
 seconds=$2
 shift 2
+# To libFuzzer, 0 and what is no number stand for no limit at all.
+case $seconds in
+'' | 0* | *[!0-9]*) fail "SECONDS \"$seconds\" is no whole number above 0" ;;
+esac
 seed=${GLINT_SEED:-$(date +%s)}
 mkdir -p "$build/failures" "$build/logs"
 status=0

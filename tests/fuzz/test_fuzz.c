@@ -196,12 +196,27 @@ static void packets(void **state)
     try_target("packet", fuzz_packet, 3000);
 }
 
+/* libFuzzer would take these for no limit. */
+static void no_time_to_fuzz_is_refused(void **state)
+{
+    (void)state;
+    static const char *const seconds[] = {"0", "", "-1", "5s", "00"};
+    for (size_t i = 0; i < sizeof seconds / sizeof seconds[0]; i++) {
+        char command[128];
+        (void)snprintf(command, sizeof command,
+                       "tests/fuzz/run.sh /nonexistent '%s' png 2>&1 | grep -q SECONDS",
+                       seconds[i]);
+        assert_int_equal(system(command), 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(meshes),    cmocka_unit_test(scenes),         cmocka_unit_test(points),
-        cmocka_unit_test(divisions), cmocka_unit_test(render_options), cmocka_unit_test(pictures),
-        cmocka_unit_test(packets),
+        cmocka_unit_test(meshes),         cmocka_unit_test(scenes),
+        cmocka_unit_test(points),         cmocka_unit_test(divisions),
+        cmocka_unit_test(render_options), cmocka_unit_test(pictures),
+        cmocka_unit_test(packets),        cmocka_unit_test(no_time_to_fuzz_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
