@@ -10,9 +10,13 @@ static bool is_share(double x)
     return x >= 0.0 && x <= 1.0;
 }
 
+/* What is short of half a level by the rounding of doubles alone is half a level: a tenth of white,
+ * as 1 − 0.9, is 25.5 levels. */
+#define HALF (0.5 + 1e-9)
+
 static uint8_t component(double share)
 {
-    return (uint8_t)(share * FULL + 0.5);
+    return (uint8_t)(share * FULL + HALF);
 }
 
 static int largest(glint_rgb rgb)

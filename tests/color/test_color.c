@@ -110,6 +110,29 @@ static void what_differs_may_be_one_rgb_color(void **state)
     }
 }
 
+/* Half a level is rounded up though a double is a little short of it. */
+static void halves_are_rounded_up(void **state)
+{
+    (void)state;
+    static const glint_cmyk tenth[] = {{0, 0, 0, 0.9}, {0.5, 0.5, 0.5, 0.8}, {0.9, 0.9, 0.9, 0}};
+    static const glint_hsv red[] = {{0, 0.9, 1}, {0, 0.8, 0.5}, {360, 0.9, 1}};
+    glint_rgb rgb;
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(glint_rgb_of_cmyk(&tenth[i], &rgb), GLINT_OK);
+        assert_int_equal(code_of(rgb), 0x1a1a1a);
+        assert_int_equal(glint_rgb_of_hsv(&red[i], &rgb), GLINT_OK);
+        assert_int_equal(code_of(rgb) & 0xffff, 0x1a1a);
+    }
+    /* Every whole hue, percent and percent, against integers: v(100·60 − s·f)·255 / 600000. */
+    for (int f = 0; f < 60; f++)
+        for (int s = 0; s <= 100; s++)
+            for (int v = 0; v <= 100; v++) {
+                const glint_hsv hsv = {60 + f, s / 100.0, v / 100.0};
+                assert_int_equal(glint_rgb_of_hsv(&hsv, &rgb), GLINT_OK);
+                assert_int_equal(rgb.r, (v * (6000 - s * f) * 51 + 60000) / 120000);
+            }
+}
+
 /* Whole degrees and percents are too few for 2^24 colours; how many of them come back is quoted in
  * docs/frames.md. */
 static void whole_degrees_and_percents_lose_colors(void **state)
@@ -160,6 +183,7 @@ int main(void)
         cmocka_unit_test(every_rgb_comes_back_from_cmyk),
         cmocka_unit_test(known_colors),
         cmocka_unit_test(what_differs_may_be_one_rgb_color),
+        cmocka_unit_test(halves_are_rounded_up),
         cmocka_unit_test(whole_degrees_and_percents_lose_colors),
         cmocka_unit_test(values_out_of_range_are_refused),
     };
