@@ -157,6 +157,14 @@ static int parse(int argc, char **argv, energy_options *chosen)
     return status == GLINT_OPTIONS_RUN ? check(chosen) : status;
 }
 
+static bool is_there(const run *all, glint_reflectance_model model)
+{
+    for (int i = 0; i < all->plan.model_count; i++)
+        if (all->model[i] == model)
+            return true;
+    return false;
+}
+
 /* The names between commas. Returns an exit status or GLINT_OPTIONS_RUN. */
 static int find_models(run *all)
 {
@@ -172,14 +180,14 @@ static int find_models(run *all)
         const size_t length = strcspn(text, ",");
         (void)snprintf(name, sizeof name, "%.*s", length < 60 ? (int)length : 60, text);
         glint_quoted quoted;
-        if (*count == GLINT_REFLECTANCE_COUNT)
-            return glint_complain("energy", GLINT_EXIT_USAGE, "--model: more than %d names",
-                                  (int)GLINT_REFLECTANCE_COUNT);
-        if (!glint_reflectance_find(name, &all->model[*count]))
+        glint_reflectance_model model;
+        if (!glint_reflectance_find(name, &model))
             return glint_complain("energy", GLINT_EXIT_USAGE,
                                   "--model: there is no model %s (docs/models.md has them)",
                                   glint_quote(name, &quoted));
-        ++*count;
+        if (is_there(all, model))
+            return glint_complain("energy", GLINT_EXIT_USAGE, "--model: %s is there twice", name);
+        all->model[(*count)++] = model;
         more = text[length] != '\0';
         text += length;
     }

@@ -190,6 +190,8 @@ static void the_command_line_is_read_strictly(void **state)
          "glint energy: --model: there is no model \"blin\" (docs/models.md has them)\n"},
         {"energy --model blinn,",
          "glint energy: --model: there is no model \"\" (docs/models.md has them)\n"},
+        {"energy --model blinn,device,blinn",
+         "glint energy: --model: blinn is there twice\n"},
         {"energy --n 5,4",
          "glint energy: --n: \"5,4\" is not a list of exponents that ascend, as 1..1000 or "
          "1,5,80\n"},
