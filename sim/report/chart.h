@@ -6,6 +6,9 @@
 
 #define GLINT_CHART_CURVES_MAX 8
 
+/* For the settings of many curves. The empty line keeps the key off the variable's name. */
+#define GLINT_CHART_KEY_BELOW "set key below title ' '\n"
+
 typedef struct glint_chart {
     const char *name; /* of the files: NAME.dat, NAME.gnuplot, NAME.svg, NAME.png */
     const char *title;

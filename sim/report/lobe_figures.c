@@ -137,7 +137,7 @@ static glint_status draw_by_exponent(glint_report *report, const glint_chart *ch
     return glint_chart_draw(report, chart, values, exponents->count, err);
 }
 
-static const char by_exponent[] = "set logscale x\nset yrange [0:*]\nset key below\n";
+static const char by_exponent[] = "set logscale x\nset yrange [0:*]\n" GLINT_CHART_KEY_BELOW;
 static const glint_chart schlick_chart = {
     .name = "figure-2.3",
     .title = "Largest relative error where cos^n γ ≥ 0.6",

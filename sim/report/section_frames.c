@@ -71,7 +71,7 @@ static glint_status draw_times(glint_report *report, frames *f, glint_error *err
         .title = "Time of a frame against n",
         .x_label = "n",
         .y_label = "ms",
-        .settings = "set logscale x\nset yrange [0:*]\nset key below\n",
+        .settings = "set logscale x\nset yrange [0:*]\n" GLINT_CHART_KEY_BELOW,
         .curves = 4,
         .curve = {"sphere, cos^n", "sphere, cosine-quadratic", "teapot, cos^n",
                   "teapot, cosine-quadratic"},
