@@ -17,7 +17,9 @@ typedef struct glint_rounds {
     double rate[GLINT_CANDIDATES_MAX][GLINT_ROUNDS]; /* items a second */
 } glint_rounds;
 
-/* Measures candidates 0…count−1 for about `seconds` each; a pass is over `items` items. */
+/* Measures candidates 0…count−1 for about `seconds` each, on the calling thread; a pass is over
+ * `items` items. A rate is of the thread's own time: what others take of the processor is not in
+ * it. */
 glint_status glint_rounds_measure(glint_bench_pass *pass, void *work, int count, int items,
                                   double seconds, const volatile bool *stop, glint_rounds *rounds,
                                   glint_error *err);

@@ -1,8 +1,11 @@
 /* The bench of divisions: its own loops divide right, and its figures belong together. */
+#define _POSIX_C_SOURCE 200809L
+
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <time.h>
 
 #include <cmocka.h>
 
@@ -72,6 +75,23 @@ static void it_can_be_stopped(void **state)
     assert_string_equal(err.text, "interrupted");
 }
 
+static glint_status sleep_a_little(void *work, int candidate, glint_error *err)
+{
+    (void)work, (void)candidate, (void)err;
+    nanosleep(&(struct timespec){.tv_nsec = 5000000}, NULL);
+    return GLINT_OK;
+}
+
+/* As it would while others have the processor: 5 ms on the wall, next to nothing of its own. */
+static void waiting_is_not_measured(void **state)
+{
+    (void)state;
+    glint_rounds rounds;
+    assert_int_equal(glint_rounds_measure(sleep_a_little, NULL, 1, 1, 0.07, NULL, &rounds, NULL),
+                     GLINT_OK);
+    assert_true(glint_rounds_rate(&rounds, 0) > 3.0 / 0.005);
+}
+
 static void medians_are_of_rounds(void **state)
 {
     (void)state;
@@ -89,6 +109,7 @@ int main(void)
         cmocka_unit_test(the_machine_divides_every_difference),
         cmocka_unit_test(every_candidate_has_its_figures),
         cmocka_unit_test(it_can_be_stopped),
+        cmocka_unit_test(waiting_is_not_measured),
         cmocka_unit_test(medians_are_of_rounds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
