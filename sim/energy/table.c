@@ -53,22 +53,33 @@ static void fill_cell(const work *all, const glint_albedo *albedo, double degree
                                                      seed_of(plan, albedo->reflectance, degrees));
 }
 
-static void fill_row(work *all, int row)
+/* The model of a row: the plan's, or made in *own. */
+static glint_status prepare_row(const glint_energy_plan *plan, int worker, int row,
+                                glint_reflectance *own, const glint_reflectance **reflectance,
+                                glint_error *err)
 {
-    const glint_energy_plan *plan = &all->table->plan;
     const int model = row / plan->n_count;
     const glint_reflectance_parameters parameters = {.n = plan->n[row % plan->n_count],
                                                      .f0 = plan->f0};
-    glint_reflectance reflectance;
+    if (plan->prepare != NULL)
+        return plan->prepare(plan->prepare_context, worker, &parameters, reflectance, err);
+    *reflectance = own;
+    return glint_reflectance_prepare(plan->model[model], &parameters, own, err);
+}
+
+static void fill_row(work *all, int worker, int row)
+{
+    const glint_energy_plan *plan = &all->table->plan;
+    glint_reflectance own;
+    const glint_reflectance *reflectance;
     glint_albedo albedo;
     glint_error err;
-    if (glint_reflectance_prepare(plan->model[model], &parameters, &reflectance, &err) !=
-        GLINT_OK) {
+    if (prepare_row(plan, worker, row, &own, &reflectance, &err) != GLINT_OK) {
         if (!atomic_exchange(&all->failed, true))
             all->err = err;
         return;
     }
-    glint_albedo_prepare(&reflectance, &all->rules, &albedo);
+    glint_albedo_prepare(reflectance, &all->rules, &albedo);
     for (int i = 0; i < plan->angle_count; i++)
         fill_cell(all, &albedo, plan->angle[i],
                   &all->table->cell[(size_t)row * (size_t)plan->angle_count + (size_t)i]);
@@ -85,7 +96,7 @@ static void fill(void *context, int worker)
     const glint_energy_plan *plan = &all->table->plan;
     int row;
     while (!stopped(plan) && !all->failed && (row = atomic_fetch_add(&all->next, 1)) < all->rows) {
-        fill_row(all, row);
+        fill_row(all, worker, row);
         if (worker == 0 && plan->progress != NULL)
             plan->progress(plan->context, (uint64_t)row, (uint64_t)all->rows);
     }

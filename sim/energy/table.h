@@ -14,6 +14,12 @@ typedef struct glint_energy_plan {
     const double *angle; /* of incidence, degrees, 0 ≤ angle < 90 */
     int angle_count;
     double f0; /* of the microfacet models */
+    /* In the place of glint_reflectance_prepare(), of a plan with one model; may be NULL. What it
+     * gives must last until the same worker, 0 … threads − 1, asks again. */
+    glint_status (*prepare)(void *prepare_context, int worker,
+                            const glint_reflectance_parameters *parameters,
+                            const glint_reflectance **reflectance, glint_error *err);
+    void *prepare_context;
     bool quadrature;
     int samples; /* of each cell's Monte Carlo; 0: none */
     uint64_t seed;

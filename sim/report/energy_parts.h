@@ -18,19 +18,33 @@ typedef struct glint_energy_normal {
     double held[GLINT_ENERGY_N_MAX];    /* the same with a limit of at most π/2 */
     double claimed[GLINT_ENERGY_N_MAX]; /* (2.26) */
     double blinn[GLINT_ENERGY_N_MAX];   /* with (n+6)/(8π) */
-    double device[GLINT_ENERGY_N_MAX];
+    double device[GLINT_ENERGY_N_MAX], verilog[GLINT_ENERGY_N_MAX];
 } glint_energy_normal;
 
 typedef struct glint_energy_results {
     glint_energy_normal normal;
     const glint_energy_table *grid;  /* every model, by quadrature */
     const glint_energy_table *check; /* every model, by both methods, at fewer n and angles */
-    double asymmetry[GLINT_REFLECTANCE_COUNT]; /* the largest of (2.20), relative */
-    uint64_t pairs;                            /* compared for it, for each model */
-    glint_normalization claimed;               /* A = 6 with the smallest B */
-    glint_normalization least_mean; /* the best A and B by the one loss and by the other */
+    const glint_energy_table *verilog_grid, *verilog_check; /* the same, of the Verilog alone */
+    double asymmetry[GLINT_REFLECTANCE_COUNT];              /* the largest of (2.20), relative */
+    double verilog_asymmetry;
+    uint64_t pairs;                      /* compared for it, for each model */
+    glint_normalization claimed;         /* A = 6 with the smallest B */
+    glint_normalization device, verilog; /* the same for the circuit's W */
+    glint_normalization least_mean;      /* the best A and B by the one loss and by the other */
     glint_normalization least_largest;
 } glint_energy_results;
+
+/* The plan's exponents and incidences, for the one model `device` with the W of the Verilog. To be
+ * destroyed; the plan's arrays must outlive it. */
+glint_status glint_energy_verilog_table(const glint_energy_plan *plan, glint_energy_table **table,
+                                        glint_error *err);
+/* At normal incidence, by quadrature, n = 1…1000. */
+glint_status glint_energy_verilog_normal(const glint_report *report,
+                                         double albedo[GLINT_ENERGY_N_MAX], glint_error *err);
+/* The largest asymmetry of (2.20) over `count` exponents, each as glint_reciprocity_measure(). */
+glint_status glint_energy_verilog_asymmetry(const double *n, int count, uint64_t pairs,
+                                            uint64_t seed, double *largest, glint_error *err);
 
 glint_status glint_energy_draw(glint_report *report, const glint_energy_results *results,
                                glint_error *err);

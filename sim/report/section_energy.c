@@ -36,6 +36,15 @@ static int samples_of(const glint_report *report)
 /* ---- Measuring ---------------------------------------------------------------------------------
  */
 
+/* Every model's table and the Verilog's, both to be destroyed, whatever comes back. */
+static glint_status make_both(const glint_energy_plan *plan, glint_energy_table **table,
+                              glint_energy_table **verilog, glint_error *err)
+{
+    *table = *verilog = NULL;
+    const glint_status status = glint_energy_table_make(plan, table, err);
+    return status == GLINT_OK ? glint_energy_verilog_table(plan, verilog, err) : status;
+}
+
 static glint_status normal_of(glint_reflectance_model model, const glint_albedo_rules *rules,
                               double *albedo, glint_error *err)
 {
@@ -53,7 +62,8 @@ static glint_status normal_of(glint_reflectance_model model, const glint_albedo_
     return GLINT_OK;
 }
 
-static glint_status measure_normal(glint_energy_normal *normal, glint_error *err)
+static glint_status measure_normal(const glint_report *report, glint_energy_normal *normal,
+                                   glint_error *err)
 {
     const struct {
         glint_reflectance_model model;
@@ -72,7 +82,7 @@ static glint_status measure_normal(glint_energy_normal *normal, glint_error *err
         normal->printed[i] = glint_printed_albedo(i + 1, limit);
         normal->held[i] = glint_printed_albedo(i + 1, fmin(limit, acos(0.0)));
     }
-    return status;
+    return status == GLINT_OK ? glint_energy_verilog_normal(report, normal->verilog, err) : status;
 }
 
 static glint_status measure_reciprocity(const glint_report *report, glint_energy_results *results,
@@ -96,13 +106,18 @@ static glint_status measure_reciprocity(const glint_report *report, glint_energy
         if (model == 0)
             results->pairs += found.pairs;
     }
-    return GLINT_OK;
+    return glint_energy_verilog_asymmetry(sphere_n, COUNT(sphere_n), (uint64_t)samples_of(report),
+                                          SEED, &results->verilog_asymmetry, err);
 }
 
 static void search_factors(glint_energy_results *results)
 {
     const double *w = results->normal.w;
     glint_normalization_for(GLINT_ENERGY_A, w, GLINT_ENERGY_N_MAX, &results->claimed);
+    glint_normalization_for(GLINT_ENERGY_A, results->normal.device, GLINT_ENERGY_N_MAX,
+                            &results->device);
+    glint_normalization_for(GLINT_ENERGY_A, results->normal.verilog, GLINT_ENERGY_N_MAX,
+                            &results->verilog);
     glint_normalization_best(GLINT_LOSS_MEAN, w, GLINT_ENERGY_N_MAX, &results->least_mean);
     glint_normalization_best(GLINT_LOSS_LARGEST, w, GLINT_ENERGY_N_MAX, &results->least_largest);
 }
@@ -136,18 +151,37 @@ static void write_range(FILE *out, const glint_energy_summary *summary)
         fprintf(out, "| %d: %g…%g ", summary->n_above, summary->first_above, summary->last_above);
 }
 
+static void write_row(FILE *out, const char *name, const glint_energy_summary *grid,
+                      const glint_energy_summary *check, double asymmetry)
+{
+    fprintf(out, "| %s | %.6f | %g | %g° ", name, grid->largest, grid->largest_n,
+            grid->largest_angle);
+    write_range(out, grid);
+    fprintf(out, "| %.0f, %.0f, %.1f | %.3g |\n",
+            100.0 * (double)check->within_1 / (double)check->cells,
+            100.0 * (double)check->within_2 / (double)check->cells,
+            100.0 * (double)check->within_3 / (double)check->cells, asymmetry);
+}
+
+static const char *name_of(int model)
+{
+    return model == GLINT_REFLECTANCE_DEVICE ? "*device*, C model" : glint_reflectance_names[model];
+}
+
 static void write_model(FILE *out, const glint_energy_results *results, int model)
 {
     glint_energy_summary grid, check;
     glint_energy_summarize(results->grid, model, &grid);
     glint_energy_summarize(results->check, model, &check);
-    fprintf(out, "| %s | %.6f | %g | %g° ", glint_reflectance_names[model], grid.largest,
-            grid.largest_n, grid.largest_angle);
-    write_range(out, &grid);
-    fprintf(out, "| %.0f, %.0f, %.1f | %.3g |\n",
-            100.0 * (double)check.within_1 / (double)check.cells,
-            100.0 * (double)check.within_2 / (double)check.cells,
-            100.0 * (double)check.within_3 / (double)check.cells, results->asymmetry[model]);
+    write_row(out, name_of(model), &grid, &check, results->asymmetry[model]);
+}
+
+static void write_verilog(FILE *out, const glint_energy_results *results)
+{
+    glint_energy_summary grid, check;
+    glint_energy_summarize(results->verilog_grid, 0, &grid);
+    glint_energy_summarize(results->verilog_check, 0, &check);
+    write_row(out, "*device*, Verilog", &grid, &check, results->verilog_asymmetry);
 }
 
 static void write_models(FILE *out, const glint_energy_results *results)
@@ -158,6 +192,7 @@ static void write_models(FILE *out, const glint_energy_results *results)
         out);
     for (int i = 0; i < GLINT_REFLECTANCE_COUNT; i++)
         write_model(out, results, i);
+    write_verilog(out, results);
     fprintf(
         out,
         "\n*Asymmetry* is the largest difference of f_r(L,V) from f_r(V,L) (2.20), relative, "
@@ -202,17 +237,20 @@ static void write_factors(FILE *out, const glint_energy_results *results)
           "|---|--:|--:|--:|--:|--:|--:|\n",
           out);
     write_factor(out, "A of (2.26)", &results->claimed);
+    write_factor(out, "the same, *device*, C model", &results->device);
+    write_factor(out, "the same, *device*, Verilog", &results->verilog);
     write_factor(out, "least mean loss", &results->least_mean);
     write_factor(out, "least largest loss", &results->least_largest);
 }
 
+/* A row of the table: what it says and what its file is called. */
 static glint_status write_strip(glint_report *report, const glint_energy_table *table, int model,
-                                glint_error *err)
+                                const char *title, const char *file, glint_error *err)
 {
     char name[64];
     glint_place place;
     glint_image *image;
-    (void)snprintf(name, sizeof name, "furnace-%s.png", glint_reflectance_names[model]);
+    (void)snprintf(name, sizeof name, "furnace-%s.png", file);
     glint_status status = glint_place_in(report->directory, name, &place, err);
     if (status == GLINT_OK)
         status = glint_furnace_picture(table, model, 1, report->quick ? 24 : 72, &image, err);
@@ -220,13 +258,12 @@ static glint_status write_strip(glint_report *report, const glint_energy_table *
         return status;
     status = glint_image_write_png(image, place.path, err);
     glint_image_destroy(image);
-    fprintf(report->markdown, "| %s | ![%s in the white furnace](%s) |\n",
-            glint_reflectance_names[model], glint_reflectance_names[model], name);
+    fprintf(report->markdown, "| %s | ![%s in the white furnace](%s) |\n", title, file, name);
     return status;
 }
 
 static glint_status write_strips(glint_report *report, const glint_energy_table *table,
-                                 glint_error *err)
+                                 const glint_energy_table *verilog, glint_error *err)
 {
     fputs(
         "\n### In a white furnace\n\n"
@@ -240,23 +277,25 @@ static glint_status write_strips(glint_report *report, const glint_energy_table 
     fputs(".\n\n| model | |\n|---|---|\n", report->markdown);
     glint_status status = GLINT_OK;
     for (int i = 0; i < GLINT_REFLECTANCE_COUNT && status == GLINT_OK; i++)
-        status = write_strip(report, table, i, err);
-    return status;
+        status = write_strip(report, table, i, name_of(i), glint_reflectance_names[i], err);
+    return status == GLINT_OK
+               ? write_strip(report, verilog, 0, "*device*, Verilog", "device-verilog", err)
+               : status;
 }
 
 static glint_status write_furnace(glint_report *report, const glint_energy_plan *plan,
                                   glint_error *err)
 {
     glint_energy_plan spheres = *plan;
-    glint_energy_table *table;
+    glint_energy_table *table = NULL, *verilog = NULL;
     spheres.n = sphere_n;
     spheres.n_count = COUNT(sphere_n);
-    glint_status status = glint_energy_table_make(&spheres, &table, err);
-    if (status != GLINT_OK)
-        return status;
-    status = write_strips(report, table, err);
+    const glint_status status = make_both(&spheres, &table, &verilog, err);
+    const glint_status written =
+        status == GLINT_OK ? write_strips(report, table, verilog, err) : status;
     glint_energy_table_destroy(table);
-    return status;
+    glint_energy_table_destroy(verilog);
+    return written;
 }
 
 static bool add_factor(cJSON *numbers, const char *name, const glint_normalization *factor)
@@ -268,16 +307,17 @@ static bool add_factor(cJSON *numbers, const char *name, const glint_normalizati
            cJSON_AddNumberToObject(object, "largest_loss", factor->largest_loss) != NULL;
 }
 
-static bool add_model(cJSON *models, const glint_energy_results *results, int model)
+static bool add_model(cJSON *models, const char *name, const glint_energy_table *grid, int model,
+                      double asymmetry)
 {
     glint_energy_summary summary;
-    glint_energy_summarize(results->grid, model, &summary);
-    cJSON *object = cJSON_AddObjectToObject(models, glint_reflectance_names[model]);
+    glint_energy_summarize(grid, model, &summary);
+    cJSON *object = cJSON_AddObjectToObject(models, name);
     return object != NULL && cJSON_AddNumberToObject(object, "largest", summary.largest) != NULL &&
            cJSON_AddNumberToObject(object, "largest_n", summary.largest_n) != NULL &&
            cJSON_AddNumberToObject(object, "largest_angle", summary.largest_angle) != NULL &&
            cJSON_AddNumberToObject(object, "exponents_above_1", summary.n_above) != NULL &&
-           cJSON_AddNumberToObject(object, "asymmetry", results->asymmetry[model]) != NULL;
+           cJSON_AddNumberToObject(object, "asymmetry", asymmetry) != NULL;
 }
 
 static glint_status add_numbers(cJSON *numbers, const glint_energy_results *results,
@@ -285,10 +325,15 @@ static glint_status add_numbers(cJSON *numbers, const glint_energy_results *resu
 {
     cJSON *models = cJSON_AddObjectToObject(numbers, "models");
     bool whole = models != NULL && add_factor(numbers, "smallest_b", &results->claimed) &&
+                 add_factor(numbers, "smallest_b_device", &results->device) &&
+                 add_factor(numbers, "smallest_b_device_verilog", &results->verilog) &&
                  add_factor(numbers, "least_mean_loss", &results->least_mean) &&
                  add_factor(numbers, "least_largest_loss", &results->least_largest);
     for (int i = 0; i < GLINT_REFLECTANCE_COUNT && whole; i++)
-        whole = add_model(models, results, i);
+        whole =
+            add_model(models, glint_reflectance_names[i], results->grid, i, results->asymmetry[i]);
+    whole = whole && add_model(models, "device-verilog", results->verilog_grid, 0,
+                               results->verilog_asymmetry);
     return whole ? GLINT_OK
                  : glint_fail(err, GLINT_NO_MEMORY, "no memory for the energy's numbers");
 }
@@ -316,7 +361,7 @@ static glint_status write_text(glint_report *report, const glint_energy_results 
 static glint_status measure_rest(glint_report *report, glint_energy_results *results,
                                  glint_error *err)
 {
-    glint_status status = measure_normal(&results->normal, err);
+    glint_status status = measure_normal(report, &results->normal, err);
     if (status == GLINT_OK)
         status = measure_reciprocity(report, results, err);
     if (status != GLINT_OK)
@@ -351,18 +396,19 @@ static glint_status measure_check(glint_report *report, const glint_energy_plan 
                                   glint_energy_results *results, glint_error *err)
 {
     glint_energy_plan fewer = *plan;
-    glint_energy_table *table;
+    glint_energy_table *table, *verilog;
     fewer.n = check_n;
     fewer.n_count = COUNT(check_n);
     fewer.angle = check_angle;
     fewer.angle_count = COUNT(check_angle);
     fewer.samples = samples_of(report);
-    glint_status status = glint_energy_table_make(&fewer, &table, err);
-    if (status != GLINT_OK)
-        return status;
+    glint_status status = make_both(&fewer, &table, &verilog, err);
     results->check = table;
-    status = measure_rest(report, results, err);
+    results->verilog_check = verilog;
+    if (status == GLINT_OK)
+        status = measure_rest(report, results, err);
     glint_energy_table_destroy(table);
+    glint_energy_table_destroy(verilog);
     return status;
 }
 
@@ -370,14 +416,15 @@ static glint_status write_section(glint_report *report, grid *axes, glint_energy
                                   glint_error *err)
 {
     glint_energy_plan plan;
-    glint_energy_table *table;
+    glint_energy_table *table, *verilog;
     fill_grid(report, axes, &plan);
-    glint_status status = glint_energy_table_make(&plan, &table, err);
-    if (status != GLINT_OK)
-        return status;
+    glint_status status = make_both(&plan, &table, &verilog, err);
     results->grid = table;
-    status = measure_check(report, &plan, results, err);
+    results->verilog_grid = verilog;
+    if (status == GLINT_OK)
+        status = measure_check(report, &plan, results, err);
     glint_energy_table_destroy(table);
+    glint_energy_table_destroy(verilog);
     return status;
 }
 

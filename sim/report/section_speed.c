@@ -25,8 +25,12 @@ static void write_table(FILE *out, const glint_bench_formula_rates *rates)
 static void write_device(FILE *out, const glint_bench_rates *rates)
 {
     fprintf(out,
-            "\nThe device by the same points, three colours each: the C model %.0f million, the "
-            "Verilog under Verilator\n%.1f million with one lane, %.1f million with 16.\n",
+            "| *device*, C model | | | %.0f | |\n"
+            "| *device*, Verilog, one lane | %.1f | | | |\n"
+            "| *device*, Verilog, 16 lanes | | | %.1f | |\n\n"
+            "The *device* gives W and three colours for each of the same points; it is measured in "
+            "rounds of its own, so its\nrows have no ratio. The Verilog is simulated, by "
+            "Verilator: one point after the other, or 16 a clock.\n",
             rates->points[GLINT_BENCH_C_BATCH] * 1e-6, rates->points[GLINT_BENCH_RTL_1] * 1e-6,
             rates->points[GLINT_BENCH_RTL_16] * 1e-6);
 }

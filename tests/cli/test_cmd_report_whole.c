@@ -162,6 +162,44 @@ static void the_device_stands_beside_the_formulas(void **state)
     cJSON_Delete(json);
 }
 
+/* In the table of every section on highlights. */
+static void both_circuits_have_their_rows(void **state)
+{
+    (void)state;
+    static const char *const rows[] = {"| *device*, C model | `(2.15)",
+                                       "| *device*, Verilog | `the same",
+                                       "| *device*, C model | 2.783876 | 1 | 0° | 19: 1…19 |",
+                                       "| *device*, Verilog | 2.783876 | 1 | 0° | 19: 1…19 |",
+                                       "| the same, *device*, C model | 6 | 25.9440",
+                                       "| the same, *device*, Verilog | 6 | 25.9440",
+                                       "| *device*, Verilog | ![device-verilog in the white",
+                                       "| c | blinn |",
+                                       "| rtl | blinn |",
+                                       "| *device*, C model | | | ",
+                                       "| *device*, Verilog, one lane | ",
+                                       "| *device*, Verilog, 16 lanes | | | "};
+    static const char *const numbers[] = {"largest", "largest_n", "largest_angle",
+                                          "exponents_above_1", "asymmetry"};
+    char *text = read_report("index.md");
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
+        assert_says(text, rows[i]);
+    free(text);
+    /* The C model and the Verilog are one circuit: to the last bit. */
+    cJSON *json = read_json();
+    const cJSON *energy = cJSON_GetObjectItem(json, "energy");
+    const cJSON *models = cJSON_GetObjectItem(energy, "models");
+    const cJSON *model = cJSON_GetObjectItem(models, "device");
+    const cJSON *verilog = cJSON_GetObjectItem(models, "device-verilog");
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+        assert_true(cJSON_GetObjectItem(model, numbers[i])->valuedouble ==
+                    cJSON_GetObjectItem(verilog, numbers[i])->valuedouble);
+    assert_true(
+        cJSON_GetObjectItem(cJSON_GetObjectItem(energy, "smallest_b_device"), "b")->valuedouble ==
+        cJSON_GetObjectItem(cJSON_GetObjectItem(energy, "smallest_b_device_verilog"), "b")
+            ->valuedouble);
+    cJSON_Delete(json);
+}
+
 static void the_page_stands_alone(void **state)
 {
     (void)state;
@@ -302,6 +340,7 @@ int main(void)
         cmocka_unit_test(claims_have_their_verdicts),
         cmocka_unit_test(claims_have_their_conditions),
         cmocka_unit_test(the_device_stands_beside_the_formulas),
+        cmocka_unit_test(both_circuits_have_their_rows),
         cmocka_unit_test(the_page_stands_alone),
         cmocka_unit_test(figures_are_drawn),
         cmocka_unit_test(the_summary_counts_the_verdicts),
