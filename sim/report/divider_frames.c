@@ -29,9 +29,9 @@ static const struct {
 typedef struct studio {
     const char *directory;
     const volatile bool *stop;
-    glint_renderer *renderer;
+    glint_renderer *renderer, *verilog;
     glint_scene scene;
-    glint_image *exact, *frame;
+    glint_image *exact, *frame, *by_verilog;
 } studio;
 
 static glint_status write_picture(const studio *s, const glint_image *image, const char *name,
@@ -69,6 +69,18 @@ static glint_status make_exact(studio *s, glint_divider_scene *scene, glint_erro
     return status == GLINT_OK ? write_picture(s, s->exact, scene->exact_picture, err) : status;
 }
 
+/* Whether the circuit draws what its C model draws. */
+static glint_status compare_verilog(studio *s, glint_divider_frame *frame, glint_error *err)
+{
+    glint_image_difference difference;
+    glint_status status = glint_render(s->verilog, &s->scene, s->by_verilog, s->stop, NULL, err);
+    if (status == GLINT_OK)
+        status = glint_image_compare(s->frame, s->by_verilog, &difference, err);
+    if (status == GLINT_OK)
+        frame->verilog_pixels = difference.differing_pixels + difference.mask_pixels;
+    return status;
+}
+
 static glint_status make_frame(studio *s, glint_divider_scene *scene, glint_divider_frame *frame,
                                glint_error *err)
 {
@@ -81,6 +93,8 @@ static glint_status make_frame(studio *s, glint_divider_scene *scene, glint_divi
     scene->divisions = stats.divisions;
     if (status == GLINT_OK)
         status = glint_image_compare(s->exact, s->frame, &frame->difference, err);
+    if (status == GLINT_OK)
+        status = compare_verilog(s, frame, err);
     if (status == GLINT_OK)
         status = write_picture(s, s->frame, frame->picture, err);
     return status == GLINT_OK ? write_difference(s, frame->difference_picture, err) : status;
@@ -98,14 +112,20 @@ static glint_status make_scene(studio *s, glint_divider_scene *scene, glint_erro
 
 static glint_status open_studio(studio *s, int threads, glint_error *err)
 {
-    const glint_backend_config config = {.kind = GLINT_BACKEND_C,
-                                         .pipeline = GLINT_PIPELINE_PIPELINED};
+    const glint_backend_config model = {.kind = GLINT_BACKEND_C,
+                                        .pipeline = GLINT_PIPELINE_PIPELINED};
+    const glint_backend_config verilog = {.kind = GLINT_BACKEND_RTL,
+                                          .pipeline = GLINT_PIPELINE_PIPELINED};
     const int width = GLINT_DIVIDER_FRAME_WIDTH, height = GLINT_DIVIDER_FRAME_HEIGHT;
     glint_scene_defaults(&s->scene);
     s->scene.shading = GLINT_SHADING_GOURAUD;
-    glint_status status = glint_renderer_create(width, height, threads, &config, &s->renderer, err);
+    glint_status status = glint_renderer_create(width, height, threads, &model, &s->renderer, err);
+    if (status == GLINT_OK)
+        status = glint_renderer_create(width, height, threads, &verilog, &s->verilog, err);
     if (status == GLINT_OK)
         status = glint_image_create(width, height, &s->exact, err);
+    if (status == GLINT_OK)
+        status = glint_image_create(width, height, &s->by_verilog, err);
     return status == GLINT_OK ? glint_image_create(width, height, &s->frame, err) : status;
 }
 
@@ -128,6 +148,8 @@ glint_status glint_divider_render_scenes(const char *directory, int threads,
     }
     glint_image_destroy(s.exact);
     glint_image_destroy(s.frame);
+    glint_image_destroy(s.by_verilog);
     glint_renderer_destroy(s.renderer);
+    glint_renderer_destroy(s.verilog);
     return status;
 }

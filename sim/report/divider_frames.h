@@ -19,6 +19,7 @@ extern const int glint_divider_frame_shifts[GLINT_DIVIDER_FRAMES];
 typedef struct glint_divider_frame {
     int shifts;
     glint_image_difference difference; /* from the exact frame */
+    uint64_t verilog_pixels;           /* of the frame by the Verilog that differ from it */
     char picture[64];                  /* file names in the directory */
     char difference_picture[64];
 } glint_divider_frame;
@@ -32,8 +33,8 @@ typedef struct glint_divider_scene {
     glint_divider_frame frames[GLINT_DIVIDER_FRAMES];
 } glint_divider_scene;
 
-/* Renders all of it (640x480, the default scene, highlights by the C model) and writes the pictures
- * into the directory, which is there. */
+/* Renders all of it (640x480, the default scene, highlights and quotients by the C model, then by
+ * the Verilog) and writes the pictures of the C model into the directory, which is there. */
 glint_status glint_divider_render_scenes(const char *directory, int threads,
                                          const volatile bool *stop,
                                          glint_divider_scene scenes[GLINT_DIVIDER_SCENES],

@@ -105,6 +105,7 @@ static cJSON *frame_json(const glint_divider_frame *frame)
     cJSON_AddNumberToObject(json, "largest", frame->difference.largest);
     cJSON_AddNumberToObject(json, "differing_pixels", (double)frame->difference.differing_pixels);
     cJSON_AddNumberToObject(json, "object_pixels", (double)frame->difference.object_pixels);
+    cJSON_AddNumberToObject(json, "verilog_differing_pixels", (double)frame->verilog_pixels);
     cJSON_AddStringToObject(json, "picture", frame->picture);
     cJSON_AddStringToObject(json, "difference_picture", frame->difference_picture);
     return json;

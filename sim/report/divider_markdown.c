@@ -178,12 +178,12 @@ static void write_frame(FILE *out, const glint_divider_scene *scene,
 {
     fprintf(out,
             "| %s, density %d | %" PRIu64 " | %" PRIu64 " | %d | %.3g | %d | %.2f %% | "
-            "[frame](%s), [difference](%s) |\n",
+            "%" PRIu64 " | [frame](%s), [difference](%s) |\n",
             scene->model, scene->density, scene->drawn, scene->divisions, frame->shifts,
             frame->difference.nmse, frame->difference.largest,
             100.0 * (double)frame->difference.differing_pixels /
                 (double)frame->difference.object_pixels,
-            frame->picture, frame->difference_picture);
+            frame->verilog_pixels, frame->picture, frame->difference_picture);
 }
 
 static void write_pictures(FILE *out, const glint_divider_scene *scene)
@@ -208,8 +208,10 @@ static void write_frames(FILE *out, const glint_divider_scene *scenes, const cha
         "What is left at %d shifts is no matter of the table's bits: a run longer than %d steps "
         "is cut, and its values\nat the cuts are rounded to 8 bits; and an exact half is rounded "
         "up, which the least error below turns down.\n\n"
+        "The frames are by the C model of the divider; *by the Verilog* is how many pixels of the "
+        "same frames\ndiffer from them when the circuit is simulated.\n\n"
         "| model | triangles drawn | divisions | shifts | NMSE | largest, levels | pixels that "
-        "differ | |\n|---|---:|---:|---:|---:|---:|---:|---|\n",
+        "differ | by the Verilog | |\n|---|---:|---:|---:|---:|---:|---:|---:|---|\n",
         level, GLINT_DIVIDER_FRAME_WIDTH, GLINT_DIVIDER_FRAME_HEIGHT, GLINT_DIVIDER_SHIFTS_MAX,
         GLINT_DIVIDER_K_MAX);
     for (int i = 0; i < GLINT_DIVIDER_SCENES; i++)

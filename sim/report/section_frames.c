@@ -107,7 +107,7 @@ static void find_times(glint_findings *findings, const glint_frame_times *times,
         SAY(finding->measured, "%.0f to %.0f %% less time (below 0: more)", least, most);
         SAY(finding->conditions,
             "this machine and renderer, %d threads, %dx%d, median of %d pairs for each of %d "
-            "exponents",
+            "exponents; it holds where 20 %% are reached at one of them",
             threads, times->width, times->height, times->frames, times->count);
     }
 }

@@ -136,6 +136,8 @@ static void check_scene(const cJSON *scene)
         assert_int_equal(glint_image_compare(exact, frame, &difference, &err), GLINT_OK);
         assert_true(fabs(number(entry, "nmse") / difference.nmse - 1.0) < 1e-12);
         assert_int_equal(difference.largest, number(entry, "largest"));
+        assert_true(cJSON_IsNumber(cJSON_GetObjectItem(entry, "verilog_differing_pixels")));
+        assert_true(number(entry, "verilog_differing_pixels") == 0.0);
         assert_int_equal(difference.mask_pixels, 0);
         assert_true(difference.object_pixels > 50000);
         assert_true(difference.nmse > 0.0 && difference.nmse <= before);
