@@ -75,9 +75,10 @@ static glint_status measure_method(const glint_report *report, const glint_scene
     if (status != GLINT_OK)
         return status;
     for (int i = 0; i < errors->count && status == GLINT_OK; i++) {
-        glint_study_row row;
-        status = glint_study_run(study, errors->n[i], 0, report->stop, &row, err);
-        nmse[i] = row.difference.nmse;
+        glint_image_difference difference;
+        status = glint_study_compare(study, errors->n[i], report->stop, &difference, err);
+        if (status == GLINT_OK)
+            nmse[i] = difference.nmse;
     }
     glint_study_destroy(study);
     return status;

@@ -204,8 +204,9 @@ static glint_status count_highlit(glint_study *study, int which, int n, const vo
     return status;
 }
 
-static glint_status compare(glint_study *study, int n, const volatile bool *stop,
-                            glint_study_row *row, glint_error *err)
+/* Renders both and compares them. */
+static glint_status compare_pictures(glint_study *study, int n, const volatile bool *stop,
+                                     glint_study_row *row, glint_error *err)
 {
     glint_status status = GLINT_OK;
     for (int i = 0; status == GLINT_OK && i < 2; i++) {
@@ -225,6 +226,16 @@ static glint_status compare(glint_study *study, int n, const volatile bool *stop
     if (row->difference.object_pixels == 0) {
         return glint_fail(err, GLINT_BAD_INPUT,
                           "nothing to compare: no pixel of the object is in the frame");
+    }
+    return GLINT_OK;
+}
+
+static glint_status compare(glint_study *study, int n, const volatile bool *stop,
+                            glint_study_row *row, glint_error *err)
+{
+    glint_status status = compare_pictures(study, n, stop, row, err);
+    if (status != GLINT_OK) {
+        return status;
     }
     glint_renderer_triangles(study->side[0].renderer, study->seen);
     row->seen = count_triangles(study, NULL, NULL);
@@ -272,11 +283,32 @@ static glint_status time_frames(glint_study *study, int n, int frames, const vol
     return GLINT_OK;
 }
 
+static glint_status check_n(int n, glint_error *err)
+{
+    return n >= 0 && n <= (int)GLINT_N_MAX
+               ? GLINT_OK
+               : glint_fail(err, GLINT_BAD_ARGUMENT, "n = %d is not from 0 to %u", n, GLINT_N_MAX);
+}
+
+glint_status glint_study_compare(glint_study *study, int n, const volatile bool *stop,
+                                 glint_image_difference *difference, glint_error *err)
+{
+    glint_study_row row;
+    glint_status status = check_n(n, err);
+    if (status == GLINT_OK) {
+        status = compare_pictures(study, n, stop, &row, err);
+    }
+    if (status == GLINT_OK) {
+        *difference = row.difference;
+    }
+    return status;
+}
+
 glint_status glint_study_run(glint_study *study, int n, int frames, const volatile bool *stop,
                              glint_study_row *row, glint_error *err)
 {
-    if (n < 0 || n > (int)GLINT_N_MAX) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "n = %d is not from 0 to %u", n, GLINT_N_MAX);
+    if (check_n(n, err) != GLINT_OK) {
+        return GLINT_BAD_ARGUMENT;
     }
     if (frames < 0 || frames > GLINT_STUDY_FRAMES_MAX) {
         return glint_fail(err, GLINT_BAD_ARGUMENT, "%d frames: not from 0 to %d", frames,

@@ -69,7 +69,11 @@ typedef struct glint_study_row {
 glint_status glint_study_run(glint_study *study, int n, int frames, const volatile bool *stop,
                              glint_study_row *row, glint_error *err);
 
-/* The picture of method 0 or 1 in the last run. */
+/* How the pictures differ and nothing else: half the work of a run without times. Fails alike. */
+glint_status glint_study_compare(glint_study *study, int n, const volatile bool *stop,
+                                 glint_image_difference *difference, glint_error *err);
+
+/* The picture of method 0 or 1 in the last run or comparison. */
 const glint_image *glint_study_picture(const glint_study *study, int method);
 
 #endif

@@ -261,6 +261,27 @@ static void methods_have_names(void **state)
     }
 }
 
+static void a_comparison_is_that_of_a_run(void **state)
+{
+    (void)state;
+    glint_mesh *mesh = sphere(16);
+    const glint_study_setup setup = setup_of(mesh, "blinn", "quadratic");
+    glint_study *study = open_study(&setup);
+    glint_image_difference difference;
+    glint_error err;
+    const volatile bool stop = true;
+    const glint_study_row row = run(study, 20, 0);
+    assert_int_equal(glint_study_compare(study, 20, NULL, &difference, &err), GLINT_OK);
+    assert_true(difference.nmse > 0.0 && difference.nmse == row.difference.nmse);
+    assert_true(difference.psnr == row.difference.psnr);
+    assert_int_equal(difference.largest, row.difference.largest);
+    assert_int_equal(glint_study_compare(study, 1024, NULL, &difference, &err), GLINT_BAD_ARGUMENT);
+    assert_int_equal(glint_study_compare(study, 0, NULL, &difference, &err), GLINT_BAD_ARGUMENT);
+    assert_int_equal(glint_study_compare(study, 5, &stop, &difference, &err), GLINT_INTERRUPTED);
+    glint_study_destroy(study);
+    glint_mesh_destroy(mesh);
+}
+
 static void what_cannot_be_studied_is_refused(void **state)
 {
     (void)state;
@@ -400,6 +421,7 @@ int main(void)
         cmocka_unit_test(threads_do_not_change_the_numbers),
         cmocka_unit_test(the_scene_of_figure_3_9),
         cmocka_unit_test(methods_have_names),
+        cmocka_unit_test(a_comparison_is_that_of_a_run),
         cmocka_unit_test(what_cannot_be_studied_is_refused),
         cmocka_unit_test(a_sheet_holds_the_pictures),
         cmocka_unit_test(a_sheet_has_words),
