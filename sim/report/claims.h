@@ -24,7 +24,7 @@ typedef struct glint_claim {
     double measured;
     bool undecided; /* what was measured rests on the stated number itself */
     bool holds;     /* false where it is undecided */
-    const char *note; /* NULL: none */
+    const char *note; /* under what conditions, or why not */
 } glint_claim;
 
 #define GLINT_CLAIMS_MAX 32

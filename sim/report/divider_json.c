@@ -53,8 +53,7 @@ static void add_claims(cJSON *json, const glint_claims *claims)
             cJSON_AddNullToObject(entry, "holds");
         else
             cJSON_AddBoolToObject(entry, "holds", claim->holds);
-        if (claim->note != NULL)
-            cJSON_AddStringToObject(entry, "note", claim->note);
+        cJSON_AddStringToObject(entry, "note", claim->note);
         cJSON_AddItemToArray(list, entry);
     }
 }

@@ -20,12 +20,12 @@ static void write_claims(FILE *out, const glint_claims *claims, const char *leve
             level, held, claims->count, undecided);
     for (int i = 0; i < claims->count; i++) {
         const glint_claim *claim = &claims->claim[i];
-        fprintf(out, "| %s | %.*f | %.8g | %s%s%s |\n", claim->what, claim->decimals, claim->stated,
+        fprintf(out, "| %s | %.*f | %.8g | %s: %s |\n", claim->what, claim->decimals, claim->stated,
                 claim->measured,
                 claim->undecided ? "cannot be decided"
                 : claim->holds   ? "holds"
                                  : "**does not hold**",
-                claim->note != NULL ? ": " : "", claim->note != NULL ? claim->note : "");
+                claim->note);
     }
 }
 
@@ -178,7 +178,7 @@ static void write_frame(FILE *out, const glint_divider_scene *scene,
 {
     fprintf(out,
             "| %s, density %d | %" PRIu64 " | %" PRIu64 " | %d | %.3g | %d | %.2f %% | "
-            "%" PRIu64 " | [frame](%s), [difference](%s) |\n",
+            "%" PRIu64 " | ![frame](%s) | ![difference](%s) |\n",
             scene->model, scene->density, scene->drawn, scene->divisions, frame->shifts,
             frame->difference.nmse, frame->difference.largest,
             100.0 * (double)frame->difference.differing_pixels /
@@ -211,7 +211,8 @@ static void write_frames(FILE *out, const glint_divider_scene *scenes, const cha
         "The frames are by the C model of the divider; *by the Verilog* is how many pixels of the "
         "same frames\ndiffer from them when the circuit is simulated.\n\n"
         "| model | triangles drawn | divisions | shifts | NMSE | largest, levels | pixels that "
-        "differ | by the Verilog | |\n|---|---:|---:|---:|---:|---:|---:|---:|---|\n",
+        "differ | by the Verilog | frame | difference |\n"
+        "|---|---:|---:|---:|---:|---:|---:|---:|---|---|\n",
         level, GLINT_DIVIDER_FRAME_WIDTH, GLINT_DIVIDER_FRAME_HEIGHT, GLINT_DIVIDER_SHIFTS_MAX,
         GLINT_DIVIDER_K_MAX);
     for (int i = 0; i < GLINT_DIVIDER_SCENES; i++)

@@ -17,8 +17,7 @@ static void add_findings(glint_findings *findings, const glint_claims *claims)
         snprintf(finding->claim, sizeof finding->claim, "%s: %.*f", claim->what, claim->decimals,
                  claim->stated);
         snprintf(finding->measured, sizeof finding->measured, "%.8g", claim->measured);
-        snprintf(finding->conditions, sizeof finding->conditions, "%s",
-                 claim->note != NULL ? claim->note : "");
+        snprintf(finding->conditions, sizeof finding->conditions, "%s", claim->note);
     }
 }
 

@@ -55,15 +55,15 @@ static void the_markdown_has_the_numbers(void **state)
 {
     (void)state;
     static const char *const parts[] = {
-        "| 36.4286 | 36.428571 | holds |",
-        "| 35.8594 | 35.859375 | holds |",
-        "| 0.5692 | 0.56919643 | holds |",
+        "| 36.4286 | 36.428571 | holds: ",
+        "| 35.8594 | 35.859375 | holds: ",
+        "| 0.5692 | 0.56919643 | holds: ",
         "| 0.5693 | 0.56919643 | **does not hold**",
-        "| 1.56 | 1.5625 | holds |",
+        "| 1.56 | 1.5625 | holds: ",
         "| 0.4427 | 0.44270833 | holds",
-        "| 0.81 | 0.80729167 | holds |",
-        "| 408 | 408 | holds |",
-        "| 42 | 42 | holds |",
+        "| 0.81 | 0.80729167 | holds: ",
+        "| 408 | 408 | holds: ",
+        "| 42 | 42 | holds: ",
         "| 2946 | 2946 | cannot be decided: ",
         "| 2064 | 2064 | cannot be decided: ",
         "| 1.43 | 1.4273256 | holds",
