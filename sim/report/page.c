@@ -26,6 +26,7 @@ static const char style[] =
     "font-variant-numeric:tabular-nums}"
     "th,td{padding:.25em .7em;border-bottom:1px solid var(--line);vertical-align:top}"
     "th{background:var(--soft)}img{max-width:100%;background:#fff}td+td+td img{width:12em}"
+    "td[align=right]{white-space:nowrap}"
     "code{background:var(--soft);padding:0 .2em;border-radius:3px}"
     "pre{overflow-x:auto;background:var(--soft);padding:.7em}"
     "nav{background:var(--soft);padding:.7em 1em}nav ol{margin:0;columns:2}"
