@@ -47,6 +47,9 @@ void glint_output_init(void)
     /* No SA_RESTART: a subcommand waiting for input must wake up. */
     action.sa_handler = request_stop;
     action.sa_flags = (int)SA_RESETHAND;
+    struct sigaction inherited;
+    if (sigaction(SIGHUP, NULL, &inherited) == 0 && inherited.sa_handler != SIG_IGN)
+        sigaction(SIGHUP, &action, NULL); /* not under nohup */
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
 }

@@ -20,8 +20,8 @@ enum {
 
 /* Called once, first thing in main(): a closed standard stream is held by /dev/null, opened so
  * that using it still fails (else the next file opened would take its number and receive its
- * text); a broken pipe and a limit on file sizes become write errors; SIGINT and SIGTERM raise the
- * stop flag, a second one of them kills. */
+ * text); a broken pipe and a limit on file sizes become write errors; SIGINT, SIGTERM
+ * and, but under nohup, SIGHUP raise the stop flag, a second one of them kills. */
 void glint_output_init(void);
 
 /* Flushes and checks standard output: the last thing a subcommand does. Returns status, or
@@ -40,7 +40,7 @@ int glint_complain_error(const char *command, const glint_error *err);
  * (out of memory while it was built). Returns false when memory ran out. */
 bool glint_output_json(cJSON *json);
 
-/* True once SIGINT or SIGTERM has arrived. */
+/* True once SIGINT, SIGTERM or SIGHUP has arrived. */
 bool glint_stop_requested(void);
 
 /* The same flag for library calls that poll it while they work, such as glint_render(). */

@@ -99,6 +99,7 @@ static void reset_signals(void)
     }
     (void)signal(SIGINT, SIG_IGN);
     (void)signal(SIGTERM, SIG_IGN);
+    (void)signal(SIGHUP, SIG_IGN);
 }
 
 /* Whatever happens here, nobody hears of it but the parent: no message, no core file, and no life

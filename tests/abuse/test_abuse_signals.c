@@ -1,5 +1,5 @@
-/* Ctrl-C, SIGTERM and SIGKILL in every command that takes its time, at several moments: it ends at
- * once, nothing of it lives on, and what has a final name is whole. */
+/* Ctrl-C, SIGTERM, SIGHUP and SIGKILL in every command that takes its time, at several moments: it
+ * ends at once, nothing of it lives on, and what has a final name is whole. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>
@@ -75,7 +75,7 @@ static void try_signal(const victim *v, int signal, int milliseconds)
                        .signal = signal,
                        .milliseconds = milliseconds,
                        .seconds = 10.0};
-    outcome done = abuse_run(signal == SIGKILL ? "kill" : "Ctrl-C and SIGTERM", line, &how);
+    outcome done = abuse_run(signal == SIGKILL ? "kill" : "Ctrl-C, SIGTERM and SIGHUP", line, &how);
     const bool killed = done.status == 128 + signal;
     const bool finished = done.status == 0 || (v->wrong && done.status == 1);
     const bool answered = done.status == v->status &&
@@ -111,6 +111,8 @@ static void terminated(void **state)
 {
     (void)state;
     each_command_at(SIGTERM, (const int[]){90, 0});
+    (void)signal(SIGHUP, SIG_DFL); /* should the tests be run by nohup */
+    each_command_at(SIGHUP, (const int[]){90, 0});
 }
 
 static void killed(void **state)
