@@ -12,18 +12,18 @@ checks="$build libcmocka-dev libgmp-dev bc iverilog yosys clang valgrind"
 view='gtkwave xvfb xauth imagemagick'
 meshes='assimp-testmodels glmark2-data'
 plots='gnuplot-nox'
-solvers='boolector z3'
+solver='z3'
 
 # The one table: what each goal needs.
 packages_of() {
     case $1 in
     build | demo | bench | wave | install) echo "$build" ;;
     lint | mutation | netlist) echo "$checks" ;;
-    formal) echo "yosys $solvers make" ;;
+    formal) echo "yosys $solver make" ;;
     coverage) echo "$checks gcovr $view $meshes $plots" ;;
     fuzz) echo "$checks" ;;
     report) echo "$build $plots" ;;
-    test) echo "$checks $view $meshes $plots $solvers" ;;
+    test) echo "$checks $view $meshes $plots $solver" ;;
     gtkwave) echo "$view" ;;
     *) return 1 ;;
     esac
