@@ -403,6 +403,7 @@ help:
 	@echo "make verification  all of it, and the table in docs/verification.md"
 	@echo "make netlist   second opinions: synthesised netlists and other Verilator settings against the C model"
 	@echo "make reference the C model against exact rationals, every input"
+	@echo "make formal    proofs over every sequence of inputs, by yosys-smtbmc and z3 (docs/formal.md)"
 	@echo "make coverage  lines and toggles of rtl/, each covered or explained; the C by gcov"
 	@echo "make bench     fragments, clocks and frames a second"
 	@echo "make report    what the thesis claims, measured: $(BUILD)/report/index.html"
