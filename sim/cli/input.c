@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "cli/output.h"
 #include "cli/parse.h"
@@ -94,48 +95,75 @@ glint_line_kind glint_line_refuse(const char *name, const char *text, const char
     return GLINT_LINE_MALFORMED;
 }
 
-/* The line that is being read. */
-typedef struct line_room {
-    char *bytes;
-    size_t size;
-} line_room;
+/* Standard input, and the line that is being read. It is not read by stdio, whose wait for input a
+ * signal can miss. */
+typedef struct reader {
+    char *line;
+    size_t room; /* of the line, without its NUL */
+    size_t at, count;
+    bool ended;
+    char bytes[1 << 16];
+} reader;
 
-static bool grow(line_room *line)
+static bool grow(reader *in)
 {
-    const size_t size = line->size == 0 ? 256 : 2 * line->size;
-    char *bytes = realloc(line->bytes, size + 1); /* and a NUL */
-    if (bytes == NULL) {
+    const size_t room = in->room == 0 ? 256 : 2 * in->room;
+    char *line = realloc(in->line, room + 1);
+    if (line == NULL) {
         return false;
     }
-    *line = (line_room){bytes, size};
+    in->line = line;
+    in->room = room;
     return true;
+}
+
+/* Gets bytes that are not read yet; false when there are none: at the end, at an error, with errno,
+ * or when it is to stop. */
+static bool fill(reader *in)
+{
+    if (in->ended) {
+        return false;
+    }
+    ssize_t got = -1;
+    while (got < 0 && glint_wait_readable(STDIN_FILENO)) {
+        got = read(STDIN_FILENO, in->bytes, sizeof in->bytes);
+        if (got < 0 && errno != EINTR && errno != EAGAIN) {
+            return false;
+        }
+    }
+    in->ended = got == 0;
+    in->at = 0;
+    in->count = got > 0 ? (size_t)got : 0;
+    return got > 0;
 }
 
 /* Reads one line with its line end, of at most LINE_MAX_BYTES, and ends it with NUL. The length; 0
  * at the end of the input, at an error, with errno, or when it is to stop. */
-static size_t read_line(line_room *line)
+static size_t read_line(reader *in)
 {
     size_t length = 0;
-    int c = '\0';
-    while (length < LINE_MAX_BYTES && c != '\n' && (c = getc_unlocked(stdin)) != EOF) {
-        if (length == line->size && !grow(line)) {
+    char c = '\0';
+    while (length < LINE_MAX_BYTES && c != '\n' && (in->at < in->count || fill(in))) {
+        if (length == in->room && !grow(in)) {
             return 0;
         }
-        line->bytes[length++] = (char)c;
+        c = in->bytes[in->at++];
+        in->line[length++] = c;
     }
     if (length > 0) {
-        line->bytes[length] = '\0';
+        in->line[length] = '\0';
     }
-    return ferror(stdin) || glint_stop_requested() ? 0 : length;
+    const bool cut_off = c != '\n' && length < LINE_MAX_BYTES && !in->ended;
+    return cut_off || glint_stop_requested() ? 0 : length;
 }
 
 /* Why there is no further line: the end of the input, or something worse. */
-static int check_input(const char *command, int reason)
+static int check_input(const char *command, const reader *in, int reason)
 {
     if (glint_stop_requested()) {
         return glint_complain(command, GLINT_EXIT_FAILURE, "interrupted");
     }
-    if (feof(stdin)) {
+    if (in->ended) {
         return GLINT_EXIT_OK;
     }
     return glint_complain(command, GLINT_EXIT_FAILURE, "cannot read standard input: %s",
@@ -144,20 +172,24 @@ static int check_input(const char *command, int reason)
 
 int glint_input_lines(const char *command, glint_line_taker *take, void *context)
 {
-    line_room line = {0};
+    reader *in = calloc(1, sizeof *in);
+    if (in == NULL) {
+        return glint_complain(command, GLINT_EXIT_FAILURE, "no memory to read standard input");
+    }
     int status = GLINT_EXIT_OK;
     uint64_t number = 0;
     while (status == GLINT_EXIT_OK) {
         errno = 0;
-        const size_t length = read_line(&line);
+        const size_t length = read_line(in);
         const int reason = errno;
         if (length == 0) {
             status = take(context, number, NULL, 0);
-            status = status == GLINT_EXIT_OK ? check_input(command, reason) : status;
+            status = status == GLINT_EXIT_OK ? check_input(command, in, reason) : status;
             break;
         }
-        status = take(context, ++number, line.bytes, length);
+        status = take(context, ++number, in->line, length);
     }
-    free(line.bytes);
+    free(in->line);
+    free(in);
     return status;
 }

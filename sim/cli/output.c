@@ -10,6 +10,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/select.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -22,6 +23,8 @@ static void request_stop(int signal_number)
     (void)signal_number;
     stop_requested = true;
 }
+
+static const int stop_signals[] = {SIGINT, SIGTERM, SIGHUP};
 
 /* Keeps a closed descriptor's number taken. open() returns the lowest free number, which is fd, as
  * all below it are open by now. */
@@ -48,10 +51,14 @@ void glint_output_init(void)
     action.sa_handler = request_stop;
     action.sa_flags = (int)SA_RESETHAND;
     struct sigaction inherited;
-    if (sigaction(SIGHUP, NULL, &inherited) == 0 && inherited.sa_handler != SIG_IGN)
-        sigaction(SIGHUP, &action, NULL); /* not under nohup */
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
+    for (size_t i = 0; i < sizeof stop_signals / sizeof stop_signals[0]; i++) {
+        const int number = stop_signals[i];
+        const bool kept = number == SIGHUP && sigaction(number, NULL, &inherited) == 0 &&
+                          inherited.sa_handler == SIG_IGN; /* by nohup */
+        if (!kept) {
+            sigaction(number, &action, NULL);
+        }
+    }
 }
 
 int glint_output_finish(const char *command, int status)
@@ -110,6 +117,25 @@ bool glint_output_json(cJSON *json)
 bool glint_stop_requested(void)
 {
     return stop_requested;
+}
+
+bool glint_wait_readable(int fd)
+{
+    sigset_t stopping, before;
+    sigemptyset(&stopping);
+    for (size_t i = 0; i < sizeof stop_signals / sizeof stop_signals[0]; i++) {
+        sigaddset(&stopping, stop_signals[i]);
+    }
+    sigprocmask(SIG_BLOCK, &stopping, &before);
+    bool again = true;
+    while (again && !stop_requested) {
+        fd_set readable;
+        FD_ZERO(&readable);
+        FD_SET(fd, &readable);
+        again = pselect(fd + 1, &readable, NULL, NULL, NULL, &before) == -1 && errno == EINTR;
+    }
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    return !stop_requested;
 }
 
 const volatile bool *glint_stop_flag(void)

@@ -43,6 +43,12 @@ bool glint_output_json(cJSON *json);
 /* True once SIGINT, SIGTERM or SIGHUP has arrived. */
 bool glint_stop_requested(void);
 
+/* Waits until a read from fd would not block: for input, its end, or an error of which the read
+ * will tell. False when the stop flag is up: before, or while it waits; a signal never comes
+ * between the look at the flag and the wait. Called where no other thread is. fd below FD_SETSIZE.
+ */
+bool glint_wait_readable(int fd);
+
 /* The same flag for library calls that poll it while they work, such as glint_render(). */
 const volatile bool *glint_stop_flag(void);
 
