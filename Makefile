@@ -248,7 +248,7 @@ $(foreach f,$(DIVIDER_FAULTS),$(eval $(call wrong_divider,divider_$(call wrong_n
 WRONG_ARCHIVES  := $(foreach o,$(WRONG_OBJECTS),$(dir $o)Vwrong_$(call wrong_name,$o)__ALL.a)
 
 # What several tests share: tests/<thing>/*.c that are no programs themselves.
-TEST_HELPERS := $(filter-out $(TEST_SOURCES),$(wildcard tests/*/*.c))
+TEST_HELPERS := $(filter-out $(TEST_SOURCES) %/main.c %/drive.c,$(wildcard tests/*/*.c))
 TEST_HELPER_OBJECTS := $(TEST_HELPERS:%.c=$(BUILD)/%.o)
 
 $(BUILD)/libtest.a: $(TEST_HELPER_OBJECTS)
@@ -404,6 +404,7 @@ help:
 	@echo "make netlist   second opinions: synthesised netlists and other Verilator settings against the C model"
 	@echo "make reference the C model against exact rationals, every input"
 	@echo "make formal    proofs over every sequence of inputs, by yosys-smtbmc and z3 (docs/formal.md)"
+	@echo "make mutation  1000 single faults of each of four synthesised circuits: killed, or proven equivalent"
 	@echo "make coverage  lines and toggles of rtl/, each covered or explained; the C by gcov"
 	@echo "make bench     fragments, clocks and frames a second"
 	@echo "make report    what the thesis claims, measured: $(BUILD)/report/index.html"

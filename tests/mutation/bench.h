@@ -1,0 +1,49 @@
+/* The bench of a synthesised netlist with faults: the C model and the netlist side by side, every
+ * output pin compared after every clock, until the first difference.
+ *
+ * Two tests, one after the other, from registers full of ones and then of zeros before the reset:
+ *   lockstep  the random pins of `glint verify` (sim/lockstep/random_pins.h)
+ *   sweep     of the specular device, every cosine of every highlight in white, then every t from 0
+ *             to 1.0 in changing colours; of the dividers, every k with every difference */
+#ifndef GLINT_TESTS_MUTATION_BENCH_H
+#define GLINT_TESTS_MUTATION_BENCH_H
+
+#include <stdbool.h>
+
+#include "glint_status.h"
+#include "netlist.h"
+
+typedef struct mutation_effort {
+    uint64_t lockstep_clocks; /* 0: no lockstep */
+    uint64_t sweep_clocks;    /* at most, counted from its beginning; 0: no sweep */
+    uint64_t seed;
+    /* Not NULL: nothing but this point, in a steady flow. Of the specular device only. */
+    const glint_specular_inputs *point;
+    const volatile bool *stop; /* may be NULL */
+} mutation_effort;
+
+/* What became of one netlist. */
+typedef struct mutation_verdict {
+    uint64_t clocks;  /* compared, both tests together; 0 when nothing was */
+    bool killed;      /* a pin differed: */
+    const char *test; /* "lockstep", "sweep", "point" */
+    uint64_t clock;   /* of that test, 1 is the first after the reset of creation */
+    const char *pin;
+    uint32_t model, netlist; /* its values, as bits */
+} mutation_verdict;
+
+/* Number of output pins, and their names. */
+int mutation_pin_count(const glint_setting *setting);
+const char *mutation_pin_name(const glint_setting *setting, int pin);
+
+/* Clocks of the whole sweep. */
+uint64_t mutation_sweep_clocks(const mutation_netlist_table *netlist);
+
+/* Runs the bench on one mutant, 0 for the healthy netlist. GLINT_OK whatever becomes of it.
+ * GLINT_BAD_ARGUMENT when both tests have 0 clocks: that would let every mutant live; or for a
+ * point through a divider. */
+glint_status mutation_run(const mutation_netlist_table *netlist, uint32_t mutant,
+                          const mutation_effort *effort, mutation_verdict *verdict,
+                          glint_error *err);
+
+#endif

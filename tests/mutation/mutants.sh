@@ -1,0 +1,81 @@
+#!/bin/sh
+# A circuit's synthesised netlist, and many single faults of it in one Verilog file.
+#
+#   tests/mutation/mutants.sh CIRCUIT COUNT SEED DIR
+#
+# CIRCUIT  specular-GATE-PIPELINE (cosine, sign, drawn; drawn, pipelined), one lane, or
+#          divider-FORM-SHIFTS (sequential, pipelined; 6..16)
+# COUNT    how many faults, chosen by Yosys's mutate from SEED
+#
+# Writes to DIR: healthy.il, the netlist in Yosys's own format; mutants.list, the faults, a command
+# of Yosys a line; mutants.v, the netlist with all of them and two inputs more: a rising edge of
+# "choose" switches on the fault whose line is the number on "fault", and with 0 none. To be called from
+# the directory that holds rtl/.
+set -eu
+
+fail() {
+    echo "tests/mutation/mutants.sh: $*" >&2
+    exit 1
+}
+
+[ $# -eq 4 ] || fail "four arguments, not $#: CIRCUIT COUNT SEED DIR"
+circuit=$1 count=$2 seed=$3 dir=$4
+
+number_of() { # NAME CHOICE...: the place of NAME among the choices, from 0
+    name=$1 place=0
+    shift
+    for choice in "$@"; do
+        [ "$choice" != "$name" ] || { echo "$place" && return; }
+        place=$((place + 1))
+    done
+    fail "$circuit: \"$name\" is none of: $*"
+}
+
+kind=${circuit%%-*} first=${circuit#*-}
+second=${first#*-} first=${first%%-*}
+case $kind in
+specular)
+    gate=$(number_of "$first" cosine sign drawn)
+    pipelined=$(number_of "$second" drawn pipelined)
+    top=specular_device
+    setting="chparam -set GATE $gate -set PIPELINED $pipelined -set LANES 1 $top"
+    ;;
+divider)
+    form=$(number_of "$first" sequential pipelined)
+    top=$([ "$form" = 0 ] && echo shift_divider || echo pipelined_divider)
+    setting="chparam -set SHIFTS $second $top"
+    ;;
+*) fail "unknown circuit \"$circuit\"" ;;
+esac
+
+mkdir -p "$dir"
+# -nordff: register 2 stays in front of the ROMs, as in the Verilog; else Yosys would put registers of
+# its own behind them.
+yosys -q -p "
+    read_verilog -Irtl rtl/*.v
+    $setting
+    hierarchy -check -top $top
+    synth -flatten -nordff
+    rename -top $top
+    write_rtlil $dir/healthy.il
+    mutate -list $count -seed $seed -ctrl mutsel 16 1 -o $dir/mutants.list"
+made=$(sed 's/-ctrl mutsel 16 [0-9]* //' "$dir/mutants.list" | sort -u | wc -l)
+[ "$made" -eq "$count" ] ||
+    fail "$circuit has no $count different faults: mutate found $made; ask for fewer"
+
+# Vectors are split into bits: Verilator orders whole vectors, and would see loops where there are
+# none. mutsel becomes a register: all that depends on a pin Verilator evaluates whenever some pin
+# changes, and on mutsel depends everything.
+yosys -q -p "
+    read_rtlil $dir/healthy.il
+    script $dir/mutants.list
+    splitnets
+    write_verilog -noattr $dir/netlist.v"
+sed 's/^\(module .*\), mutsel);$/\1, fault, choose);/
+    s/^  input \[15:0\] mutsel;$/  input [15:0] fault;\n  input choose;/
+    s/^  wire \[15:0\] mutsel;$/  reg [15:0] mutsel;\n  always @(posedge choose) mutsel <= fault;/' \
+    "$dir/netlist.v" >"$dir/mutants.v.new"
+[ "$(grep -cE '^  reg \[15:0\] mutsel;$|, fault, choose\);$|^  input choose;$' "$dir/mutants.v.new")" = 3 ] ||
+    fail "$circuit: Yosys wrote no input mutsel as expected to $dir/netlist.v"
+rm "$dir/netlist.v"
+mv "$dir/mutants.v.new" "$dir/mutants.v"

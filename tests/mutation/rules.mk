@@ -1,0 +1,72 @@
+# Mutation: would the bench notice a single fault of the synthesised circuits? docs/mutation.md
+#
+# MUTANTS=N        faults of each circuit (1000)
+# MUTATION_SEED=N  chooses the faults, and is the seed of the random pins (1)
+# MUTATION_SECONDS=N  for each proof that a fault changes nothing (900)
+
+MUTANTS       ?= 1000
+MUTATION_SEED ?= 1
+MUTATION_SECONDS ?= 900
+# The sequential divider takes 13 clocks for each of the 131 072 divisions of its sweep: only the first
+# 30 769 of them.
+SHORT_SWEEP   := 400000
+MUTATED       := specular-cosine-pipelined specular-cosine-drawn divider-sequential-12 divider-pipelined-12
+# A small one for `make test`, which is not to wait long.
+MUTATED_SHORT := divider-sequential-6
+MUTANTS_SHORT := 60
+MUTATION      := $(VERILATED)/mutation
+
+mutation_class  = Vmutants_$(subst -,_,$1)
+mutation_macros = -DMODEL=$(call mutation_class,$1) -DMUTATION_CIRCUIT='"$1"' \
+    $(if $(filter specular,$(call field,$1,1)), \
+        -DMUTATION_GATE=GLINT_GATE_$(call upper,$(call field,$1,2)) \
+        -DMUTATION_PIPELINE=GLINT_PIPELINE_$(call upper,$(call field,$1,3)), \
+        -DMUTATION_SHIFTS=$(call field,$1,3) $(if $(filter pipelined,$(call field,$1,2)),-DMUTATION_PIPELINED))
+
+# Rewritten only when it changes, so that other faults make the netlist anew.
+$(MUTATED:%=$(MUTATION)/%/chosen): CHOSEN = $(MUTANTS) $(MUTATION_SEED)
+$(MUTATED_SHORT:%=$(MUTATION)/%/chosen): CHOSEN = $(MUTANTS_SHORT) 1
+$(MUTATION)/%/chosen: FORCE
+	@mkdir -p $(@D)
+	@echo "$(CHOSEN)" | cmp -s - $@ || echo "$(CHOSEN)" > $@
+
+$(MUTATION)/%/mutants.v: $(MUTATION)/%/chosen tests/mutation/mutants.sh $(RTL)
+	tests/mutation/mutants.sh $* $$(cat $<) $(@D)
+
+# Names and widths are Yosys's, not ours: no lint. Verilator 5.006 gets netlists wrong without
+# -fno-const-bit-op-tree (docs/netlists.md). A netlist of gates gains nothing from -O2.
+$(MUTATION)/%/netlist.stamp: $(MUTATION)/%/mutants.v $(VERILATED)/version
+	$(VERILATOR) --cc -O3 -fno-const-bit-op-tree --x-assign fast --x-initial unique --noassert -Wno-lint -Wno-style \
+	    --prefix $(call mutation_class,$*) --Mdir $(@D)/verilated $<
+	$(MAKE) -s -C $(@D)/verilated -f $(call mutation_class,$*).mk OPT_FAST=-O1 OPT_SLOW=-O0 \
+	    $(call mutation_class,$*)__ALL.a >/dev/null
+	@touch $@
+
+$(MUTATION)/%/shim.o: $(MUTATION)/%/netlist.stamp $(wildcard tests/mutation/*.cpp tests/mutation/*.h cmodel/*.h)
+	$(CXX) $(SHIM_FLAGS) -isystem $(@D)/verilated $(call mutation_macros,$*) \
+	    -Isim -c tests/mutation/netlist_shim.cpp -o $@
+
+MUTATION_OBJECTS := $(addprefix $(BUILD)/tests/mutation/,main.o bench.o sweep.o) \
+                    $(addprefix $(BUILD)/sim/cli/,output.o parse.o)
+
+$(BUILD)/mutation/%/bench: $(MUTATION)/%/shim.o $(MUTATION_OBJECTS) $(LIBRARIES)
+	@mkdir -p $(@D)
+	$(CXX) $(LDFLAGS) -o $@ $< $(MUTATION_OBJECTS) \
+	    $(MUTATION)/$*/verilated/$(call mutation_class,$*)__ALL.a $(LIBRARIES) $(LDLIBS)
+	cp $(MUTATION)/$*/healthy.il $(MUTATION)/$*/mutants.list $(@D)/
+
+$(BUILD)/mutation/%/verdicts.tsv: $(BUILD)/mutation/%/bench
+	$< --list $(@D)/mutants.list --seed $(MUTATION_SEED) \
+	    $(if $(findstring sequential,$*),--sweep $(SHORT_SWEEP)) --out $@
+
+# Fails when a fault is missed or undecided; the others are judged all the same.
+$(MUTATED:%=judge-%): judge-%: $(BUILD)/mutation/%/verdicts.tsv
+	tests/mutation/judge.sh $* $(<D) $< $(<D)/results.tsv $(MUTATION_SECONDS)
+
+.PHONY: mutation $(MUTATED:%=judge-%)
+mutation:
+	sim/deps.sh mutation
+	+$(MAKE) -k -j$(JOBS) $(MUTATED:%=judge-%)
+	tests/mutation/tables.sh $(BUILD)/mutation $(MUTATED) > $(BUILD)/mutation/tables.md
+
+build-tests: $(MUTATED_SHORT:%=$(BUILD)/mutation/%/bench)
