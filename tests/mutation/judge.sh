@@ -36,7 +36,7 @@ all=$(wc -l <"$verdicts")
 [ "$all" -gt 0 ] || fail "$circuit: no faults"
 
 progress() { # TEXT
-    [ ! -t 2 ] || printf '\r\033[K%s: %s ' "$circuit" "$1" >&2
+    [ ! -t 2 ] || printf '\r\033[K%s' "$1" >&2
 }
 
 # ---- The prover on faults that can be seen -------------------------------------------------------
@@ -48,7 +48,7 @@ ask_about_killed() {
         $2 == "killed" { killed[++n] = $1 }
         END { for (i = 1; i <= asked && i <= n; i++) print killed[int(i * n / asked + 0.5)] }' \
         "$verdicts" | sort -nu); do
-        progress "asking about killed fault $mutant"
+        progress "$circuit: asking about killed fault $mutant"
         found=$("$here/prove.sh" "$dir" "$mutant" $asked_limit)
         case $found in
         equivalent*) fail "$circuit: the bench killed fault $mutant, which is \"$found\"" ;;
@@ -75,7 +75,7 @@ judge_survivors() {
     while IFS='	' read -r mutant verdict rest; do
         if [ "$verdict" = survived ]; then
             judged=$((judged + 1))
-            progress "proof $judged of $survivors"
+            progress "$circuit: proof $judged of $survivors"
             started=$(date +%s)
             found=$("$here/prove.sh" "$dir" "$mutant" "$seconds")
             took=$(($(date +%s) - started))
