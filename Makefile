@@ -53,13 +53,19 @@ $(BUILD)/libglint.a: $(MODEL_OBJECTS)
 $(BUILD)/glint-gen: $(BUILD)/cmodel/gen.o $(BUILD)/libglint.a
 	$(CC) $(LDFLAGS) -o $@ $^ -lm
 
-# What is generated is committed; `make generate` makes it anew, and a test compares.
+# What is generated is committed; `make generate` makes it anew, and a test compares. A file that stays
+# the same is not touched: everything Verilated depends on it.
 GENERATED := rtl/glint_formats.vh:formats rtl/sigma_rom.v:sigma-rom rtl/limit_rom.v:limit-rom \
              rtl/reciprocal_rom.v:reciprocal-rom sim/rtl/specular_signals.vlt:signals \
              sim/rtl/divider_signals.vlt:divider-signals
 
 generate: $(BUILD)/glint-gen
-	$(foreach pair,$(GENERATED),$(BUILD)/glint-gen $(subst :, ,$(pair)) &&) true
+	@for pair in $(GENERATED); do \
+	    file=$${pair%%:*}; \
+	    $(BUILD)/glint-gen $(BUILD)/generated $${pair##*:} || exit 1; \
+	    cmp -s $(BUILD)/generated $$file || { cp $(BUILD)/generated $$file && echo "$$file is new"; } || exit 1; \
+	done; \
+	rm $(BUILD)/generated
 
 # ---- The Verilog under Verilator: one build for each setting ---------------------------------------
 
@@ -259,18 +265,22 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/libtest.a $(WRONG_OBJECTS) $(LIBRA
 	$(CXX) $(LDFLAGS) -o $@ $< $(BUILD)/libtest.a $(WRONG_OBJECTS) $(WRONG_ARCHIVES) $(LIBRARIES) \
 	    -lcmocka $(LDLIBS)
 
-# The command with a wrong circuit as its only one: what it says when C and Verilog differ.
-$(BUILD)/wrong/rtl_models.h: Makefile
+# The command with a wrong circuit as its only one: what it says when C and Verilog differ. WRONG says
+# which of the device.
+WRONG ?= truncating
+
+$(BUILD)/wrong/rtl_models.h: FORCE
 	@mkdir -p $(@D)
-	(echo "#define GLINT_RTL_MODELS(X) X(glint_wrong_truncating)"; \
-	 echo "#define GLINT_VERILATOR_VERSION \"\"") > $@
+	@(echo "#define GLINT_RTL_MODELS(X) X(glint_wrong_$(WRONG))"; \
+	  echo "#define GLINT_VERILATOR_VERSION \"\"") > $@.new
+	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
 $(BUILD)/wrong/rtl.o: sim/rtl/rtl.c $(BUILD)/wrong/rtl_models.h
 	$(CC) -I$(BUILD)/wrong $(CFLAGS_ALL) -c $< -o $@
 
 $(BUILD)/wrong/glint: $(CLI_OBJECTS) $(BUILD)/wrong/rtl.o $(WRONG_OBJECTS) $(LIBRARIES)
 	$(CXX) $(LDFLAGS) -o $@ $(CLI_OBJECTS) $(BUILD)/wrong/rtl.o \
-	    $(VERILATED)/wrong/truncating/shim.o $(VERILATED)/wrong/truncating/Vwrong_truncating__ALL.a \
+	    $(VERILATED)/wrong/$(WRONG)/shim.o $(VERILATED)/wrong/$(WRONG)/Vwrong_$(WRONG)__ALL.a \
 	    $(LIBRARIES) $(LDLIBS)
 
 build-tests: $(TEST_PROGRAMS) $(BUILD)/glint $(BUILD)/glint-gen $(BUILD)/wrong/glint

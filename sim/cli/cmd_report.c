@@ -85,8 +85,8 @@ static void print_claims(const glint_claims *claims)
 {
     for (int i = 0; i < claims->count; i++) {
         const glint_claim *claim = &claims->claim[i];
-        printf("%-15s thesis %-9.*f measured %-11.6g %s\n",
-               claim->undecided ? "undecided:"
+        printf("%-18s thesis %-9.*f measured %-11.6g %s\n",
+               claim->undecided ? "cannot be decided:"
                : claim->holds   ? "holds"
                                 : "does not hold:",
                claim->decimals, claim->stated, claim->measured, claim->what);

@@ -59,7 +59,8 @@ int main(int argc, char **argv)
     if (argc < 2) {
         return glint_complain(NULL, GLINT_EXIT_USAGE, "no subcommand (see glint --help)");
     }
-    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
+        strcmp(argv[1], "help") == 0) {
         return print_help();
     }
     if (strcmp(argv[1], "--version") == 0) {

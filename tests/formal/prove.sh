@@ -13,7 +13,8 @@
 # cover; counterexample.vcd where a property fails) and the line "result":
 #   name, properties, method, seconds, covers reached of all ("-": none looked for), PROVED, FAULT FOUND
 #   or FAILED and why; separated by tabs.
-# Exit status 0, 1 (FAILED; the line goes to standard error) or 2 (not called as above).
+# A short form of it goes to standard output; where it is FAILED, the line itself to standard error.
+# Exit status 0, 1 (FAILED) or 2 (not called as above).
 #
 # A proof with a clock is by induction over one clock: the assertions hold after a reset in any state
 # whatever, and after any clock before which they held. Each property needs a cover reached, or the proof
@@ -131,6 +132,7 @@ result() {
         exit 1
         ;;
     esac
+    awk -F '\t' '{ print $1 ": " $6 ($5 == "-" ? "" : ", " $5 " covers") ", " $4 " s" }' "$dir/result"
     exit 0
 }
 
