@@ -218,8 +218,8 @@ static void the_summary_says_what_holds(void **state)
 {
     (void)state;
     outcome done = report(" --threads 3");
-    assert_says(done.out, "holds           thesis 0.4427 ");
-    assert_says(done.out, "does not hold:  thesis 0.5693 ");
+    assert_says(done.out, "holds              thesis 0.4427 ");
+    assert_says(done.out, "does not hold:     thesis 0.5693 ");
     assert_says(done.out, "from 12 shifts on\n");
     assert_says(done.out, "teapot, density  20, 12 shifts: NMSE ");
     assert_says(done.out, "/divider.md");
