@@ -10,42 +10,10 @@
 
 #include <cmocka.h>
 
-#include "render/render.h"
 #include "render/vec3.h"
+#include "studio.h"
 
 #define RADIANS (3.14159265358979323846 / 180.0)
-
-/* A renderer and its picture. */
-typedef struct studio {
-    glint_renderer *renderer;
-    glint_image *image;
-    glint_render_stats stats;
-} studio;
-
-static studio open_studio(int width, int height, int threads)
-{
-    const glint_backend_config config = {.kind = GLINT_BACKEND_C};
-    studio s = {0};
-    glint_error err = {""};
-    assert_int_equal(glint_renderer_create(width, height, threads, &config, &s.renderer, &err),
-                     GLINT_OK);
-    assert_int_equal(glint_image_create(width, height, &s.image, &err), GLINT_OK);
-    return s;
-}
-
-static void close_studio(studio *s)
-{
-    glint_renderer_destroy(s->renderer);
-    glint_image_destroy(s->image);
-}
-
-static void shoot(studio *s, const glint_scene *scene)
-{
-    glint_error err = {""};
-    const glint_status status = glint_render(s->renderer, scene, s->image, NULL, &s->stats, &err);
-    assert_string_equal(err.text, "");
-    assert_int_equal(status, GLINT_OK);
-}
 
 static glint_scene default_scene(const glint_mesh *mesh)
 {
@@ -166,7 +134,7 @@ static void interpolation_is_perspective_correct(void **state)
     }
     add_triangle(m, 0, 1, 2);
     const glint_scene scene = straight_scene(m, 1.6f);
-    studio s = open_studio(640, 480, 2);
+    studio s = open_studio(640, 480, 2, GLINT_BACKEND_C);
     shoot(&s, &scene);
     assert_true(s.stats.fragments > 10000);
     const double distance = (double)scene.distance;
@@ -209,7 +177,7 @@ static void cosines_on_the_sphere(void **state)
     glint_mesh *mesh = sphere(density);
     glint_scene scene = default_scene(mesh);
     scene.distance = 4.0f;
-    studio s = open_studio(640, 480, 2);
+    studio s = open_studio(640, 480, 2, GLINT_BACKEND_C);
     shoot(&s, &scene);
     const double sagitta = 2.0 * (1.0 - cos(2.0 * 180.0 / density * RADIANS / 2.0));
     uint64_t compared = 0;
@@ -242,7 +210,7 @@ static void a_closed_mesh_shows_no_holes(void **state)
 {
     (void)state;
     glint_mesh *mesh = sphere(GLINT_SPHERE_DENSITY);
-    studio s = open_studio(320, 240, 2);
+    studio s = open_studio(320, 240, 2, GLINT_BACKEND_C);
     for (int i = 0; i < 8; i++) {
         glint_scene scene = default_scene(mesh);
         scene.yaw = 11.0f * (float)i;
@@ -272,7 +240,7 @@ static void the_fitted_object_touches_the_frame(void **state)
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         const int width = sizes[i][0];
         const int height = sizes[i][1];
-        studio s = open_studio(width, height, 2);
+        studio s = open_studio(width, height, 2, GLINT_BACKEND_C);
         const glint_scene scene = default_scene(mesh);
         shoot(&s, &scene);
         int left = width, right = -1, top = height, bottom = -1;
@@ -313,7 +281,7 @@ static void a_floor_through_the_near_plane(void **state)
     glint_scene scene = straight_scene(m, 0.05f);
     scene.pitch = 30.0f;
     scene.fov = 100.0f;
-    studio s = open_studio(320, 240, 2);
+    studio s = open_studio(320, 240, 2, GLINT_BACKEND_C);
     shoot(&s, &scene);
     const double pitch = (double)scene.pitch * RADIANS;
     const double radius = 8.0 * sqrt(2.0);
@@ -352,7 +320,7 @@ static void a_camera_inside(void **state)
 {
     (void)state;
     glint_mesh *mesh = sphere(64);
-    studio s = open_studio(160, 120, 2);
+    studio s = open_studio(160, 120, 2, GLINT_BACKEND_C);
     glint_scene scene = default_scene(mesh);
     scene.distance = 0.5f;
     shoot(&s, &scene);
@@ -380,7 +348,7 @@ static void the_nearer_is_seen(void **state)
         add_square(m, 1.0, order == 0 ? -0.5 : 0.5, order == 0 ? facing : leaning);
         add_square(m, 1.0, order == 0 ? 0.5 : -0.5, order == 0 ? leaning : facing);
         const glint_scene scene = straight_scene(m, 3.0f);
-        studio s = open_studio(100, 100, 2);
+        studio s = open_studio(100, 100, 2, GLINT_BACKEND_C);
         shoot(&s, &scene);
         uint32_t code;
         assert_true(fragment(&s, 50, 50, &code));
@@ -402,7 +370,7 @@ static void the_first_of_equals_is_seen(void **state)
         add_square(m, 1.0, 0.0, order == 0 ? facing : leaning);
         add_square(m, 1.0, 0.0, order == 0 ? leaning : facing);
         const glint_scene scene = straight_scene(m, 3.0f);
-        studio s = open_studio(100, 100, 2);
+        studio s = open_studio(100, 100, 2, GLINT_BACKEND_C);
         shoot(&s, &scene);
         for (int x = 30; x < 70; x++) {
             uint32_t code;
@@ -432,7 +400,7 @@ static void crossing_triangles_part_where_they_meet(void **state)
         add_triangle(m, a, c, d);
     }
     const glint_scene scene = straight_scene(m, 3.0f);
-    studio s = open_studio(200, 200, 2);
+    studio s = open_studio(200, 200, 2, GLINT_BACKEND_C);
     shoot(&s, &scene);
     for (int x = 60; x < 140; x++) {
         uint32_t code;
@@ -453,7 +421,7 @@ static void a_square_seen_from_behind_is_not(void **state)
     (void)state;
     plain_mesh *m = new_mesh();
     add_square(m, 1.0, 0.0, (glint_vec3){0.0, 0.0, 1.0});
-    studio s = open_studio(64, 64, 1);
+    studio s = open_studio(64, 64, 1, GLINT_BACKEND_C);
     glint_scene scene = straight_scene(m, 3.0f);
     shoot(&s, &scene);
     assert_int_equal(s.stats.triangles, 2);
@@ -478,7 +446,7 @@ static void the_picture_is_base_and_highlight(void **state)
     scene.n = 40;
     scene.ia = 0.5f;
     scene.ie = 0.75f;
-    studio s = open_studio(64, 64, 1);
+    studio s = open_studio(64, 64, 1, GLINT_BACKEND_C);
     glint_backend *backend = NULL;
     const glint_backend_config config = {.kind = GLINT_BACKEND_C};
     assert_int_equal(glint_backend_create(&config, &backend, NULL), GLINT_OK);
@@ -516,7 +484,7 @@ static void the_background_is_zero(void **state)
 {
     (void)state;
     glint_mesh *mesh = teapot(4);
-    studio s = open_studio(97, 61, 3);
+    studio s = open_studio(97, 61, 3, GLINT_BACKEND_C);
     memset(s.image->rgb, 0xAA, (size_t)97 * 61 * 3);
     memset(s.image->object, 0xAA, (size_t)97 * 61);
     const glint_scene scene = default_scene(mesh);
@@ -544,12 +512,12 @@ static void any_number_of_threads_gives_the_same_bits(void **state)
     glint_scene scene = default_scene(mesh);
     for (int view = 0; view < 3; view++) {
         scene.distance = 0.7f * (float)view; /* fitted, within, near */
-        studio one = open_studio(width, height, 1);
+        studio one = open_studio(width, height, 1, GLINT_BACKEND_C);
         shoot(&one, &scene);
         assert_true(one.stats.fragments > 1000);
         const int threads[] = {2, 3, 7};
         for (size_t i = 0; i < sizeof threads / sizeof threads[0]; i++) {
-            studio more = open_studio(width, height, threads[i]);
+            studio more = open_studio(width, height, threads[i], GLINT_BACKEND_C);
             for (int again = 0; again < 3; again++) {
                 shoot(&more, &scene);
                 assert_memory_equal(one.image->rgb, more.image->rgb, 3 * pixels);
@@ -571,7 +539,7 @@ static void frames_of_any_shape(void **state)
     const int sizes[][2] = {{1, 1},   {1, 33},  {129, 1},
                             {16, 16}, {17, 15}, {GLINT_IMAGE_SIDE_MAX, 2}};
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
-        studio s = open_studio(sizes[i][0], sizes[i][1], 2);
+        studio s = open_studio(sizes[i][0], sizes[i][1], 2, GLINT_BACKEND_C);
         const glint_scene scene = default_scene(mesh);
         shoot(&s, &scene);
         assert_true(s.stats.fragments > 0);
@@ -592,7 +560,7 @@ static void bad_scene_values_are_named(void **state)
 {
     (void)state;
     glint_mesh *mesh = sphere(8);
-    studio s = open_studio(16, 16, 1);
+    studio s = open_studio(16, 16, 1, GLINT_BACKEND_C);
     const glint_scene good = default_scene(mesh);
     glint_scene scene;
     const struct {
@@ -641,7 +609,7 @@ static void extreme_scene_values_are_taken(void **state)
 {
     (void)state;
     glint_mesh *mesh = sphere(32);
-    studio s = open_studio(64, 48, 2);
+    studio s = open_studio(64, 48, 2, GLINT_BACKEND_C);
     glint_scene scene = default_scene(mesh);
     const float lights[][3] = {{0, 0, -1}, {0, 0, 3e38f}, {1e-44f, 0, 0}, {3e38f, 3e38f, 3e38f}};
     for (size_t i = 0; i < sizeof lights / sizeof lights[0]; i++) {
@@ -691,7 +659,7 @@ static void an_image_of_another_size_is_refused(void **state)
 {
     (void)state;
     glint_mesh *mesh = sphere(8);
-    studio s = open_studio(16, 16, 1);
+    studio s = open_studio(16, 16, 1, GLINT_BACKEND_C);
     const glint_scene scene = default_scene(mesh);
     glint_image *other = NULL;
     assert_int_equal(glint_image_create(16, 17, &other, NULL), GLINT_OK);
@@ -707,7 +675,7 @@ static void a_raised_stop_flag_gives_the_frame_up(void **state)
 {
     (void)state;
     glint_mesh *mesh = teapot(4);
-    studio s = open_studio(64, 48, 3);
+    studio s = open_studio(64, 48, 3, GLINT_BACKEND_C);
     const glint_scene scene = default_scene(mesh);
     volatile bool stop = true;
     glint_error err = {""};

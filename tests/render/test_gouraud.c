@@ -11,45 +11,14 @@
 
 #include <cmocka.h>
 
-#include "render/render.h"
 #include "render/vec3.h"
+#include "studio.h"
 
 #define RADIANS (3.14159265358979323846 / 180.0)
 
 /* Meshes that nobody here made, from Debian's assimp-testmodels. */
 #define SPIDER "/usr/share/assimp/models/OBJ/spider.obj"
 #define FELS   "/usr/share/assimp/models/3DS/fels.3ds"
-
-typedef struct studio {
-    glint_renderer *renderer;
-    glint_image *image;
-    glint_render_stats stats;
-} studio;
-
-static studio open_studio(int width, int height, int threads, glint_backend_kind kind)
-{
-    const glint_backend_config config = {.kind = kind, .pipeline = GLINT_PIPELINE_PIPELINED};
-    studio s = {0};
-    glint_error err = {""};
-    assert_int_equal(glint_renderer_create(width, height, threads, &config, &s.renderer, &err),
-                     GLINT_OK);
-    assert_int_equal(glint_image_create(width, height, &s.image, &err), GLINT_OK);
-    return s;
-}
-
-static void close_studio(studio *s)
-{
-    glint_renderer_destroy(s->renderer);
-    glint_image_destroy(s->image);
-}
-
-static void shoot(studio *s, const glint_scene *scene)
-{
-    glint_error err = {""};
-    const glint_status status = glint_render(s->renderer, scene, s->image, NULL, &s->stats, &err);
-    assert_string_equal(err.text, "");
-    assert_int_equal(status, GLINT_OK);
-}
 
 static glint_image_difference compare(const studio *a, const studio *b)
 {

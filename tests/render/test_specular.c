@@ -10,41 +10,10 @@
 
 #include <cmocka.h>
 
-#include "render/render.h"
 #include "render/vec3.h"
+#include "studio.h"
 
 #define RADIANS (3.14159265358979323846 / 180.0)
-
-typedef struct studio {
-    glint_renderer *renderer;
-    glint_image *image;
-    glint_render_stats stats;
-} studio;
-
-static studio open_studio(glint_backend_kind kind, int width, int height, int threads)
-{
-    const glint_backend_config config = {.kind = kind};
-    studio s = {0};
-    glint_error err = {""};
-    assert_int_equal(glint_renderer_create(width, height, threads, &config, &s.renderer, &err),
-                     GLINT_OK);
-    assert_int_equal(glint_image_create(width, height, &s.image, &err), GLINT_OK);
-    return s;
-}
-
-static void close_studio(studio *s)
-{
-    glint_renderer_destroy(s->renderer);
-    glint_image_destroy(s->image);
-}
-
-static void shoot(studio *s, const glint_scene *scene)
-{
-    glint_error err = {""};
-    if (glint_render(s->renderer, scene, s->image, NULL, &s->stats, &err) != GLINT_OK) {
-        fail_msg("%s", err.text);
-    }
-}
 
 static glint_mesh *sphere(int density)
 {
@@ -253,7 +222,7 @@ static void every_pixel_has_the_value_of_its_vectors(void **state)
     static const uint16_t exponents[] = {1, 7, 80, 400};
     steep_triangle t;
     make_triangle(&t);
-    studio s = open_studio(GLINT_BACKEND_REAL, FRAME_WIDTH, FRAME_HEIGHT, 2);
+    studio s = open_studio(FRAME_WIDTH, FRAME_HEIGHT, 2, GLINT_BACKEND_REAL);
     for (int model = 0; model < GLINT_REFLECTANCE_COUNT; model++) {
         for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; i++) {
             const glint_scene scene = triangle_scene(&t, model, exponents[i]);
@@ -273,7 +242,7 @@ static void flat_and_gouraud_light_points_by_the_model(void **state)
     (void)state;
     steep_triangle t;
     make_triangle(&t);
-    studio s = open_studio(GLINT_BACKEND_REAL, FRAME_WIDTH, FRAME_HEIGHT, 2);
+    studio s = open_studio(FRAME_WIDTH, FRAME_HEIGHT, 2, GLINT_BACKEND_REAL);
     for (int model = 0; model < GLINT_REFLECTANCE_COUNT; model++) {
         glint_scene scene = triangle_scene(&t, model, 3);
         const glint_vec3 a = from_eye(&t, 0), b = from_eye(&t, 1), c = from_eye(&t, 2);
@@ -317,8 +286,8 @@ static void the_cosine_quadratic_is_the_default_but_for_the_code(void **state)
     (void)state;
     static const uint16_t exponents[] = {0, 1, 2, 10, 80, 300, 1023};
     glint_mesh *mesh = sphere(64);
-    studio plain = open_studio(GLINT_BACKEND_REAL, 320, 240, 2);
-    studio model = open_studio(GLINT_BACKEND_REAL, 320, 240, 2);
+    studio plain = open_studio(320, 240, 2, GLINT_BACKEND_REAL);
+    studio model = open_studio(320, 240, 2, GLINT_BACKEND_REAL);
     for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; i++) {
         glint_scene scene = scene_of(mesh, GLINT_REFLECTANCE_COSINE_QUADRATIC, exponents[i]);
         shoot(&model, &scene);
@@ -336,8 +305,8 @@ static void the_device_is_the_c_backend(void **state)
 {
     (void)state;
     glint_mesh *mesh = sphere(64);
-    studio c = open_studio(GLINT_BACKEND_C, 320, 240, 2);
-    studio real = open_studio(GLINT_BACKEND_REAL, 320, 240, 2);
+    studio c = open_studio(320, 240, 2, GLINT_BACKEND_C);
+    studio real = open_studio(320, 240, 2, GLINT_BACKEND_REAL);
     for (uint16_t n = 5; n < 1000; n = (uint16_t)(n * 3)) {
         glint_scene scene = scene_of(mesh, GLINT_REFLECTANCE_DEVICE, n);
         shoot(&real, &scene);
@@ -357,8 +326,8 @@ static void phong_is_blinn_with_four_times_the_exponent(void **state)
 {
     (void)state;
     glint_mesh *mesh = sphere(128);
-    studio a = open_studio(GLINT_BACKEND_REAL, 320, 240, 2);
-    studio b = open_studio(GLINT_BACKEND_REAL, 320, 240, 2);
+    studio a = open_studio(320, 240, 2, GLINT_BACKEND_REAL);
+    studio b = open_studio(320, 240, 2, GLINT_BACKEND_REAL);
     glint_scene scene = white_on_black(mesh, GLINT_REFLECTANCE_PHONG, 20);
     scene.fov = 1.0f;
     scene.light[0] = scene.light[1] = 0.0f;
@@ -388,7 +357,7 @@ static void a_larger_exponent_makes_a_smaller_highlight(void **state)
     (void)state;
     static const uint16_t exponents[] = {4, 10, 40, 150, 600, 1000};
     glint_mesh *mesh = sphere(64);
-    studio s = open_studio(GLINT_BACKEND_REAL, 320, 240, 2);
+    studio s = open_studio(320, 240, 2, GLINT_BACKEND_REAL);
     for (int model = 0; model < GLINT_REFLECTANCE_COUNT; model++) {
         if (model == GLINT_REFLECTANCE_LAMBERT || is_normalised(model)) {
             continue;
@@ -411,8 +380,8 @@ static void lambert_has_no_highlight(void **state)
 {
     (void)state;
     glint_mesh *mesh = sphere(64);
-    studio a = open_studio(GLINT_BACKEND_REAL, 160, 120, 2);
-    studio b = open_studio(GLINT_BACKEND_REAL, 160, 120, 2);
+    studio a = open_studio(160, 120, 2, GLINT_BACKEND_REAL);
+    studio b = open_studio(160, 120, 2, GLINT_BACKEND_REAL);
     for (int shading = 0; shading < GLINT_SHADING_COUNT; shading++) {
         glint_scene scene = scene_of(mesh, GLINT_REFLECTANCE_LAMBERT, 10);
         scene.shading = (glint_shading)shading;
@@ -436,8 +405,8 @@ static void any_number_of_threads_gives_the_same_bits(void **state)
     (void)state;
     glint_mesh *mesh = NULL;
     assert_int_equal(glint_mesh_teapot(4, &mesh, NULL), GLINT_OK);
-    studio one = open_studio(GLINT_BACKEND_REAL, 160, 120, 1);
-    studio many = open_studio(GLINT_BACKEND_REAL, 160, 120, 5);
+    studio one = open_studio(160, 120, 1, GLINT_BACKEND_REAL);
+    studio many = open_studio(160, 120, 5, GLINT_BACKEND_REAL);
     for (int model = 0; model < GLINT_REFLECTANCE_COUNT; model++) {
         for (int shading = 0; shading < GLINT_SHADING_COUNT; shading++) {
             glint_scene scene = scene_of(mesh, (glint_reflectance_model)model, 30);
@@ -457,9 +426,9 @@ static void frames_do_not_remember_the_model_before(void **state)
 {
     (void)state;
     glint_mesh *mesh = sphere(32);
-    studio kept = open_studio(GLINT_BACKEND_REAL, 120, 90, 1);
+    studio kept = open_studio(120, 90, 1, GLINT_BACKEND_REAL);
     for (int i = 0; i < 4; i++) {
-        studio fresh = open_studio(GLINT_BACKEND_REAL, 120, 90, 1);
+        studio fresh = open_studio(120, 90, 1, GLINT_BACKEND_REAL);
         glint_scene scene = scene_of(mesh, GLINT_REFLECTANCE_COOK_TORRANCE, 40);
         scene.f0 = i == 1 ? 0.9f : 0.1f;
         scene.n = i == 2 ? 400 : 40;
@@ -487,9 +456,9 @@ static void what_cannot_be_is_refused(void **state)
 {
     (void)state;
     glint_mesh *mesh = sphere(16);
-    studio real = open_studio(GLINT_BACKEND_REAL, 32, 24, 1);
-    studio c = open_studio(GLINT_BACKEND_C, 32, 24, 1);
-    studio rtl = open_studio(GLINT_BACKEND_RTL, 32, 24, 1);
+    studio real = open_studio(32, 24, 1, GLINT_BACKEND_REAL);
+    studio c = open_studio(32, 24, 1, GLINT_BACKEND_C);
+    studio rtl = open_studio(32, 24, 1, GLINT_BACKEND_RTL);
     const glint_scene good = scene_of(mesh, GLINT_REFLECTANCE_BLINN, 10);
     expect_refusal(&c, &good, "backend real");
     expect_refusal(&rtl, &good, "backend real");
@@ -521,7 +490,7 @@ static void the_triangles_seen_are_those_of_the_picture(void **state)
 {
     (void)state;
     glint_mesh *mesh = sphere(16);
-    studio s = open_studio(GLINT_BACKEND_REAL, 160, 120, 3);
+    studio s = open_studio(160, 120, 3, GLINT_BACKEND_REAL);
     glint_scene scene = scene_of(mesh, GLINT_REFLECTANCE_BLINN, 10);
     scene.shading = GLINT_SHADING_FLAT;
     uint32_t *seen = malloc(160 * 120 * sizeof *seen);
