@@ -194,19 +194,29 @@ static const glint_rtl_model *const sound = &glint_rtl_model_cosine_pipelined_1;
 enum { WRONG_CLOCK = 300, WRONG_BIT = 0x400 };
 static uint64_t clocks_since_made;
 static bool takes_none;
+/* Where not 0, it goes wrong this many clocks after it took the cosine TRIGGER instead. */
+static uint64_t wrong_after;
+enum { TRIGGER = 2050 };
+static uint64_t clocks_since_trigger;
 
 static void *make_ageing(void)
 {
     clocks_since_made = 0;
+    clocks_since_trigger = 1000000; /* it has not come */
     return sound->create();
 }
 
 static void clock_ageing(void *instance, const glint_specular_inputs *pins)
 {
     glint_specular_inputs taken = *pins;
-    if (++clocks_since_made == WRONG_CLOCK) {
+    clocks_since_made++;
+    clocks_since_trigger++;
+    if (wrong_after == 0 ? clocks_since_made == WRONG_CLOCK : clocks_since_trigger == wrong_after) {
         taken.cos[0] ^= WRONG_BIT;
         taken.in_valid = takes_none ? 0 : taken.in_valid;
+    }
+    if (pins->cos[0] == TRIGGER) {
+        clocks_since_trigger = 0;
     }
     sound->clock(instance, &taken);
 }
@@ -308,6 +318,42 @@ static void a_circuit_that_keeps_an_answer_back_is_found_out(void **state)
     assert_int_equal(failure->finding.clock, WRONG_CLOCK);
     assert_string_equal(failure->finding.mismatch[0].signal.name, "s1_valid");
     assert_survives_the_packet(&setting);
+}
+
+/* Of all that the circuit was asked only so much is kept as shows the same. */
+static void what_does_not_matter_is_left_out(void **state)
+{
+    (void)state;
+    static uint32_t cos_code[200];
+    glint_error err;
+    glint_history *history = NULL;
+    const glint_rtl_model ageing = ageing_circuit();
+    const glint_setting setting = {.specular = ageing.config, .specular_model = &ageing};
+    const glint_material material = {2, 10, 20, 30};
+    const glint_batch batch = {.material = &material, .cos_code = cos_code, .count = 200};
+    for (uint32_t first = 1000; first <= 2000; first += 500) {
+        for (uint32_t i = 0; i < 200; i++) {
+            cos_code[i] = first + i;
+        }
+        glint_history_add(&history, &setting, &batch);
+    }
+    assert_non_null(history);
+    takes_none = false;
+    wrong_after = 100; /* in the last batch, which begins with the material */
+    glint_failure_destroy(failure);
+    assert_done(
+        glint_failure_of_history(GLINT_FAILURE_EXHAUSTIVE, &setting, NULL, history, &failure, &err),
+        &err);
+    assert_survives_the_packet(&setting);
+    wrong_after = 0;
+    glint_history_destroy(history);
+    assert_true(failure->finding.lockstep_differs);
+    assert_string_equal(failure->finding.mismatch[0].signal.name, "reg1");
+    assert_int_equal(failure->finding.mismatch[0].model, TRIGGER + 100);
+    /* 8 clocks and those of the window would not have the trigger, nor twice that. */
+    assert_int_equal(failure->finding.clock - failure->first_clock, 4 * (8 + GLINT_CAPTURE_BEFORE));
+    assert_int_equal(failure->finding.clock,
+                     2 * (200 + GLINT_LATENCY_PIPELINED - 1) + (TRIGGER - 2000 + 1) + 100);
 }
 
 /* The last clocks of many, as pins. */
@@ -477,6 +523,7 @@ int main(void)
         cmocka_unit_test(a_difference_of_the_fast_build_alone_is_told),
         cmocka_unit_test(what_went_before_is_played),
         cmocka_unit_test(a_circuit_that_keeps_an_answer_back_is_found_out),
+        cmocka_unit_test(what_does_not_matter_is_left_out),
         cmocka_unit_test(a_history_keeps_the_last_clocks),
         cmocka_unit_test(a_divider_is_asked_clock_by_clock),
         cmocka_unit_test(a_frame_without_an_answer_still_says_where),
