@@ -3,9 +3,8 @@
 #
 #   tests/verification/record.sh NAME WHAT METHOD CASES UNIT FAILED SECONDS COMMAND
 #
-# NAME     lower-case name, the same for each run of the same check: a later run replaces it; names
-#          sort into the table's order, so begin with one of model- rtl- netlist- formal- mutation-
-#          coverage- fuzz- abuse-
+# NAME     lower-case name, the same for each run of the same check: a later run replaces it; begins with
+#          rtl- model- formal- mutation- netlist- coverage- fuzz- or abuse-, the order of the table
 # WHAT     what is shown, a short phrase; METHOD by what (lockstep, exhaustion, SAT, …)
 # CASES    how many, a whole number above 0, of UNIT (points, mutants, …); FAILED of them
 # SECONDS  elapsed; COMMAND what repeats it
@@ -22,6 +21,8 @@ fail() {
 [ $# -eq 8 ] || fail "eight fields, not $#: NAME WHAT METHOD CASES UNIT FAILED SECONDS COMMAND"
 case $1 in
 '' | *[!a-z0-9-]*) fail "NAME \"$1\" is not of a-z 0-9 -" ;;
+rtl-* | model-* | formal-* | mutation-* | netlist-* | coverage-* | fuzz-* | abuse-*) ;;
+*) fail "NAME \"$1\" begins with no kind of check" ;;
 esac
 case $4 in
 '' | 0* | *[!0-9]*) fail "$1: CASES \"$4\" is no whole number above 0" ;;

@@ -22,8 +22,13 @@ for mark in begin end; do
     [ "$(grep -c "^<!-- verification table: $mark -->\$" "$document")" = 1 ] ||
         fail "$document has not one line <!-- verification table: $mark -->"
 done
-set -- "$records"/*.tsv
-[ -f "$1" ] || fail "no notes in $records; make verification makes them"
+set --
+for kind in rtl model formal mutation netlist coverage fuzz abuse; do
+    for note in "$records/$kind"-*.tsv; do
+        [ ! -f "$note" ] || set -- "$@" "$note"
+    done
+done
+[ $# -gt 0 ] || fail "no notes in $records; make verification makes them"
 
 # The first line of what a tool says of its version.
 version() {
@@ -48,6 +53,7 @@ table() {
         }
         NF != 7 { bad = 1 }
         {
+            gsub(/[|]/, "\\\\|") # in a row it would end the cell
             time = $6 < 100 ? sprintf("%.1f s", $6) : sprintf("%d min %02d s", $6 / 60, $6 % 60)
             printf "| %s | %s | %s %s | %s | %s | `%s` |\n", $1, $2, grouped($3), $4, grouped($5), time, $7
         }

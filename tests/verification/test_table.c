@@ -51,20 +51,20 @@ static void write_document(const char *text)
 static void notes_become_the_table(void **state)
 {
     (void)state;
-    assert_int_equal(record("rtl-b 'second row' exhaustion 268436480 points 0 4.25 'make b'"), 0);
-    assert_int_equal(record("model-a 'first row' SAT 7 proofs 1 130.9 'make old'"), 0);
-    assert_int_equal(record("model-a 'first row' SAT 7 proofs 0 130.9 'make a'"), 0);
+    assert_int_equal(record("rtl-b 'first row' exhaustion 268436480 points 0 4.25 'make b'"), 0);
+    assert_int_equal(record("model-a 'second row' SAT 7 proofs 1 130.9 'make old'"), 0);
+    assert_int_equal(record("model-a 'second row, |D|' SAT 7 proofs 0 130.9 'make a'"), 0);
     write_document("before\n" BEGIN "what was there\n" END "after\n");
     assert_int_equal(shell("tests/verification/table.sh \"$D/records\" \"$D/document\""), 0);
     char *text = scratch_read(scratch_path("document"), NULL);
     assert_ptr_equal(strstr(text, "before\n" BEGIN "Written by `make verification` on "), text);
     const char *first =
-        strstr(text, "| first row | SAT | 7 proofs | 0 | 2 min 10 s | `make a` |\n");
+        strstr(text, "| first row | exhaustion | 268 436 480 points | 0 | 4.2 s | `make b` |\n");
     assert_non_null(first);
     const char *rest = strchr(first, '\n') + 1;
-    assert_string_equal(
-        rest,
-        "| second row | exhaustion | 268 436 480 points | 0 | 4.2 s | `make b` |\n" END "after\n");
+    assert_string_equal(rest,
+                        "| second row, \\|D\\| | SAT | 7 proofs | 0 | 2 min 10 s | `make a` |\n" END
+                        "after\n");
     assert_null(strstr(text, "what was there"));
     free(text);
 }
@@ -78,6 +78,8 @@ static void a_check_over_nothing_is_no_check(void **state)
     assert_int_equal(record("rtl-c what how 5 points -1 1 again"), 1);
     assert_int_equal(record("rtl-c what how 5 points 0 1"), 1);
     assert_int_equal(record("'rtl c' what how 5 points 0 1 again"), 1);
+    assert_int_equal(record("other what how 5 points 0 1 again"), 1);
+    assert_error_has("no kind of check");
     assert_int_equal(shell("[ ! -e \"$D/records/rtl-c.tsv\" ]"), 0);
 }
 
