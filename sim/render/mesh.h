@@ -55,7 +55,9 @@ glint_status glint_mesh_quad(glint_mesh **mesh, glint_error *err);
  *
  * assimp works in a process of its own, with as much time and memory as the size of the file
  * justifies: when it crashes or does not come to an end, that is GLINT_BAD_INPUT too, or
- * GLINT_NO_MEMORY. GLINT_INTERRUPTED soon after *stop becomes true; stop may be NULL. */
+ * GLINT_NO_MEMORY. GLINT_INTERRUPTED soon after *stop becomes true; stop may be NULL. The process
+ * is made with fork(): no other thread of the caller's may be at work meanwhile. Those of a
+ * renderer are not, between frames. */
 glint_status glint_mesh_load(const char *path, const volatile bool *stop, glint_mesh **mesh,
                              glint_error *err);
 

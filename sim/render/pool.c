@@ -71,6 +71,12 @@ static int start_member(glint_pool *pool)
     return error;
 }
 
+static void do_nothing(void *context, int worker)
+{
+    (void)context;
+    (void)worker;
+}
+
 glint_status glint_pool_create(int threads, glint_pool **pool, glint_error *err)
 {
     const size_t members = (size_t)threads - 1;
@@ -89,6 +95,7 @@ glint_status glint_pool_create(int threads, glint_pool **pool, glint_error *err)
                               threads, strerror(error));
         }
     }
+    glint_pool_run(p, do_nothing, NULL); /* back when all members are past their start */
     *pool = p;
     return GLINT_OK;
 }

@@ -10,7 +10,10 @@ typedef struct glint_pool glint_pool;
 /* What a worker is called for. worker: 0 … threads − 1. */
 typedef void glint_pool_task(void *context, int worker);
 
-/* A pool of `threads` workers (at least 1). The caller of glint_pool_run() is worker 0. */
+/* A pool of `threads` workers (at least 1). The caller of glint_pool_run() is worker 0. Between
+ * runs, from here on, the others sleep and hold no lock, so that the process may fork(): a thread
+ * that is still starting may hold one of the allocator's (AddressSanitizer's, say), and the child
+ * would wait for it for ever. */
 glint_status glint_pool_create(int threads, glint_pool **pool, glint_error *err);
 void glint_pool_destroy(glint_pool *pool); /* NULL is allowed */
 
