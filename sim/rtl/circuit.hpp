@@ -4,8 +4,8 @@
 #define GLINT_SIM_CIRCUIT_HPP
 
 #include <cstdint>
+#include <exception>
 #include <memory>
-#include <new>
 #include <string>
 #include <verilated.h>
 #include <verilated_fst_c.h>
@@ -20,12 +20,21 @@ struct ThreadContextGuard {
     }
 };
 
+// Verilator would start a thread for each further processor of the machine with every context, and
+// they would do nothing: the circuits are built without --threads.
+struct OneThreadContext : VerilatedContext {
+    OneThreadContext()
+    {
+        threads(1);
+    }
+};
+
 template <class Model> struct Circuit {
     static constexpr uint64_t HALF_PERIOD = 5; // ns, in a waveform
 
     ThreadContextGuard guard;
     // The model keeps a pointer to its context, so the context is declared (and outlives it) first.
-    VerilatedContext context;
+    OneThreadContext context;
     Model model{&context, "TOP"};
     std::unique_ptr<VerilatedFstC> trace;
     uint64_t clocks = 0;
@@ -97,5 +106,15 @@ template <class Model> struct Circuit {
             trace->dump(time);
     }
 };
+
+// nullptr when there is not enough of what a circuit needs: C callers catch nothing.
+template <class Instance> Instance *new_instance() noexcept
+{
+    try {
+        return new Instance;
+    } catch (const std::exception &) {
+        return nullptr;
+    }
+}
 
 #endif

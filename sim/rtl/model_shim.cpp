@@ -112,7 +112,7 @@ void clock_pins(void *instance, const glint_specular_inputs *pins)
 
 void *create()
 {
-    auto *in = new (std::nothrow) Instance;
+    auto *in = new_instance<Instance>();
     if (in != nullptr) {
         glint_specular_inputs pins = {};
         pins.reset = 1;

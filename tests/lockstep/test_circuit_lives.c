@@ -1,6 +1,7 @@
 /* Circuits come and go in any order and in any thread, and those that stay still work. */
 #define _XOPEN_SOURCE 700
 
+#include <dirent.h>
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -148,6 +149,34 @@ static void with_waveforms_closed_before_they_end(void **state)
     glint_divider_rtl_destroy(divider);
 }
 
+/* Threads of this process. */
+static int threads(void)
+{
+    int count = 0;
+    DIR *tasks = opendir("/proc/self/task");
+    assert_non_null(tasks);
+    for (const struct dirent *task; (task = readdir(tasks)) != NULL;) {
+        count += task->d_name[0] != '.';
+    }
+    (void)closedir(tasks);
+    return count;
+}
+
+/* Verilator's own default is one more for each further processor, which on a large machine is more
+ * than a process may have. */
+static void without_threads_of_their_own(void **state)
+{
+    (void)state;
+    glint_error err;
+    glint_divider_rtl *divider;
+    glint_rtl *rtl = created();
+    assert_int_equal(glint_divider_rtl_create(GLINT_DIVIDER_PIPELINED, 12, &divider, &err),
+                     GLINT_OK);
+    assert_int_equal(threads(), 1);
+    glint_rtl_destroy(rtl);
+    glint_divider_rtl_destroy(divider);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -155,6 +184,7 @@ int main(void)
         cmocka_unit_test(in_another_thread),
         cmocka_unit_test(with_dividers_between),
         cmocka_unit_test(with_waveforms_closed_before_they_end),
+        cmocka_unit_test(without_threads_of_their_own),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

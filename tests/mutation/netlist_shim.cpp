@@ -162,6 +162,7 @@ constexpr glint_setting SETTING = {true, {}, FORM, MUTATION_SHIFTS, nullptr, nul
 struct Context : VerilatedContext {
     explicit Context(bool ones)
     {
+        threads(1); // as in sim/rtl/circuit.hpp
         randReset(ones ? 1 : 0);
     }
 };
