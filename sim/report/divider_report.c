@@ -26,14 +26,17 @@ static glint_status write_plot_file(const char *directory, const char *name,
     return glint_new_file_commit(file, err);
 }
 
-static glint_status plot(const char *directory, bool *plotted, glint_error *err)
+static glint_status plot(const char *directory, const volatile bool *stop, bool *plotted,
+                         glint_error *err)
 {
+    const glint_plot_limits limits = {stop, GLINT_PLOT_SECONDS};
     glint_status status =
         write_plot_file(directory, "figure-2.12.dat", glint_divider_write_plot_data, err);
     if (status == GLINT_OK)
         status =
             write_plot_file(directory, "figure-2.12.gnuplot", glint_divider_write_plot_script, err);
-    return status == GLINT_OK ? glint_plot(directory, "figure-2.12", plotted, err) : status;
+    return status == GLINT_OK ? glint_plot(directory, "figure-2.12", &limits, plotted, err)
+                              : status;
 }
 
 static glint_status write_markdown(const char *directory, const glint_divider_report *report,
@@ -89,7 +92,7 @@ glint_status glint_divider_report_make(const char *directory, int threads,
     if (status == GLINT_OK)
         status = glint_directory_make(directory, err);
     if (status == GLINT_OK)
-        status = plot(directory, &report->plotted, err);
+        status = plot(directory, stop, &report->plotted, err);
     if (status == GLINT_OK)
         status = glint_divider_render_scenes(directory, threads, stop, report->scenes, err);
     if (status != GLINT_OK)

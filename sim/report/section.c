@@ -14,10 +14,11 @@ glint_status glint_report_open(const glint_report *report, const char *name, gli
 glint_status glint_report_figure(glint_report *report, const char *name, const char *caption,
                                  glint_error *err)
 {
+    const glint_plot_limits limits = {report->stop, GLINT_PLOT_SECONDS};
     bool plotted;
     glint_status status = glint_report_go_on(report, err);
     if (status == GLINT_OK)
-        status = glint_plot(report->directory, name, &plotted, err);
+        status = glint_plot(report->directory, name, &limits, &plotted, err);
     if (status != GLINT_OK)
         return status;
     report->plotted = report->plotted && plotted;
