@@ -265,25 +265,34 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/libtest.a $(WRONG_OBJECTS) $(LIBRA
 	$(CXX) $(LDFLAGS) -o $@ $< $(BUILD)/libtest.a $(WRONG_OBJECTS) $(WRONG_ARCHIVES) $(LIBRARIES) \
 	    -lcmocka $(LDLIBS)
 
-# The command with a wrong circuit as its only one: what it says when C and Verilog differ. WRONG says
-# which of the device.
-WRONG ?= truncating
+# The command with a wrong circuit: what it says when C and Verilog differ. A wrong device is its only
+# device; a wrong divider, found first, takes the place of the right one. $1: its directory, $2: the fault.
+# WRONG says which the one in build/wrong has; those below it are for the tests.
+WRONGS := $(foreach o,$(WRONG_OBJECTS),$(call wrong_name,$o))
+WRONG  ?= truncating
 
-$(BUILD)/wrong/rtl_models.h: FORCE
-	@mkdir -p $(@D)
-	@(echo "#define GLINT_RTL_MODELS(X) X(glint_wrong_$(WRONG))"; \
-	  echo "#define GLINT_VERILATOR_VERSION \"\"") > $@.new
-	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+define wrong_command
+$1/rtl_models.h: $(BUILD)/rtl_models.h FORCE
+	$(if $(filter $2,$(WRONGS)),,@echo "WRONG=$2: no such fault; there are $(sort $(WRONGS))" >&2; exit 1)
+	@mkdir -p $$(@D)
+	@$(if $(filter divider_%,$2),sed '/^#define GLINT_DIVIDER_MODELS/a\    X(glint_wrong_$2) \\' $$<,(cat $$<; \
+	    echo "#undef GLINT_RTL_MODELS"; \
+	    echo "#define GLINT_RTL_MODELS(X) X(glint_wrong_$2)")) > $$@.new
+	@cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@
 
-$(BUILD)/wrong/rtl.o: sim/rtl/rtl.c $(BUILD)/wrong/rtl_models.h
-	$(CC) -I$(BUILD)/wrong $(CFLAGS_ALL) -c $< -o $@
+$1/rtl.o $1/divider_rtl.o: $1/%.o: sim/rtl/%.c $1/rtl_models.h
+	$$(CC) -I$1 $$(CFLAGS_ALL) -c $$< -o $$@
 
-$(BUILD)/wrong/glint: $(CLI_OBJECTS) $(BUILD)/wrong/rtl.o $(WRONG_OBJECTS) $(LIBRARIES)
-	$(CXX) $(LDFLAGS) -o $@ $(CLI_OBJECTS) $(BUILD)/wrong/rtl.o \
-	    $(VERILATED)/wrong/$(WRONG)/shim.o $(VERILATED)/wrong/$(WRONG)/Vwrong_$(WRONG)__ALL.a \
-	    $(LIBRARIES) $(LDLIBS)
+$1/glint: $$(CLI_OBJECTS) $1/rtl.o $1/divider_rtl.o $$(WRONG_OBJECTS) $$(LIBRARIES)
+	$$(CXX) $$(LDFLAGS) -o $$@ $$(CLI_OBJECTS) $1/rtl.o $1/divider_rtl.o \
+	    $(VERILATED)/wrong/$2/shim.o $(VERILATED)/wrong/$2/Vwrong_$2__ALL.a $$(LIBRARIES) $$(LDLIBS)
+endef
+$(eval $(call wrong_command,$(BUILD)/wrong,$(WRONG)))
+$(eval $(call wrong_command,$(BUILD)/wrong/divider,divider_table_off_by_one))
+$(eval $(call wrong_command,$(BUILD)/wrong/silent,silent))
+WRONG_COMMANDS := $(BUILD)/wrong/glint $(BUILD)/wrong/divider/glint $(BUILD)/wrong/silent/glint
 
-build-tests: $(TEST_PROGRAMS) $(BUILD)/glint $(BUILD)/glint-gen $(BUILD)/wrong/glint
+build-tests: $(TEST_PROGRAMS) $(BUILD)/glint $(BUILD)/glint-gen $(WRONG_COMMANDS)
 .PHONY: build-tests run-tests test-full
 
 run-tests: build-tests

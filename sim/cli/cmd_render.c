@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
 #include "cli/commands.h"
 #include "cli/failure_output.h"
@@ -191,19 +192,36 @@ static bool explain(const glint_render_options *chosen, const char *command, con
     return written;
 }
 
+/* Of frames that are equal now, a packet says that they are not. */
+static void tell_of_earlier(const outputs *files)
+{
+    if (access(files->failure, F_OK) == 0) {
+        printf("%s is of an earlier run\n", files->failure);
+    }
+}
+
+/* The report of a failure comes last where people read; with --json, first, on standard error. */
 static int report(const glint_render_options *chosen, const char *command, const glint_mesh *mesh,
                   const outputs *files, const glint_render_result *result)
 {
+    const bool differs = glint_render_differs(result);
+    bool explained = false;
     if (!chosen->json) {
         glint_render_report_text(chosen, result);
         printf("wrote %s\n", files->frame);
-    } else if (!glint_render_report_json(chosen, result)) {
+        if (!differs && chosen->both) {
+            tell_of_earlier(files);
+        }
+    }
+    if (differs) {
+        explained = explain(chosen, command, mesh, files, result);
+    }
+    if (chosen->json &&
+        !glint_render_report_json(chosen, result, explained ? files->failure : NULL)) {
         return glint_complain("render", GLINT_EXIT_FAILURE, "no memory");
     }
-    const bool explained =
-        glint_render_differs(result) && explain(chosen, command, mesh, files, result);
     const int status = glint_output_finish("render", GLINT_EXIT_OK);
-    if (status != GLINT_EXIT_OK || !glint_render_differs(result)) {
+    if (status != GLINT_EXIT_OK || !differs) {
         return status;
     }
     if (!explained) {

@@ -40,6 +40,7 @@ typedef struct task {
     glint_lockstep_result result;
     glint_status status;
     glint_error err;
+    char packet[FILENAME_MAX]; /* where it is; "": none */
     _Atomic uint64_t done;
 } task;
 
@@ -294,7 +295,8 @@ static void report_failure(const verify_options *chosen, task *task, glint_failu
     if (detail == GLINT_FAILURE_BRIEFLY)
         fprintf(out, "also %" PRIu64 " mismatches of %" PRIu64 ", ", task->result.mismatches,
                 task->result.comparisons);
-    (void)glint_failure_output("verify", failure, NULL, directory, detail, out);
+    if (glint_failure_output("verify", failure, NULL, directory, detail, out))
+        memcpy(task->packet, directory, sizeof directory);
     glint_failure_destroy(failure);
 }
 
@@ -330,6 +332,27 @@ static void describe(cJSON *entry, const glint_setting *setting)
     cJSON_AddNumberToObject(entry, "lanes", config->lanes);
 }
 
+/* What a setting that failed can say of it. */
+static void add_failure(cJSON *entry, const task *task)
+{
+    if (task->status != GLINT_OK && task->status != GLINT_INTERRUPTED)
+        cJSON_AddStringToObject(entry, "error", task->err.text);
+    if (task->packet[0] != '\0')
+        cJSON_AddStringToObject(entry, "packet", task->packet);
+    cJSON *list = cJSON_AddArrayToObject(entry, "first_mismatches");
+    for (int i = 0; i < task->result.kept; i++) {
+        const glint_mismatch *m = &task->result.mismatch[i];
+        cJSON *mismatch = cJSON_CreateObject();
+        cJSON_AddNumberToObject(mismatch, "clock", (double)m->clock);
+        cJSON_AddStringToObject(mismatch, "signal", m->signal.name);
+        cJSON_AddNumberToObject(mismatch, "block", m->signal.block);
+        cJSON_AddNumberToObject(mismatch, "lane", m->signal.lane);
+        cJSON_AddNumberToObject(mismatch, "model", (double)m->model);
+        cJSON_AddNumberToObject(mismatch, "rtl", (double)m->rtl);
+        cJSON_AddItemToArray(list, mismatch);
+    }
+}
+
 static bool print_json(const verify_options *chosen, const verification *all, const sums *sums,
                        double seconds)
 {
@@ -350,6 +373,7 @@ static bool print_json(const verify_options *chosen, const verification *all, co
         cJSON_AddNumberToObject(entry, "clocks", (double)task->result.clocks);
         cJSON_AddNumberToObject(entry, "comparisons", (double)task->result.comparisons);
         cJSON_AddNumberToObject(entry, "mismatches", (double)task->result.mismatches);
+        add_failure(entry, task);
         cJSON_AddItemToArray(list, entry);
     }
     return glint_output_json(json);

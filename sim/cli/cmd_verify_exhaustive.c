@@ -16,7 +16,7 @@
 #include "lockstep/exhaustive.h"
 
 typedef struct exhaustive_options {
-    bool exhaustive, json, seed_given;
+    bool exhaustive, json, seed_given, threads_given, out_given;
     int gate, pipeline;
     int64_t lanes, from, stride, seed, threads;
     const char *shard, *out;
@@ -32,6 +32,7 @@ typedef struct run {
     glint_progress progress;
     double start, seconds;
     char unit[64];
+    char packet[FILENAME_MAX]; /* where it is; "": none */
 } run;
 
 static const char *const gate_choices[] = {"cosine", "sign", "drawn", "all", NULL};
@@ -107,10 +108,12 @@ static int parse(int argc, char **argv, exhaustive_options *chosen)
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->seed, 0, INT64_MAX}},
         {.name = "threads",
+         .given = &chosen->threads_given,
          .help = "each with circuits of its own",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, GLINT_EXHAUSTIVE_THREADS_MAX}},
         {.name = "out",
+         .given = &chosen->out_given,
          .placeholder = "DIR",
          .help = "where the packet of the first mismatch goes, for glint replay; made if needed",
          .kind = GLINT_OPTION_STRING,
@@ -192,7 +195,7 @@ static void stride_options(const exhaustive_options *chosen, char text[STRIDE_TE
                        chosen->seed);
 }
 
-/* All that was chosen, from an n on. */
+/* All that was chosen and matters for what is compared, from an n on. */
 static void write_command_from(const exhaustive_options *chosen, uint32_t from, char *text,
                                size_t size)
 {
@@ -236,7 +239,7 @@ static void print_mismatch(const glint_exhaustive_mismatch *m, FILE *out)
 }
 
 /* The packet of the first mismatch, or of a circuit that kept an answer back, and what it says. */
-static void report_failure(const exhaustive_options *chosen, const run *run, FILE *out)
+static void report_failure(const exhaustive_options *chosen, run *run, FILE *out)
 {
     char name[GLINT_SETTING_TEXT], directory[FILENAME_MAX];
     const glint_exhaustive_mismatch *first = run->result.kept != 0 ? run->result.mismatch : NULL;
@@ -258,12 +261,13 @@ static void report_failure(const exhaustive_options *chosen, const run *run, FIL
                            sizeof failure->command);
     glint_setting_name(&setting, name);
     (void)snprintf(directory, sizeof directory, "%s/%s_exhaustive", chosen->out, name);
-    if (glint_failure_playable(failure))
-        (void)glint_failure_output("verify", failure, NULL, directory, GLINT_FAILURE_REPORT, out);
+    if (glint_failure_playable(failure) &&
+        glint_failure_output("verify", failure, NULL, directory, GLINT_FAILURE_REPORT, out))
+        memcpy(run->packet, directory, sizeof directory);
     glint_failure_destroy(failure);
 }
 
-static void print_mismatches(const exhaustive_options *chosen, const run *run, FILE *out)
+static void print_mismatches(const exhaustive_options *chosen, run *run, FILE *out)
 {
     if (run->result.kept != 0)
         fprintf(out, "the first mismatches:\n");
@@ -273,12 +277,29 @@ static void print_mismatches(const exhaustive_options *chosen, const run *run, F
         report_failure(chosen, run, out);
 }
 
+/* What was chosen of how it is done and told. */
+static void append_way(const exhaustive_options *chosen, char *text, size_t size)
+{
+    size_t used = strlen(text);
+    if (chosen->threads_given)
+        (void)snprintf(text + used, size - used, " --threads %" PRId64, chosen->threads);
+    used = strlen(text);
+    if (chosen->out_given) {
+        (void)snprintf(text + used, size - used, " --out ");
+        glint_shell_append(text, size, chosen->out);
+    }
+    used = strlen(text);
+    if (chosen->json)
+        (void)snprintf(text + used, size - used, " --json");
+}
+
 static void print_resume(const exhaustive_options *chosen, const run *run, FILE *out)
 {
     char command[GLINT_FAILURE_COMMAND];
     if (run->status != GLINT_INTERRUPTED)
         return;
     write_command_from(chosen, run->result.next, command, sizeof command);
+    append_way(chosen, command, sizeof command);
     fprintf(out, "resume: %s\n", command);
 }
 
@@ -296,7 +317,15 @@ static void print_circuits(const run *run)
     }
 }
 
-static void print_text(const exhaustive_options *chosen, const run *run)
+/* After the seconds: why this is not the whole. */
+static const char *ending(const run *run)
+{
+    return run->status == GLINT_OK            ? ""
+           : run->status == GLINT_INTERRUPTED ? " (interrupted)"
+                                              : " (broken off)";
+}
+
+static void print_text(const exhaustive_options *chosen, run *run)
 {
     const glint_exhaustive_circuit sum = sum_of(run);
     print_mismatches(chosen, run, stdout);
@@ -306,7 +335,7 @@ static void print_text(const exhaustive_options *chosen, const run *run)
            sum.mismatches, sum.points * GLINT_ANSWER_VALUES, sum.points, run->result.n_done);
     if (chosen->stride != 1)
         printf("stride %" PRId64 ", seed %" PRId64 ", ", chosen->stride, chosen->seed);
-    printf("%.1f s%s\n", run->seconds, run->status == GLINT_INTERRUPTED ? " (interrupted)" : "");
+    printf("%.1f s%s\n", run->seconds, ending(run));
     print_resume(chosen, run, stdout);
 }
 
@@ -329,6 +358,29 @@ static void add_circuits(cJSON *json, const run *run)
     }
 }
 
+static void add_mismatches(cJSON *json, const run *run)
+{
+    cJSON *list = cJSON_AddArrayToObject(json, "first_mismatches");
+    for (int i = 0; i < run->result.kept; i++) {
+        const glint_exhaustive_mismatch *m = &run->result.mismatch[i];
+        const glint_answer *answer = &m->answer;
+        cJSON *entry = cJSON_CreateObject();
+        cJSON_AddStringToObject(entry, "gate", glint_gate_name(m->config.gate));
+        cJSON_AddStringToObject(entry, "pipeline", glint_pipeline_name(m->config.pipeline));
+        cJSON_AddNumberToObject(entry, "lanes", m->config.lanes);
+        cJSON_AddNumberToObject(entry, "lane", answer->at % m->config.lanes);
+        cJSON_AddNumberToObject(entry, "n", answer->material.n);
+        cJSON_AddNumberToObject(entry, "cos_code", answer->cos_code[answer->at]);
+        cJSON_AddNumberToObject(entry, "r", answer->material.r);
+        cJSON_AddNumberToObject(entry, "g", answer->material.g);
+        cJSON_AddNumberToObject(entry, "b", answer->material.b);
+        cJSON_AddStringToObject(entry, "value", glint_answer_value_name(answer->value));
+        cJSON_AddNumberToObject(entry, "model", answer->model);
+        cJSON_AddNumberToObject(entry, "rtl", answer->rtl);
+        cJSON_AddItemToArray(list, entry);
+    }
+}
+
 static bool print_json(const exhaustive_options *chosen, const run *run)
 {
     char seed[32]; /* a JSON number would lose the low bits of a large seed */
@@ -346,12 +398,17 @@ static bool print_json(const exhaustive_options *chosen, const run *run)
         cJSON_AddStringToObject(json, "seed", seed);
     cJSON_AddBoolToObject(json, "interrupted", run->status == GLINT_INTERRUPTED);
     cJSON_AddNumberToObject(json, "seconds", run->seconds);
+    if (run->status != GLINT_OK && run->status != GLINT_INTERRUPTED)
+        cJSON_AddStringToObject(json, "error", run->err.text);
     add_circuits(json, run);
+    add_mismatches(json, run);
+    if (run->packet[0] != '\0')
+        cJSON_AddStringToObject(json, "packet", run->packet);
     return glint_output_json(json);
 }
 
 /* The mismatches are for people; with --json they must not mix with the result. */
-static int report(const exhaustive_options *chosen, const run *run)
+static int report(const exhaustive_options *chosen, run *run)
 {
     const glint_exhaustive_circuit sum = sum_of(run);
     if (!chosen->json) {
@@ -362,6 +419,8 @@ static int report(const exhaustive_options *chosen, const run *run)
         if (!print_json(chosen, run))
             return glint_complain("verify", GLINT_EXIT_FAILURE, "out of memory");
     }
+    if (run->status != GLINT_OK && run->status != GLINT_INTERRUPTED)
+        return glint_complain_error("verify", &run->err);
     if (sum.w_untried != 0)
         return glint_complain(
             "verify", GLINT_EXIT_FAILURE,
@@ -370,13 +429,12 @@ static int report(const exhaustive_options *chosen, const run *run)
                                                                              : GLINT_EXIT_FAILURE;
 }
 
-/* What was found before a failure is still told. */
-static int end(const exhaustive_options *chosen, const run *run)
+/* What was found before a failure is still told; of options that fit nothing there is nothing to
+ * tell. */
+static int end(const exhaustive_options *chosen, run *run)
 {
-    if (run->status == GLINT_OK || run->status == GLINT_INTERRUPTED)
-        return report(chosen, run);
-    print_mismatches(chosen, run, chosen->json ? stderr : stdout);
-    return glint_complain_error("verify", &run->err);
+    return run->status == GLINT_BAD_ARGUMENT ? glint_complain_error("verify", &run->err)
+                                             : report(chosen, run);
 }
 
 static int verify(const exhaustive_options *chosen)

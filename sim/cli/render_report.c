@@ -82,7 +82,8 @@ static void add_comparison(cJSON *json, const glint_image_difference *difference
     cJSON_AddNumberToObject(compared, "first_y", difference->first_y);
 }
 
-bool glint_render_report_json(const glint_render_options *chosen, const glint_render_result *result)
+bool glint_render_report_json(const glint_render_options *chosen, const glint_render_result *result,
+                              const char *packet)
 {
     const glint_render_stats *stats = &result->frame[0].stats;
     cJSON *json = cJSON_CreateObject();
@@ -111,6 +112,9 @@ bool glint_render_report_json(const glint_render_options *chosen, const glint_re
     }
     if (result->frame_count == 2) {
         add_comparison(json, &result->difference);
+    }
+    if (packet != NULL) {
+        cJSON_AddStringToObject(json, "packet", packet);
     }
     return glint_output_json(json);
 }

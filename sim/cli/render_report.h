@@ -24,8 +24,8 @@ bool glint_render_differs(const glint_render_result *result);
 void glint_render_report_text(const glint_render_options *chosen,
                               const glint_render_result *result);
 
-/* Returns false when memory ran out. */
-bool glint_render_report_json(const glint_render_options *chosen,
-                              const glint_render_result *result);
+/* packet: where the packet of a difference is, or NULL. Returns false when memory ran out. */
+bool glint_render_report_json(const glint_render_options *chosen, const glint_render_result *result,
+                              const char *packet);
 
 #endif

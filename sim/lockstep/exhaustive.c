@@ -369,7 +369,10 @@ static void work_on(worker *worker, void (*progress)(void *, uint64_t, uint64_t)
     while (worker->status == GLINT_OK && take_n(work, &n)) {
         for (int c = 0; c < work->options->configs && worker->status == GLINT_OK; c++)
             worker->status = compare_n(worker, c, n);
-        worker->found.n_done++;
+        if (worker->status == GLINT_OK)
+            worker->found.n_done++;
+        else
+            worker->found.next = n;
         if (progress != NULL)
             progress(work->options->progress_context, work->done, work->total);
     }
@@ -402,6 +405,7 @@ static worker *make_worker(work *work)
     if (made == NULL)
         return NULL;
     made->work = work;
+    made->found.next = GLINT_N_COUNT;
     const size_t configs = (size_t)work->options->configs;
     made->seen = calloc(configs, sizeof *made->seen);
     if (work->options->keep_history)
@@ -488,6 +492,9 @@ static glint_status sum_up(const work *work, worker *const *workers, int count,
     merge_mismatches(result, workers, count);
     result->next =
         taken < work->parts ? work->first + taken * work->options->shards : GLINT_N_COUNT;
+    for (int i = 0; i < count; i++)
+        if (workers[i]->found.next < result->next)
+            result->next = workers[i]->found.next;
     for (int i = 0; i < count; i++)
         if (workers[i]->status != GLINT_OK) {
             if (result->kept == 0)
