@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <ftw.h>
+#include <math.h>
 #include <poll.h>
 #include <setjmp.h>
 #include <signal.h>
@@ -178,6 +179,7 @@ static int follow(pid_t child, const abuse *how, lines *l, outcome *done)
     size_t length[2] = {0, 0};
     bool open[2] = {how->out == NULL && !how->broken_out, true};
     bool sent = how->signal == 0, ended = false, late = false;
+    double send = how->once_caught ? HUGE_VAL : start + how->milliseconds * 1e-3;
     int status = 0;
     while (!ended || open[0] || open[1]) {
         struct pollfd ready[2] = {{.fd = open[0] ? l->out.read : -1, .events = POLLIN},
@@ -188,7 +190,10 @@ static int follow(pid_t child, const abuse *how, lines *l, outcome *done)
                 open[i] = read_more(ready[i].fd, text[i], &length[i]);
             }
         }
-        if (!sent && child_seconds() >= start + how->milliseconds * 1e-3) {
+        if (!sent && isinf(send) && catches(child, how->signal)) {
+            send = child_seconds() + how->milliseconds * 1e-3;
+        }
+        if (!sent && child_seconds() >= send) {
             sent = true;
             done->caught = catches(child, how->signal);
             (void)kill(child, how->signal);

@@ -26,7 +26,8 @@ typedef struct abuse {
     long file_limit; /* largest file it can write, bytes; 0: no limit */
     int signal;      /* sent after milliseconds; 0: none */
     int milliseconds;
-    double seconds; /* after which it counts as hanging; 0: 20 */
+    bool once_caught; /* they count from when it has a handler of its own for the signal */
+    double seconds;   /* after which it counts as hanging; 0: 20 */
 } abuse;
 
 typedef struct outcome {

@@ -11,14 +11,22 @@
 #include <cmocka.h>
 
 #include "../scratch.h"
+
+#include "../child.h"
 #include "abuse.h"
 
 typedef struct victim {
     const char *line; /* D: the directory to write to, S: the test's own with what is read */
     bool wrong, endless_in;
-    int status; /* of one that was interrupted */
-    const char *said;
+    int status;       /* of one that was interrupted */
+    const char *said; /* by it; "": it may be done before */
 } victim;
+
+/* When the signal comes. */
+typedef struct moment {
+    int milliseconds; /* after the start */
+    bool once_caught; /* rather: after the command has its own handler */
+} moment;
 
 static const victim victims[] = {
     {"render --size 5000x5000 --backend both --threads 2 --out D/a.png", false, false, 1,
@@ -65,7 +73,7 @@ static void line_of(const victim *v, char line[4096])
     *end = '\0';
 }
 
-static void try_signal(const victim *v, int signal, int milliseconds)
+static void try_signal(const victim *v, int signal, moment when)
 {
     char line[4096];
     line_of(v, line);
@@ -73,7 +81,8 @@ static void try_signal(const victim *v, int signal, int milliseconds)
     const abuse how = {.program = v->wrong ? wrong_program() : NULL,
                        .endless_in = v->endless_in,
                        .signal = signal,
-                       .milliseconds = milliseconds,
+                       .milliseconds = when.milliseconds,
+                       .once_caught = when.once_caught,
                        .seconds = 10.0};
     outcome done = abuse_run(signal == SIGKILL ? "kill" : "Ctrl-C, SIGTERM and SIGHUP", line, &how);
     const bool killed = done.status == 128 + signal;
@@ -81,10 +90,13 @@ static void try_signal(const victim *v, int signal, int milliseconds)
     const bool answered = done.status == v->status &&
                           (strstr(done.err, v->said) != NULL || strstr(done.out, v->said) != NULL);
     /* Until it has a handler, the signal just ends it. */
-    const bool fitting = killed ? !done.caught : finished || (signal != SIGKILL && answered);
+    const bool fitting = when.once_caught && v->said[0] != '\0' ? answered
+                         : killed                               ? !done.caught
+                                  : finished || (signal != SIGKILL && answered);
     if (done.survived || !fitting) {
-        fail_msg("%s: signal %d after %d ms: exit status %d%s, \"%s\"", line, signal, milliseconds,
-                 done.status, done.survived ? ", processes left behind" : "", done.err);
+        fail_msg("%s: signal %d after %d ms: exit status %d%s, \"%s\"", line, signal,
+                 when.milliseconds, done.status, done.survived ? ", processes left behind" : "",
+                 done.err);
     }
     (void)abuse_expect_whole(out, signal == SIGKILL || killed);
     abuse_forget(&done);
@@ -95,9 +107,18 @@ static void try_signal(const victim *v, int signal, int milliseconds)
 static void each_command_at(int signal, const int *moments)
 {
     for (size_t i = 0; i < sizeof victims / sizeof victims[0]; i++) {
-        for (const int *moment = moments; *moment != 0; moment++) {
-            try_signal(&victims[i], signal, *moment);
+        for (const int *after = moments; *after != 0; after++) {
+            try_signal(&victims[i], signal, (moment){*after, false});
         }
+    }
+}
+
+/* At work, and not yet done: each says so. */
+static void interrupted_at_work(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof victims / sizeof victims[0]; i++) {
+        try_signal(&victims[i], SIGINT, (moment){5, true});
     }
 }
 
@@ -137,14 +158,15 @@ static int set_up(void **state)
     (void)snprintf(out, sizeof out, "%s", scratch_path("out"));
     (void)snprintf(own, sizeof own, "%s", scratch_directory);
     scratch_write(scratch_path("endless.ply"), "ply\nformat ascii 1", 18);
-    char line[2048];
-    (void)snprintf(line, sizeof line, "render --size 3000x3000 --out %s/large.png", own);
-    const abuse plainly = {0};
-    abuse_optional("preparation");
-    outcome done = abuse_run("preparation", line, &plainly);
-    const int status = done.status;
-    abuse_forget(&done);
-    return status;
+    const char *glint = getenv("GLINT");
+    const char *const large[] = {glint != NULL ? glint : "build/glint",
+                                 "render",
+                                 "--size",
+                                 "3000x3000",
+                                 "--out",
+                                 scratch_path("large.png"),
+                                 NULL};
+    return child_run(large, 60.0);
 }
 
 /* The last: all others have been counted. */
@@ -159,6 +181,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(interrupted),
+        cmocka_unit_test(interrupted_at_work),
         cmocka_unit_test(terminated),
         cmocka_unit_test(killed),
         cmocka_unit_test(the_counts_are_documented),
