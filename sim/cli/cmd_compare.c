@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/parse.h"
 #include "file/same.h"
 #include "image/image.h"
 
@@ -109,6 +110,10 @@ int glint_cmd_compare(int argc, char **argv)
     const int parsed = parse(argc, argv, &chosen);
     if (parsed != GLINT_OPTIONS_RUN) {
         return parsed;
+    }
+    if (chosen.diff != NULL && !glint_is_png_name(chosen.diff)) {
+        return glint_complain("compare", GLINT_EXIT_USAGE,
+                              "--diff: %s: pictures are written as PNG: name it .png", chosen.diff);
     }
     if (chosen.diff != NULL &&
         (glint_file_same(chosen.diff, chosen.a) || glint_file_same(chosen.diff, chosen.b))) {

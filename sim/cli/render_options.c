@@ -156,6 +156,10 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
     if (status != GLINT_OPTIONS_RUN) {
         return status;
     }
+    if (!glint_is_png_name(raw.out)) {
+        return glint_complain("render", GLINT_EXIT_USAGE,
+                              "--out: %s: pictures are written as PNG: name it .png", raw.out);
+    }
     const bool both = raw.backend == BACKEND_BOTH;
     *chosen = (glint_render_options){
         .what = raw.scene,

@@ -48,6 +48,19 @@ static void equal_pictures(void **state)
     forget(&done);
 }
 
+static void a_difference_by_another_name_is_refused(void **state)
+{
+    (void)state;
+    char options[1024];
+    make_png("a.png", 5, 100, 1);
+    (void)snprintf(options, sizeof options, "--diff %s", scratch_path("difference.gif"));
+    outcome done = compare("a.png", "a.png", options);
+    assert_int_equal(done.status, 2);
+    assert_says(done.err, "difference.gif: pictures are written as PNG: name it .png\n");
+    assert_int_equal(access(scratch_path("difference.gif"), F_OK), -1);
+    forget(&done);
+}
+
 static void differing_pictures(void **state)
 {
     (void)state;
@@ -178,6 +191,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(equal_pictures),
+        cmocka_unit_test(a_difference_by_another_name_is_refused),
         cmocka_unit_test(differing_pictures),
         cmocka_unit_test(a_differing_mask_is_a_difference),
         cmocka_unit_test(json_says_the_same),

@@ -252,6 +252,23 @@ static void every_model_that_help_names_is_rendered(void **state)
     forget(&help);
 }
 
+/* A PNG by the name of another kind would open in no viewer. */
+static void names_of_other_pictures_are_refused(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"a.jpg", "a.png.JPEG", "a.tiff"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        outcome done = render(names[i], "--size 16x16");
+        assert_int_equal(done.status, 2);
+        assert_says(done.err, ": pictures are written as PNG: name it .png\n");
+        assert_int_equal(access(scratch_path(names[i]), F_OK), -1);
+        forget(&done);
+    }
+    outcome done = render("plain.name", "--size 16x16");
+    assert_outcome(&done, 0, "");
+    forget(&done);
+}
+
 static void models_that_do_not_fit_are_refused(void **state)
 {
     (void)state;
@@ -463,6 +480,7 @@ int main(void)
         cmocka_unit_test(threads_lanes_and_pipeline_do_not_change_the_picture),
         cmocka_unit_test(few_shifts_change_a_gouraud_picture),
         cmocka_unit_test(every_model_that_help_names_is_rendered),
+        cmocka_unit_test(names_of_other_pictures_are_refused),
         cmocka_unit_test(models_that_do_not_fit_are_refused),
         cmocka_unit_test(the_divisions_are_told_of),
         cmocka_unit_test(json_gives_the_figures),
