@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "report/divider_error.h"
+#include "report/findings.h"
 
 const glint_span_operations glint_table_21_stated = {{
     [GLINT_SPAN_EDGE_INCREMENTS] = {18, 9},
@@ -34,17 +35,11 @@ uint64_t glint_operations_clocks(glint_operations operations, uint64_t clocks_of
            operations.divisions * clocks_of_a_division;
 }
 
-static bool rounds_to(double measured, double stated, int decimals)
-{
-    const double unit = pow(10.0, -decimals);
-    return fabs(measured - stated) <= 0.5 * unit * (1.0 + 1e-9);
-}
-
 static void add(glint_claims *claims, glint_claim claim)
 {
     claim.holds = !claim.undecided &&
                   (claim.at_most ? claim.measured <= claim.stated
-                                 : rounds_to(claim.measured, claim.stated, claim.decimals));
+                                 : glint_rounds_to(claim.measured, claim.stated, claim.decimals));
     claims->claim[claims->count++] = claim;
 }
 

@@ -24,9 +24,10 @@ static const glint_chart figure_15 = {
     .settings =
         "set logscale x\nset yrange [0:3]\nset arrow from 1,1 to 1000,1 nohead dashtype 2\n",
     .curves = 3,
-    .curve = {"(2.25) as printed, to 5.8/√n", "to 5.8/√n, at most π/2",
-              "to the zero of W, at most π/2"},
-    .caption = "Figure 2.15: the limit 5.8/√n lies beyond the zero of W, near 4.9/√n, and takes in "
+    .curve = {"(2.25) with dθ_0, to 5.8/√n", "(2.25) with dθ_0, to 5.8/√n, at most π/2",
+              "W itself: to its zero, at most π/2"},
+    .caption = "Figure 2.15: (2.25) read with dθ₀ for its dω₀. The limit 5.8/√n lies beyond the "
+               "zero of W, near 4.9/√n, and takes in "
                "some of the parabola's second branch; below n = 14 it is beyond the horizon, where "
                "cos θ counts as negative."};
 
@@ -92,7 +93,7 @@ glint_status glint_energy_draw(glint_report *report, const glint_energy_results 
                                glint_error *err)
 {
     const glint_energy_normal *normal = &results->normal;
-    const double *const curve[] = {normal->printed, normal->held, normal->w};
+    const double *const curve[] = {normal->with_limit, normal->held, normal->w};
     glint_status status = draw_by_exponent(report, &figure_15, curve, err);
     if (status == GLINT_OK)
         status = draw_normalized(report, results, err);

@@ -61,15 +61,15 @@ static void say_grid(glint_finding *finding, const glint_energy_table *grid)
 static void find_plain(const glint_energy_results *results, glint_findings *findings)
 {
     const glint_energy_normal *normal = &results->normal;
-    const excess w = excess_of(normal->w), printed = excess_of(normal->printed);
+    const excess w = excess_of(normal->w), limited = excess_of(normal->with_limit);
     glint_finding *finding = glint_findings_add(
         findings, holds_if(w.first == 1 && w.last == CLAIMED_LAST), "2.5, figure 2.15");
     SAY(finding->claim, "W without a factor does not conserve energy for n = 1…%d", CLAIMED_LAST);
     SAY(finding->measured,
         "R > 1 for n = %d…%d; R = %.4f at n = 17, %.4f at 18, %.4f at 19, %.4f at 20. By (2.25) "
-        "as printed n = %d…%d (%.4f at 18)",
-        w.first, w.last, normal->w[16], normal->w[17], normal->w[18], normal->w[19], printed.first,
-        printed.last, normal->printed[17]);
+        "with dθ₀, to 5.8/√n, n = %d…%d (%.4f at 18)",
+        w.first, w.last, normal->w[16], normal->w[17], normal->w[18], normal->w[19], limited.first,
+        limited.last, normal->with_limit[17]);
     SAY(finding->conditions, "every n = 1…1000, normal incidence, W zero beyond its zero");
 }
 
@@ -110,20 +110,20 @@ static void find_differential(const glint_energy_results *results, glint_finding
 {
     const int last = GLINT_ENERGY_N_MAX - 1;
     const double *held = results->normal.held;
-    double printed[GLINT_ENERGY_N_MAX], apart = 0.0;
+    double literal[GLINT_ENERGY_N_MAX], apart = 0.0;
     for (int i = 0; i < GLINT_ENERGY_N_MAX; i++) {
         const double limit = fmin(glint_printed_limit(i + 1), acos(0.0));
-        printed[i] = glint_printed_albedo_by_solid_angle(i + 1, limit);
-        apart = fmax(apart, fabs(printed[i] / held[i] - 1.0));
+        literal[i] = glint_printed_albedo_by_solid_angle(i + 1, limit);
+        apart = fmax(apart, fabs(literal[i] / held[i] - 1.0));
     }
-    const excess above = excess_of(printed);
+    const excess above = excess_of(literal);
     glint_finding *finding = glint_findings_add(findings, holds_if(apart < SAME), "(2.25)");
     SAY(finding->claim, "R is the integral of W cos θ₀ sin θ₀ over dω₀");
     SAY(finding->measured,
-        "with dω₀ = sin θ₀ dθ₀ R = %.4f at n = 17 and %.6f at 1000, with dθ₀ %.4f and %.6f; R > 1 "
-        "only for n = %d…%d. A misprint: dθ₀ is meant",
-        printed[CLAIMED_LAST - 1], printed[last], held[CLAIMED_LAST - 1], held[last], above.first,
-        above.last);
+        "with dω₀ = sin θ₀ dθ₀ R = %.4f at n = 17 and %.6f at 1000, above 1 only for n = %d…%d; "
+        "with dθ₀ %.4f and %.6f. A misprint: dθ₀ is meant",
+        literal[CLAIMED_LAST - 1], literal[last], above.first, above.last, held[CLAIMED_LAST - 1],
+        held[last]);
     SAY(finding->conditions, "every n = 1…1000, to 5.8/√n, at most π/2; 2π and sin θ₀ are what "
                              "dω₀ has beside dθ₀; dθ₀ is read everywhere else here");
 }
@@ -155,12 +155,12 @@ static void find_law(const glint_energy_results *results, glint_findings *findin
 
 static void find_limit(const glint_energy_results *results, glint_findings *findings)
 {
-    const double *w = results->normal.w, *printed = results->normal.printed;
+    const double *w = results->normal.w, *limited = results->normal.with_limit;
     double most = 0.0;
     int most_n = 0;
     for (int i = 0; i < GLINT_ENERGY_N_MAX; i++)
-        if (fabs(printed[i] - w[i]) / w[i] > most) {
-            most = fabs(printed[i] - w[i]) / w[i];
+        if (fabs(limited[i] - w[i]) / w[i] > most) {
+            most = fabs(limited[i] - w[i]) / w[i];
             most_n = i + 1;
         }
     const int last = GLINT_ENERGY_N_MAX - 1;
@@ -168,9 +168,10 @@ static void find_limit(const glint_energy_results *results, glint_findings *find
     glint_finding *finding = glint_findings_add(findings, holds_if(zero >= 5.8), "(2.25)");
     SAY(finding->claim, "the limit 5.8/√n takes in the first lobe of W only");
     SAY(finding->measured,
-        "W is zero at %.4f/√n (n = 1000); R by (2.25) is %.2f %% too large at n = 1000 and %.1f %% "
-        "off at n = %d",
-        zero, 100.0 * (printed[last] / w[last] - 1.0), 100.0 * most, most_n);
+        "W is zero at %.4f/√n (n = 1000); R by (2.25) with dθ₀ is %.2f %% too large at n = 1000 "
+        "and "
+        "%.1f %% off at n = %d",
+        zero, 100.0 * (limited[last] / w[last] - 1.0), 100.0 * most, most_n);
     SAY(finding->conditions, "every n = 1…1000, against the integral to the zero of W or to π/2");
 }
 

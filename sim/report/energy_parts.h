@@ -13,11 +13,11 @@
 
 /* Albedos at normal incidence for n = 1…1000, number n − 1. */
 typedef struct glint_energy_normal {
-    double w[GLINT_ENERGY_N_MAX];       /* the cosine-quadratic */
-    double printed[GLINT_ENERGY_N_MAX]; /* (2.25) with its limit 5.8/√n */
-    double held[GLINT_ENERGY_N_MAX];    /* the same with a limit of at most π/2 */
-    double claimed[GLINT_ENERGY_N_MAX]; /* (2.26) */
-    double blinn[GLINT_ENERGY_N_MAX];   /* with (n+6)/(8π) */
+    double w[GLINT_ENERGY_N_MAX];          /* the cosine-quadratic */
+    double with_limit[GLINT_ENERGY_N_MAX]; /* (2.25) with dθ₀ for dω₀, to its limit 5.8/√n */
+    double held[GLINT_ENERGY_N_MAX];       /* the same with a limit of at most π/2 */
+    double claimed[GLINT_ENERGY_N_MAX];    /* (2.26) */
+    double blinn[GLINT_ENERGY_N_MAX];      /* with (n+6)/(8π) */
     double device[GLINT_ENERGY_N_MAX], verilog[GLINT_ENERGY_N_MAX];
 } glint_energy_normal;
 

@@ -1,5 +1,6 @@
 #include "report/findings.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,6 +16,35 @@ static const char *const texts[GLINT_VERDICT_COUNT] = {
     [GLINT_DOES_NOT_HOLD] = "does not hold",
     [GLINT_CANNOT_BE_DECIDED] = "cannot be decided",
 };
+
+const char glint_verdict_rules[] =
+    "A claim of *at most* holds when the measured number is no larger; a gain (so many times "
+    "faster, smaller or more\naccurate, so many per cent less time) when the measured one, rounded "
+    "as the thesis prints it, is no smaller;\nany other number when the measured one rounds to "
+    "it. What was timed cannot be decided where the measurements\nlie on both sides.";
+
+/* Half of the last decimal, and what doubles make of it. */
+static double tolerance_of(int decimals)
+{
+    return 0.5 * pow(10.0, -decimals) * (1.0 + 1e-9);
+}
+
+bool glint_rounds_to(double measured, double stated, int decimals)
+{
+    return fabs(measured - stated) <= tolerance_of(decimals);
+}
+
+bool glint_reaches(double measured, double stated, int decimals)
+{
+    return measured >= stated - tolerance_of(decimals);
+}
+
+glint_verdict glint_verdict_of_gain(double lowest, double highest, double stated, int decimals)
+{
+    return glint_reaches(lowest, stated, decimals)    ? GLINT_HOLDS
+           : glint_reaches(highest, stated, decimals) ? GLINT_CANNOT_BE_DECIDED
+                                                      : GLINT_DOES_NOT_HOLD;
+}
 
 glint_findings *glint_findings_create(void)
 {

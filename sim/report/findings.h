@@ -10,9 +10,23 @@
 typedef enum glint_verdict {
     GLINT_HOLDS,
     GLINT_DOES_NOT_HOLD,
-    GLINT_CANNOT_BE_DECIDED, /* as stated: what it says is not enough to measure it by */
+    GLINT_CANNOT_BE_DECIDED, /* as stated: what it says is not enough to measure it by, or what was
+                                measured lies on both sides of it */
     GLINT_VERDICT_COUNT
 } glint_verdict;
+
+/* The rules of the verdicts, in words for the report's introduction. */
+extern const char glint_verdict_rules[];
+
+/* A plain number: whether the measured one rounds to it, with so many decimals. */
+bool glint_rounds_to(double measured, double stated, int decimals);
+
+/* A gain (times faster, times smaller, per cent less): whether the measured one, rounded to so many
+ * decimals, is no smaller. */
+bool glint_reaches(double measured, double stated, int decimals);
+
+/* The same of a gain measured between lowest and highest. */
+glint_verdict glint_verdict_of_gain(double lowest, double highest, double stated, int decimals);
 
 /* One line of Markdown each, without "|". */
 typedef struct glint_finding {

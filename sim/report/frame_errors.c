@@ -12,6 +12,7 @@ const char *const glint_frame_names[GLINT_FRAME_COUNT][2] = {
     [GLINT_FRAME_SCHLICK] = {"schlick", "blinn"},
     [GLINT_FRAME_SCHLICK_MODIFIED] = {"schlick-modified", "blinn"},
     [GLINT_FRAME_SCHLICK_POWER] = {"schlick-modified-power", "blinn"},
+    [GLINT_FRAME_SCHLICK_SQUARED] = {"schlick-modified-squared", "blinn"},
     [GLINT_FRAME_QUADRATIC] = {"quadratic", "blinn"},
     [GLINT_FRAME_COSINE_QUADRATIC] = {"cosine-quadratic", "blinn"},
     [GLINT_FRAME_LYON_4] = {"lyon-4", "blinn"},
@@ -25,7 +26,7 @@ static const int many_exponents[] = {1,  2,  3,   5,   7,   10,  13,  17,  20,  
                                      50, 80, 120, 169, 170, 250, 350, 500, 700, 1000};
 static const int few_exponents[] = {2, 13, 169, 170, 1000};
 
-static int exponents_of(bool quick, int *n)
+int glint_frame_exponents(bool quick, int n[GLINT_FRAME_EXPONENTS_MAX])
 {
     const int *chosen = quick ? few_exponents : many_exponents;
     const size_t size = quick ? sizeof few_exponents : sizeof many_exponents;
@@ -51,10 +52,9 @@ glint_status glint_frame_mesh(glint_test_figure figure, glint_mesh **mesh, glint
                                          : glint_mesh_teapot(GLINT_TEAPOT_DENSITY, mesh, err);
 }
 
-/* One figure, two methods: made, used for every exponent, and destroyed. */
-static glint_status create_study(const glint_report *report, const glint_scene *scene, int width,
-                                 int height, const char *reference, const char *method,
-                                 glint_study **study, glint_error *err)
+glint_status glint_frame_study_create(const glint_report *report, const glint_scene *scene,
+                                      int width, int height, const char *reference,
+                                      const char *method, glint_study **study, glint_error *err)
 {
     glint_study_setup setup = {
         .scene = *scene, .width = width, .height = height, .threads = report->threads};
@@ -69,9 +69,9 @@ static glint_status measure_method(const glint_report *report, const glint_scene
                                    double *nmse, glint_error *err)
 {
     glint_study *study;
-    glint_status status =
-        create_study(report, scene, errors->width, errors->height, glint_frame_names[method][1],
-                     glint_frame_names[method][0], &study, err);
+    glint_status status = glint_frame_study_create(report, scene, errors->width, errors->height,
+                                                   glint_frame_names[method][1],
+                                                   glint_frame_names[method][0], &study, err);
     if (status != GLINT_OK)
         return status;
     for (int i = 0; i < errors->count && status == GLINT_OK; i++) {
@@ -106,7 +106,7 @@ glint_status glint_frame_errors_measure(const glint_report *report, glint_frame_
     glint_status status = GLINT_OK;
     errors->width = report->quick ? 160 : 640;
     errors->height = report->quick ? 120 : 480;
-    errors->count = exponents_of(report->quick, errors->n);
+    errors->count = glint_frame_exponents(report->quick, errors->n);
     for (int figure = 0; figure < GLINT_FIGURE_COUNT && status == GLINT_OK; figure++) {
         glint_mesh *mesh;
         status = glint_frame_mesh((glint_test_figure)figure, &mesh, err);
@@ -129,40 +129,4 @@ glint_worst_frame glint_worst_frame_of(const glint_frame_errors *errors, glint_t
             worst = (glint_worst_frame){nmse, errors->n[i]};
     }
     return worst;
-}
-
-static glint_status time_figure(const glint_report *report, const glint_mesh *mesh,
-                                glint_frame_times *times, glint_study_row *rows, glint_error *err)
-{
-    glint_scene scene;
-    glint_study *study;
-    glint_frame_scene(GLINT_LIGHT_WHITE, &scene);
-    scene.mesh = mesh;
-    glint_status status = create_study(report, &scene, times->width, times->height, "blinn",
-                                       "cosine-quadratic", &study, err);
-    if (status != GLINT_OK)
-        return status;
-    for (int i = 0; i < times->count && status == GLINT_OK; i++)
-        status = glint_study_run(study, times->n[i], times->frames, report->stop, &rows[i], err);
-    glint_study_destroy(study);
-    return status;
-}
-
-glint_status glint_frame_times_measure(const glint_report *report, glint_frame_times *times,
-                                       glint_error *err)
-{
-    glint_status status = GLINT_OK;
-    times->width = report->quick ? 160 : 640;
-    times->height = report->quick ? 120 : 480;
-    times->frames = report->quick ? 3 : 21;
-    times->count = exponents_of(report->quick, times->n);
-    for (int figure = 0; figure < GLINT_FIGURE_COUNT && status == GLINT_OK; figure++) {
-        glint_mesh *mesh;
-        status = glint_frame_mesh((glint_test_figure)figure, &mesh, err);
-        if (status != GLINT_OK)
-            return status;
-        status = time_figure(report, mesh, times, times->row[figure], err);
-        glint_mesh_destroy(mesh);
-    }
-    return status;
 }

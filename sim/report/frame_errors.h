@@ -1,9 +1,11 @@
-/* Whole frames by each formula against frames by exact cosⁿ: Table 3.2 and figure 3.13. */
+/* Whole frames by each formula against frames by exact cosⁿ: Table 3.2. */
 #ifndef GLINT_SIM_REPORT_FRAME_ERRORS_H
 #define GLINT_SIM_REPORT_FRAME_ERRORS_H
 
 #include "report/section.h"
 #include "study/study.h"
+
+#define GLINT_FRAME_EXPONENTS_MAX 24
 
 /* The thesis's test figures. */
 typedef enum glint_test_figure {
@@ -30,6 +32,7 @@ typedef enum glint_frame_method {
     GLINT_FRAME_SCHLICK,
     GLINT_FRAME_SCHLICK_MODIFIED,
     GLINT_FRAME_SCHLICK_POWER,
+    GLINT_FRAME_SCHLICK_SQUARED,
     GLINT_FRAME_QUADRATIC,
     GLINT_FRAME_COSINE_QUADRATIC,
     GLINT_FRAME_LYON_4,
@@ -43,8 +46,6 @@ typedef enum glint_frame_method {
 /* What stands in for cosⁿ, and what it is compared with: methods of study.h. */
 extern const char *const glint_frame_names[GLINT_FRAME_COUNT][2];
 
-#define GLINT_FRAME_EXPONENTS_MAX 24
-
 typedef struct glint_frame_errors {
     int width, height;
     int count; /* exponents */
@@ -57,6 +58,14 @@ typedef struct glint_frame_errors {
 void glint_frame_scene(glint_frame_light light, glint_scene *scene);
 
 glint_status glint_frame_mesh(glint_test_figure figure, glint_mesh **mesh, glint_error *err);
+
+/* The exponents of the frames; returns how many. */
+int glint_frame_exponents(bool quick, int n[GLINT_FRAME_EXPONENTS_MAX]);
+
+/* Two methods of study.h, the reference first. The scene's mesh must outlive the study. */
+glint_status glint_frame_study_create(const glint_report *report, const glint_scene *scene,
+                                      int width, int height, const char *reference,
+                                      const char *method, glint_study **study, glint_error *err);
 
 glint_status glint_frame_errors_measure(const glint_report *report, glint_frame_errors *errors,
                                         glint_error *err);
@@ -74,15 +83,5 @@ typedef struct glint_worst_frame {
 glint_worst_frame glint_worst_frame_of(const glint_frame_errors *errors, glint_test_figure figure,
                                        glint_frame_light light, glint_frame_method method,
                                        int n_from, int n_to);
-
-typedef struct glint_frame_times {
-    int width, height, frames; /* frames timed of each method */
-    int count;
-    int n[GLINT_FRAME_EXPONENTS_MAX];
-    glint_study_row row[GLINT_FIGURE_COUNT][GLINT_FRAME_EXPONENTS_MAX]; /* A: cosⁿ, B: (2.15) */
-} glint_frame_times;
-
-glint_status glint_frame_times_measure(const glint_report *report, glint_frame_times *times,
-                                       glint_error *err);
 
 #endif

@@ -64,13 +64,11 @@ static glint_status write_markdown(const glint_report *report, const char *secti
             "vector, and of the\nexponent n, 1 to 1000. Blinn's cos^n is what the others stand "
             "for; W is the thesis's cosine-quadratic (2.15),\n((n+1)/3 (c−1) + 1)², zero beyond "
             "its zero. The *epicentre* is where cos^n ≥ 0.6 (section 2.1). R is the\nshare of a "
-            "beam of light that the surface gives back. A claim of *at most* holds when the "
-            "measured number\nis no larger, a plain number when the measured one rounds to "
-            "it.\n\n"
+            "beam of light that the surface gives back.\n\n%s\n\n"
             "## The claims\n\n"
             "%d hold, %d do not hold, %d cannot be decided as stated.\n\n",
             report->quick ? " with `--quick`, on coarser grids and smaller frames" : "",
-            glint_findings_count(report->findings, GLINT_HOLDS),
+            glint_verdict_rules, glint_findings_count(report->findings, GLINT_HOLDS),
             glint_findings_count(report->findings, GLINT_DOES_NOT_HOLD),
             glint_findings_count(report->findings, GLINT_CANNOT_BE_DECIDED));
     glint_findings_write(report->findings, out);

@@ -79,7 +79,7 @@ static glint_status measure_normal(const glint_report *report, glint_energy_norm
         status = normal_of(curves[i].model, &rules, curves[i].albedo, err);
     for (int i = 0; i < GLINT_ENERGY_N_MAX; i++) {
         const double limit = glint_printed_limit(i + 1);
-        normal->printed[i] = glint_printed_albedo(i + 1, limit);
+        normal->with_limit[i] = glint_printed_albedo(i + 1, limit);
         normal->held[i] = glint_printed_albedo(i + 1, fmin(limit, acos(0.0)));
     }
     return status == GLINT_OK ? glint_energy_verilog_normal(report, normal->verilog, err) : status;

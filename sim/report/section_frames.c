@@ -1,11 +1,9 @@
 /* Section 3.4: what the formulas' errors come to in pictures, and how long the pictures take. */
 #include "report/sections.h"
 
-#include <math.h>
 #include <stdlib.h>
 
-#include "report/chart.h"
-#include "report/frame_errors.h"
+#include "report/frame_times.h"
 #include "report/place.h"
 
 #define SAY(text, ...) snprintf(text, sizeof text, __VA_ARGS__)
@@ -13,10 +11,9 @@
 typedef struct frames {
     glint_frame_errors errors;
     glint_frame_times times;
-    double values[GLINT_FRAME_EXPONENTS_MAX * (1 + GLINT_CHART_CURVES_MAX)];
 } frames;
 
-/* ---- Figures 3.12 and 3.13 ------------------------------------------------------------------- */
+/* ---- Figure 3.12 -------------------------------------------------------------------------- */
 
 static glint_status render_figure(glint_report *report, glint_test_figure figure,
                                   glint_renderer *renderer, glint_image *image, glint_error *err)
@@ -64,54 +61,6 @@ static glint_status render_figures(glint_report *report, glint_error *err)
     return status;
 }
 
-static glint_status draw_times(glint_report *report, frames *f, glint_error *err)
-{
-    static const glint_chart chart = {
-        .name = "figure-3.13",
-        .title = "Time of a frame against n",
-        .x_label = "n",
-        .y_label = "ms",
-        .settings = "set logscale x\nset yrange [0:*]\n" GLINT_CHART_KEY_BELOW,
-        .curves = 4,
-        .curve = {"sphere, cos^n", "sphere, cosine-quadratic", "teapot, cos^n",
-                  "teapot, cosine-quadratic"},
-        .caption = "Figure 3.13: the time of a frame, from mesh to picture, median."};
-    const glint_frame_times *times = &f->times;
-    for (int i = 0; i < times->count; i++) {
-        double *row = &f->values[5 * i];
-        row[0] = times->n[i];
-        for (int j = 0; j < 4; j++)
-            row[1 + j] = 1e3 * times->row[j / 2][i].seconds[j % 2];
-    }
-    fprintf(report->markdown,
-            "\n### Time of a frame (figure 3.13)\n\n%dx%d, %d threads, %d frames of each by turns, "
-            "backend *real*: cos^n by powf, (2.15) as vectorised by\nthe compiler. gcc %s -O3; "
-            "machine-dependent, as all times are.\n",
-            times->width, times->height, report->threads, times->frames, __VERSION__);
-    return glint_chart_draw(report, &chart, f->values, times->count, err);
-}
-
-static void find_times(glint_findings *findings, const glint_frame_times *times, int threads)
-{
-    for (int figure = 0; figure < GLINT_FIGURE_COUNT; figure++) {
-        double least = INFINITY, most = -INFINITY;
-        for (int i = 0; i < times->count; i++) {
-            const double gain = 100.0 * (1.0 - times->row[figure][i].ratio);
-            least = fmin(least, gain);
-            most = fmax(most, gain);
-        }
-        glint_finding *finding =
-            glint_findings_add(findings, most >= 19.5 ? GLINT_HOLDS : GLINT_DOES_NOT_HOLD, "3.4");
-        SAY(finding->claim, "Frame time up to 20 %% better than with cos^n (figure 3.13): %s",
-            glint_test_figure_names[figure]);
-        SAY(finding->measured, "%.0f to %.0f %% less time (below 0: more)", least, most);
-        SAY(finding->conditions,
-            "this machine and renderer, %d threads, %dx%d, median of %d pairs for each of %d "
-            "exponents; it holds where 20 %% are reached at one of them",
-            threads, times->width, times->height, times->frames, times->count);
-    }
-}
-
 /* ---- The section ----------------------------------------------------------------------------- */
 
 static glint_status write_section(glint_report *report, frames *f, glint_error *err)
@@ -125,11 +74,8 @@ static glint_status write_section(glint_report *report, frames *f, glint_error *
     if (status == GLINT_OK)
         status = render_figures(report, err);
     if (status == GLINT_OK)
-        status = draw_times(report, f, err);
-    if (status != GLINT_OK)
-        return status;
-    find_times(report->findings, &f->times, report->threads);
-    return GLINT_OK;
+        status = glint_frame_times_write(report, &f->times, err);
+    return status;
 }
 
 glint_status glint_section_frames(glint_report *report, glint_error *err)
