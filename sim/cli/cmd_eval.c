@@ -16,6 +16,7 @@
 
 typedef struct eval_options {
     int backend, gate, pipeline;
+    int64_t lanes;
     bool json;
 } eval_options;
 
@@ -47,6 +48,10 @@ static int parse(int argc, char **argv, eval_options *chosen)
          .help = "where the Verilog's registers are",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->pipeline, glint_pipeline_names}},
+        {.name = "lanes",
+         .help = "cosines a clock in the Verilog: 1, 2, 4, 8 or 16; 0: the fastest",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->lanes, 0, GLINT_LANES_MAX}},
         {.name = "json",
          .help = "a JSON array of objects instead of CSV",
          .kind = GLINT_OPTION_FLAG,
@@ -67,7 +72,12 @@ static int parse(int argc, char **argv, eval_options *chosen)
         .options = options,
         .option_count = sizeof options / sizeof options[0],
     };
-    return glint_options_parse(&line, argc, argv);
+    const int status = glint_options_parse(&line, argc, argv);
+    if (status == GLINT_OPTIONS_RUN && (chosen->lanes & (chosen->lanes - 1)) != 0) {
+        return glint_complain("eval", GLINT_EXIT_USAGE, "--lanes: %d is not 1, 2, 4, 8, 16 or 0",
+                              (int)chosen->lanes);
+    }
+    return status;
 }
 
 static void print_row(const run *points, size_t i)
@@ -174,7 +184,8 @@ int glint_cmd_eval(int argc, char **argv)
     }
     const glint_backend_config config = {.kind = (glint_backend_kind)chosen.backend,
                                          .gate = (glint_gate)chosen.gate,
-                                         .pipeline = (glint_pipeline)chosen.pipeline};
+                                         .pipeline = (glint_pipeline)chosen.pipeline,
+                                         .lanes = (int)chosen.lanes};
     glint_error err;
     run *points = calloc(1, sizeof *points);
     if (points == NULL) {

@@ -8,8 +8,8 @@
 #include "cli/failure_output.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "failure/report.h"
 #include "file/same.h"
-#include "lockstep/mismatch.h"
 
 /* Not a failure: the packet could not be tried, which says nothing of the circuit. */
 #define EXIT_NOT_TRIED GLINT_EXIT_USAGE
@@ -55,9 +55,10 @@ static int parse(int argc, char **argv, replay_options *chosen)
         .summary = "Plays the inputs of a failure packet, which verify and render leave where C "
                    "and Verilog differ, through the C model and the Verilog of this build.",
         .details =
-            "Exit status: 0 they do not differ any more, 1 they differ, 2 it could not be\n"
-            "tried: malformed command line, no packet, no such circuit, interrupted. Hence,\n"
-            "to find the change that brought or removed a fault:\n"
+            "Exit status: 0 they do not differ any more, 1 they differ, whether --out could\n"
+            "be written or not, 2 it could not be tried, or not told: malformed command line,\n"
+            "no packet, no such circuit, interrupted, standard output not writable. Hence, to\n"
+            "find the change that brought or removed a fault:\n"
             "\n"
             "  git bisect run sh -c 'make -j2 build/glint || exit 125\n"
             "                        build/glint replay DIR; s=$?\n"
@@ -103,7 +104,7 @@ static void print_text(const replay *of)
     const glint_lockstep_result *found = &of->capture->found;
     glint_setting_describe(&of->packet->setting, setting);
     printf("%s: %s; %" PRIu64 " comparisons\n", setting, verdict(of), found->comparisons);
-    glint_mismatch_print(stdout, &of->packet->setting, found);
+    glint_failure_print_mismatches(stdout, of->packet, &of->now, found);
     if (has_answers(of))
         print_answers(of);
 }
@@ -151,6 +152,7 @@ static glint_status write_packet(const replay_options *chosen, replay *of, glint
     glint_failure fresh = *of->packet;
     fresh.program = glint_failure_program();
     fresh.finding = of->now;
+    fresh.capture = of->capture;
     if (has_answers(of)) {
         fresh.answer.model = of->now.model;
         fresh.answer.rtl = of->now.rtl;
@@ -168,10 +170,27 @@ static int report(const replay_options *chosen, replay *of)
     if (!glint_failure_differs(&of->now))
         return GLINT_EXIT_OK;
     if (chosen->out != NULL && write_packet(chosen, of, &err) != GLINT_OK)
-        return glint_complain("replay", EXIT_NOT_TRIED, "%s", err.text);
+        return glint_complain_error("replay", &err);
     if (chosen->out != NULL && !chosen->json)
         printf("packet: %s\n", chosen->out);
     return GLINT_EXIT_FAILURE;
+}
+
+static void show(void *context, uint64_t done, uint64_t total)
+{
+    glint_progress_update(context, done, total);
+}
+
+/* A run from its seed may take hours. */
+static glint_status play(replay *of, glint_error *err)
+{
+    glint_progress progress;
+    const glint_capture_control control = {glint_stop_flag(), show, &progress};
+    glint_progress_begin(&progress, "replay", "clocks");
+    const glint_status status =
+        glint_failure_play(of->packet, &control, &of->now, &of->capture, err);
+    glint_progress_end(&progress);
+    return status;
 }
 
 static int run(const replay_options *chosen, replay *of)
@@ -179,7 +198,7 @@ static int run(const replay_options *chosen, replay *of)
     glint_error err;
     glint_status status = glint_packet_read(chosen->directory, &of->packet, &err);
     if (status == GLINT_OK)
-        status = glint_failure_play(of->packet, glint_stop_flag(), &of->now, &of->capture, &err);
+        status = play(of, &err);
     if (status != GLINT_OK)
         return glint_complain("replay", EXIT_NOT_TRIED, "%s", err.text);
     of->same = glint_failure_same(&of->now, &of->packet->finding);

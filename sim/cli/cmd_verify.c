@@ -283,7 +283,7 @@ static void report_failure(const verify_options *chosen, task *task, glint_failu
 {
     char name[GLINT_SETTING_TEXT], directory[FILENAME_MAX];
     glint_failure *failure;
-    if (glint_failure_of_lockstep(&task->options, &task->result, &failure, &task->err) !=
+    if (glint_failure_find("verify", &task->options, &task->result, &failure, &task->err) !=
         GLINT_OK) {
         (void)glint_complain_error("verify", &task->err);
         return;

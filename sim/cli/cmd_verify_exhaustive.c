@@ -249,7 +249,7 @@ static void report_failure(const exhaustive_options *chosen, run *run, FILE *out
     glint_error err;
     if (glint_failure_of_history(GLINT_FAILURE_EXHAUSTIVE, &setting,
                                  first != NULL ? &first->answer : NULL, run->result.history,
-                                 &failure, &err) != GLINT_OK) {
+                                 glint_stop_flag(), &failure, &err) != GLINT_OK) {
         (void)glint_complain_error("verify", &err);
         return;
     }

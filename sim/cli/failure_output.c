@@ -11,29 +11,49 @@
 #include "failure/report.h"
 #include "failure/shell.h"
 
-static void print_report(const char *command, const glint_failure *failure, const char *directory,
-                         FILE *out)
+static void show(void *context, uint64_t done, uint64_t total)
 {
-    glint_failure_finding finding;
-    glint_capture *capture = NULL;
+    glint_progress_update(context, done, total);
+}
+
+glint_status glint_failure_find(const char *command, const glint_lockstep_options *options,
+                                const glint_lockstep_result *result, glint_failure **failure,
+                                glint_error *err)
+{
+    glint_progress progress;
+    glint_lockstep_options again = *options;
+    again.stop = glint_stop_flag();
+    again.progress = show;
+    again.progress_context = &progress;
+    glint_progress_begin(&progress, command, "clocks played again");
+    const glint_status status = glint_failure_of_lockstep(&again, result, failure, err);
+    glint_progress_end(&progress);
+    return status;
+}
+
+/* What is to be had without a capture does not make a packet. */
+static bool write_packet(const char *command, const glint_failure *failure,
+                         const glint_packet_frames *frames, const char *directory)
+{
     glint_error err;
-    if (glint_failure_playable(failure) &&
-        glint_failure_play(failure, NULL, &finding, &capture, &err) != GLINT_OK)
-        (void)glint_complain_error(command, &err);
-    glint_failure_report(out, failure, capture, directory);
-    free(capture);
+    if (failure->interrupted) {
+        (void)glint_complain(command, GLINT_EXIT_FAILURE, "interrupted: %s is not written",
+                             directory);
+        return false;
+    }
+    if (glint_packet_write(failure, frames, directory, &err) == GLINT_OK)
+        return true;
+    (void)glint_complain_error(command, &err);
+    return false;
 }
 
 bool glint_failure_output(const char *command, const glint_failure *failure,
                           const glint_packet_frames *frames, const char *directory,
                           glint_failure_detail detail, FILE *out)
 {
-    glint_error err;
-    const bool written = glint_packet_write(failure, frames, directory, &err) == GLINT_OK;
-    if (!written)
-        (void)glint_complain_error(command, &err);
+    const bool written = write_packet(command, failure, frames, directory);
     if (detail == GLINT_FAILURE_REPORT)
-        print_report(command, failure, written ? directory : NULL, out);
+        glint_failure_report(out, failure, failure->capture, written ? directory : NULL);
     if (written)
         fprintf(out, "packet: %s\n", directory);
     return written;

@@ -13,6 +13,11 @@ typedef enum glint_failure_detail {
     GLINT_FAILURE_BRIEFLY /* where the packet is */
 } glint_failure_detail;
 
+/* As glint_failure_of_lockstep(): with progress on a terminal, until the stop flag is up. */
+glint_status glint_failure_find(const char *command, const glint_lockstep_options *options,
+                                const glint_lockstep_result *result, glint_failure **failure,
+                                glint_error *err);
+
 /* Writes the packet into `directory` and prints on out what it says, and where it is. What cannot
  * be written is told on standard error; the report is printed all the same. Returns whether the
  * packet was written. */

@@ -20,12 +20,13 @@ static glint_capture_clock *ring_at(glint_capture *capture, uint64_t clock)
     return &capture->clock[clock % GLINT_CAPTURE_CLOCKS];
 }
 
-/* The clock that the capture is to end with, as far as is known. */
-static uint64_t end_of(const player *p)
+/* The clock that the capture is about, as far as is known. */
+static uint64_t middle_of(const player *p)
 {
     const glint_lockstep_result *found = &p->capture->found;
-    const uint64_t middle = found->mismatches != 0 ? found->first_clock : p->play->expected;
-    return middle + GLINT_CAPTURE_AFTER;
+    const uint64_t expected = p->play->expected;
+    const bool waits = p->play->up_to_expected && found->first_clock <= expected;
+    return found->mismatches != 0 && !waits ? found->first_clock : expected;
 }
 
 static bool has_pins(const player *p)
@@ -35,22 +36,43 @@ static bool has_pins(const player *p)
 
 static bool stopped(const player *p)
 {
-    return p->play->stop != NULL && *p->play->stop;
+    const glint_capture_control *control = p->play->control;
+    return control != NULL && control->stop != NULL && *control->stop &&
+           p->last + 1 - p->first > GLINT_CAPTURE_UNSTOPPED;
+}
+
+static void tell_progress(const player *p)
+{
+    const glint_capture_control *control = p->play->control;
+    if (control != NULL && control->progress != NULL && p->last % 1024 == 0)
+        control->progress(control->progress_context, p->last + 1 - p->first,
+                          middle_of(p) + GLINT_CAPTURE_AFTER + 1 - p->first);
+}
+
+/* The pins of the clock that is about to come. */
+static void take_pins(player *p, glint_pins *pins)
+{
+    const glint_play *play = p->play;
+    if (play->pins != NULL) {
+        *pins = play->pins[p->last - p->first];
+        return;
+    }
+    glint_random_pins_next(&p->random, pins);
+    if (play->kept != NULL && p->last >= play->kept_from &&
+        p->last - play->kept_from < play->kept_count)
+        play->kept[p->last - play->kept_from] = *pins;
 }
 
 static void play_clock(player *p)
 {
-    const glint_play *play = p->play;
     glint_capture_clock *now = ring_at(p->capture, ++p->last);
     now->clock = p->last;
-    if (play->pins != NULL)
-        now->pins = play->pins[p->last - p->first];
-    else
-        glint_random_pins_next(&p->random, &now->pins);
+    take_pins(p, &now->pins);
     glint_twin_clock(p->twin, &now->pins);
     glint_twin_read(p->twin, now->model, now->rtl);
     p->capture->found.clocks = p->last;
-    glint_mismatch_compare(&p->capture->found, play->setting, p->twin);
+    glint_mismatch_compare_values(&p->capture->found, p->play->setting, now->model, now->rtl);
+    tell_progress(p);
 }
 
 static void swap_clocks(glint_capture_clock *a, glint_capture_clock *b)
@@ -81,8 +103,7 @@ static void straighten(glint_capture *capture, uint64_t oldest)
 static glint_status finish(player *p, glint_error *err)
 {
     glint_capture *capture = p->capture;
-    const glint_lockstep_result *found = &capture->found;
-    const uint64_t middle = found->mismatches != 0 ? found->first_clock : p->play->expected;
+    const uint64_t middle = middle_of(p);
     const uint64_t played = p->last + 1 - p->first;
     const uint64_t kept = played < GLINT_CAPTURE_CLOCKS ? played : GLINT_CAPTURE_CLOCKS;
     if (middle < p->first || middle > p->last)
@@ -103,7 +124,7 @@ static glint_status play_all(player *p, glint_error *err)
     if (status != GLINT_OK)
         return status;
     glint_random_pins_begin(&p->random, p->play->setting, p->play->seed);
-    while (has_pins(p) && p->last < end_of(p) && !stopped(p))
+    while (has_pins(p) && p->last < middle_of(p) + GLINT_CAPTURE_AFTER && !stopped(p))
         play_clock(p);
     glint_twin_destroy(p->twin);
     return stopped(p) ? glint_fail(err, GLINT_INTERRUPTED, "interrupted") : finish(p, err);

@@ -9,6 +9,17 @@
 #define GLINT_CAPTURE_AFTER  8
 #define GLINT_CAPTURE_CLOCKS (GLINT_CAPTURE_BEFORE + 1 + GLINT_CAPTURE_AFTER)
 
+/* So many clocks are played whether stopped or not: a run that was interrupted still leaves the
+ * packet of a mismatch that a few clocks show. */
+#define GLINT_CAPTURE_UNSTOPPED 16384
+
+/* For work that may take long. */
+typedef struct glint_capture_control {
+    const volatile bool *stop;                                      /* may be NULL */
+    void (*progress)(void *context, uint64_t done, uint64_t total); /* clocks; may be NULL */
+    void *progress_context;
+} glint_capture_control;
+
 /* What is played, from reset state on. */
 typedef struct glint_play {
     const glint_setting *setting;
@@ -16,8 +27,12 @@ typedef struct glint_play {
     size_t count;           /* of pins */
     uint64_t first_clock;   /* number of the clock that takes pins[0], 1… */
     uint64_t seed;
-    uint64_t expected;         /* the clock whose surroundings are wanted when nothing differs */
-    const volatile bool *stop; /* may be NULL */
+    uint64_t expected;   /* the clock whose surroundings are wanted when nothing differs */
+    bool up_to_expected; /* or also when an earlier one does */
+    const glint_capture_control *control; /* may be NULL */
+    glint_pins *kept; /* where random pins go, from clock kept_from to the last; NULL: nowhere */
+    uint64_t kept_from;
+    size_t kept_count; /* room there: later ones are not kept */
 } glint_play;
 
 /* The pins at one edge, and every signal just after it. */
@@ -30,14 +45,15 @@ typedef struct glint_capture_clock {
 typedef struct glint_capture {
     glint_setting setting;
     glint_lockstep_result found; /* up to the last clock here; found.clocks is its number */
-    int failing; /* the first clock with a mismatch; without one, the one that was expected to */
+    int failing; /* the first clock with a mismatch; without one, or if play.up_to_expected with
+                  * earlier ones, the one that was expected to have one */
     int count;
     glint_capture_clock clock[GLINT_CAPTURE_CLOCKS];
 } glint_capture;
 
 /* Plays until 8 clocks after the first mismatch, or after the expected clock when there is none up
- * to there, or until the pins end. To be freed with free(). GLINT_BAD_ARGUMENT when the pins end
- * before both; GLINT_INTERRUPTED when stopped. */
+ * to there or play.up_to_expected, or until the pins end. To be freed with free().
+ * GLINT_BAD_ARGUMENT when the pins end before both; GLINT_INTERRUPTED when stopped. */
 glint_status glint_capture_play(const glint_play *play, glint_capture **capture, glint_error *err);
 
 #endif

@@ -10,20 +10,22 @@ void glint_failure_destroy(glint_failure *failure)
     if (failure == NULL)
         return;
     free(failure->pins);
+    free(failure->capture);
     free(failure);
 }
 
 static void take_finding(const glint_capture *capture, glint_failure_finding *finding)
 {
-    const glint_lockstep_result *found = &capture->found;
-    finding->lockstep_differs = found->mismatches != 0;
-    finding->clock = capture->clock[capture->failing].clock;
+    const glint_capture_clock *failing = &capture->clock[capture->failing];
+    const int signals = glint_setting_signal_count(&capture->setting);
+    finding->lockstep_differs = capture->found.mismatches != 0;
+    finding->clock = failing->clock;
     finding->count = 0;
-    while (finding->count < found->kept &&
-           found->mismatch[finding->count].clock == finding->clock) {
-        finding->mismatch[finding->count] = found->mismatch[finding->count];
-        finding->count++;
-    }
+    for (int i = 0; i < signals && finding->count < GLINT_MISMATCHES_KEPT; i++)
+        if (failing->model[i] != failing->rtl[i])
+            finding->mismatch[finding->count++] =
+                (glint_mismatch){failing->clock, glint_setting_signal(&capture->setting, i),
+                                 failing->model[i], failing->rtl[i]};
 }
 
 static glint_status play(const glint_play *play, glint_failure_finding *finding,
@@ -41,27 +43,61 @@ static glint_status play(const glint_play *play, glint_failure_finding *finding,
     return GLINT_OK;
 }
 
-static glint_status play_answer(const glint_failure *failure, const volatile bool *stop,
+/* As a frame asks: among its neighbours, and alone. */
+static glint_status ask(const glint_failure *failure, glint_failure_finding *finding,
+                        glint_error *err)
+{
+    const glint_setting *setting = &failure->setting;
+    glint_answer alone;
+    int32_t model, rtl;
+    glint_status status =
+        glint_answer_ask(&failure->answer, setting, &finding->model, &finding->rtl, err);
+    if (status != GLINT_OK)
+        return status;
+    glint_answer_alone(&failure->answer, setting, &alone);
+    status = glint_answer_ask(&alone, setting, &model, &rtl, err);
+    finding->answer_differs = finding->model != finding->rtl;
+    finding->alone_differs = status == GLINT_OK && finding->answer_differs &&
+                             model == finding->model && rtl == finding->rtl;
+    return status;
+}
+
+/* Up to the clock after which the answer is out. Where nothing differs there but something does
+ * before, up to that. */
+static glint_status play_asked(glint_play *asked, glint_failure_finding *finding,
+                               glint_capture **capture, glint_error *err)
+{
+    asked->up_to_expected = true;
+    glint_status status = play(asked, finding, capture, err);
+    if (status != GLINT_OK || !finding->lockstep_differs || finding->count != 0)
+        return status;
+    if (capture != NULL) {
+        free(*capture);
+        *capture = NULL;
+    }
+    asked->up_to_expected = false;
+    return play(asked, finding, capture, err);
+}
+
+static glint_status play_answer(const glint_failure *failure, const glint_capture_control *control,
                                 glint_failure_finding *finding, glint_capture **capture,
                                 glint_error *err)
 {
-    glint_play asked = {.setting = &failure->setting, .first_clock = 1, .stop = stop};
-    glint_status status =
-        glint_answer_ask(&failure->answer, &failure->setting, &finding->model, &finding->rtl, err);
+    glint_play asked = {.setting = &failure->setting, .first_clock = 1, .control = control};
+    glint_status status = ask(failure, finding, err);
     if (status != GLINT_OK)
         return status;
-    finding->answer_differs = finding->model != finding->rtl;
     glint_pins *pins =
         glint_answer_pins(&failure->answer, &failure->setting, &asked.count, &asked.expected);
     if (pins == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for a failure's pins");
     asked.pins = pins;
-    status = play(&asked, finding, capture, err);
+    status = play_asked(&asked, finding, capture, err);
     free(pins);
     return status;
 }
 
-glint_status glint_failure_play(const glint_failure *failure, const volatile bool *stop,
+glint_status glint_failure_play(const glint_failure *failure, const glint_capture_control *control,
                                 glint_failure_finding *finding, glint_capture **capture,
                                 glint_error *err)
 {
@@ -75,12 +111,12 @@ glint_status glint_failure_play(const glint_failure *failure, const volatile boo
                                   .first_clock = failure->first_clock,
                                   .seed = failure->seed,
                                   .expected = failure->finding.clock,
-                                  .stop = stop},
+                                  .control = control},
                     finding, capture, err);
     if (!glint_failure_playable(failure))
         return glint_fail(err, GLINT_BAD_INPUT,
                           "nothing to play: no answer of the circuit was found to differ");
-    return play_answer(failure, stop, finding, capture, err);
+    return play_answer(failure, control, finding, capture, err);
 }
 
 static bool same_mismatch(const glint_mismatch *a, const glint_mismatch *b)
@@ -112,7 +148,8 @@ glint_status glint_failure_of_answer(glint_failure_kind kind, const glint_settin
     if (answer != NULL) {
         made->has_answer = true;
         made->answer = *answer;
-        const glint_status status = glint_failure_play(made, NULL, &made->finding, NULL, err);
+        const glint_status status =
+            glint_failure_play(made, NULL, &made->finding, &made->capture, err);
         if (status != GLINT_OK) {
             glint_failure_destroy(made);
             return status;

@@ -36,10 +36,12 @@ typedef struct glint_failure_frame {
 
 /* What a play of it found. */
 typedef struct glint_failure_finding {
-    bool answer_differs;   /* a run of points or divisions, asked as a frame asks */
-    int32_t model, rtl;    /* the two answers */
+    bool answer_differs; /* a run of points or divisions, asked as a frame asks */
+    int32_t model, rtl;  /* the two answers */
+    bool alone_differs;  /* and so does the point or division without the others. Not in a packet */
     bool lockstep_differs; /* clock by clock, in the circuit whose signals can be read */
-    uint64_t clock;        /* the first that differs, or the one that was expected to */
+    uint64_t clock;        /* of an answer: the one after which it is out, if anything differs there
+                            * or nowhere; else the first that differs */
     int count;             /* mismatches of that clock, the first of them */
     glint_mismatch mismatch[GLINT_MISMATCHES_KEPT];
 } glint_failure_finding;
@@ -65,10 +67,14 @@ typedef struct glint_failure {
     glint_failure_frame frame;
 
     glint_failure_finding finding;
+    glint_capture *capture; /* that the play which found it gave. Not in a packet: NULL */
+    bool interrupted;       /* before it was played: there is no capture */
 } glint_failure;
 
-/* Of a lockstep run with mismatches: finds the fewest clocks before the first one that bring the
- * C model where it was and the Verilog to the same mismatch, and keeps their pins. */
+/* Of a lockstep run with mismatches: plays it again up to the first one, once, and finds the fewest
+ * clocks before that which bring the C model where it was and the Verilog to the same mismatch, and
+ * keeps their pins. options->stop and progress are for this. When stopped, GLINT_OK as well: the
+ * failure, then interrupted, has what the run found and nothing more. */
 glint_status glint_failure_of_lockstep(const glint_lockstep_options *options,
                                        const glint_lockstep_result *result, glint_failure **failure,
                                        glint_error *err);
@@ -81,10 +87,12 @@ glint_status glint_failure_of_answer(glint_failure_kind kind, const glint_settin
 
 /* The same, for a circuit whose history is known, which then need not have answered. Where to ask
  * again does not show a difference, the history is played; where that shows one, the failure keeps
- * the pins of the fewest of its last clocks that show it. history: may be NULL. */
+ * the pins of the fewest of its last clocks that show it. history, stop: may be NULL.
+ * GLINT_INTERRUPTED when stopped. */
 glint_status glint_failure_of_history(glint_failure_kind kind, const glint_setting *setting,
                                       const glint_answer *answer, const glint_history *history,
-                                      glint_failure **failure, glint_error *err);
+                                      const volatile bool *stop, glint_failure **failure,
+                                      glint_error *err);
 
 void glint_failure_destroy(glint_failure *failure); /* NULL is allowed */
 
@@ -94,9 +102,9 @@ static inline bool glint_failure_playable(const glint_failure *failure)
     return failure->kind == GLINT_FAILURE_RANDOM || failure->has_answer || failure->pins != NULL;
 }
 
-/* Plays it. stop: may be NULL. capture: the clocks around, to be freed with free(); may be NULL.
+/* Plays it. control: may be NULL. capture: the clocks around, to be freed with free(); may be NULL.
  * GLINT_BAD_INPUT when there is nothing to play, GLINT_INTERRUPTED when stopped. */
-glint_status glint_failure_play(const glint_failure *failure, const volatile bool *stop,
+glint_status glint_failure_play(const glint_failure *failure, const glint_capture_control *control,
                                 glint_failure_finding *finding, glint_capture **capture,
                                 glint_error *err);
 

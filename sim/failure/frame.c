@@ -77,7 +77,7 @@ glint_status glint_failure_of_frame(const glint_frame_pair *pair, const volatile
         const glint_setting setting = setting_of(pair, &again.watch);
         status = glint_failure_of_history(GLINT_FAILURE_FRAME, &setting,
                                           again.watch.found ? &again.watch.answer : NULL,
-                                          again.watch.history, failure, err);
+                                          again.watch.history, stop, failure, err);
     }
     if (status == GLINT_OK)
         describe_frame(pair, &again, &(*failure)->frame);

@@ -12,9 +12,10 @@
 #include "failure/json_names.h"
 #include "failure/pins.h"
 
-#define PINS_MAX  65536                     /* clocks */
-#define CLOCK_MAX INT64_C(1000000000000000) /* a double has every integer up to it */
-#define SIDE_MAX  16384
+#define PINS_MAX    65536                     /* clocks */
+#define CLOCK_MAX   INT64_C(1000000000000000) /* a double has every integer up to it */
+#define SIDE_MAX    16384
+#define MEMBERS_MAX 32 /* of an object: twice the most that any has */
 
 /* The file as far as it is understood; the first thing wrong is told, the rest not looked at. */
 typedef struct reader {
@@ -197,6 +198,20 @@ static void read_finding(reader *r, const cJSON *json)
     finding->rtl = (int32_t)integer(r, from, "answer_rtl", INT32_MIN, INT32_MAX);
 }
 
+/* In the order of the values of each clock: what has other names is of another circuit. */
+static void check_names(reader *r, const cJSON *json)
+{
+    const glint_setting *setting = &r->failure->setting;
+    const int count = glint_pin_count(setting);
+    const cJSON *list = array(r, json, "names", count, count);
+    for (int i = 0; list != NULL && i < count; i++) {
+        const char *name = cJSON_GetStringValue(cJSON_GetArrayItem(list, i));
+        const char *pin = glint_pin(setting, i).name;
+        if (name == NULL || strcmp(name, pin) != 0)
+            refuse(r, "pin %d of names is not %s", i + 1, pin);
+    }
+}
+
 static void read_clock(reader *r, const cJSON *values, glint_pins *pins)
 {
     const glint_setting *setting = &r->failure->setting;
@@ -221,6 +236,7 @@ static void read_pins(reader *r, const cJSON *json)
     if (from == NULL || r->failed)
         return;
     failure->first_clock = (uint64_t)integer(r, from, "first_clock", 1, CLOCK_MAX);
+    check_names(r, from);
     const cJSON *clocks = array(r, from, "clocks", 1, PINS_MAX);
     if (clocks == NULL)
         return;
@@ -359,9 +375,36 @@ static void read_command(reader *r, const cJSON *json)
     (void)snprintf(r->failure->command, sizeof r->failure->command, "%s", command);
 }
 
+/* What may stand in a message as it is. */
+static bool is_plain(const char *name)
+{
+    const size_t length = strspn(name, "abcdefghijklmnopqrstuvwxyz_");
+    return name[length] == '\0' && length != 0 && length <= 40;
+}
+
+/* Of two values of one name no reader knows which is meant. */
+static void check_names_once(reader *r, const cJSON *json)
+{
+    const cJSON *item;
+    int members = 0;
+    cJSON_ArrayForEach(item, json)
+    {
+        if (r->failed)
+            return;
+        if (cJSON_IsObject(json) && ++members > MEMBERS_MAX)
+            refuse(r, "an object has more than %d members", MEMBERS_MAX);
+        for (const cJSON *other = item->next; cJSON_IsObject(json) && other != NULL && !r->failed;
+             other = other->next)
+            if (strcmp(item->string, other->string) == 0)
+                refuse(r, "%s is there twice", is_plain(item->string) ? item->string : "a name");
+        check_names_once(r, item);
+    }
+}
+
 static void read_all(reader *r, const cJSON *json)
 {
     glint_failure *failure = r->failure;
+    check_names_once(r, json);
     if (strcmp(text(r, json, "format"), GLINT_JSON_FORMAT) != 0)
         refuse(r, "it is no failure packet's");
     if (integer(r, json, "version", 0, INT32_MAX) != GLINT_JSON_VERSION)

@@ -8,6 +8,7 @@
 
 /* Of the history that shows a mismatch: its pins up to some clocks after that. */
 typedef struct shown {
+    const volatile bool *stop;
     glint_pins *pins;
     size_t count;
     uint64_t first_clock;
@@ -22,7 +23,8 @@ static glint_status play(const glint_setting *setting, const shown *of, size_t s
                                   .pins = of->pins + skipped,
                                   .pin_count = of->count - skipped,
                                   .finding = {.clock = of->first_clock + of->count - 1}};
-    return glint_failure_play(&played, NULL, finding, capture, err);
+    const glint_capture_control control = {.stop = of->stop};
+    return glint_failure_play(&played, &control, finding, capture, err);
 }
 
 /* Whether both sides had the same values in all the clocks about the mismatch. */
@@ -93,17 +95,21 @@ static glint_status keep_shown(glint_failure *failure, shown *of, glint_error *e
         status = find_skipped(&failure->setting, of, whole.clock, capture, &skipped, err);
         if (status == GLINT_OK)
             status = keep(failure, of, skipped, err);
-        if (status == GLINT_OK)
+        if (status == GLINT_OK) {
             failure->finding = whole;
+            free(failure->capture);
+            failure->capture = capture;
+            return GLINT_OK;
+        }
     }
     free(capture);
     return status;
 }
 
 static glint_status play_history(glint_failure *failure, const glint_history *history,
-                                 glint_error *err)
+                                 const volatile bool *stop, glint_error *err)
 {
-    shown all;
+    shown all = {.stop = stop};
     all.pins = glint_history_pins(history, &all.count, &all.first_clock);
     if (all.pins == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for what a circuit was asked");
@@ -114,12 +120,13 @@ static glint_status play_history(glint_failure *failure, const glint_history *hi
 
 glint_status glint_failure_of_history(glint_failure_kind kind, const glint_setting *setting,
                                       const glint_answer *answer, const glint_history *history,
-                                      glint_failure **failure, glint_error *err)
+                                      const volatile bool *stop, glint_failure **failure,
+                                      glint_error *err)
 {
     glint_status status = glint_failure_of_answer(kind, setting, answer, failure, err);
     if (status != GLINT_OK || history == NULL || glint_failure_differs(&(*failure)->finding))
         return status;
-    status = play_history(*failure, history, err);
+    status = play_history(*failure, history, stop, err);
     if (status != GLINT_OK) {
         glint_failure_destroy(*failure);
         *failure = NULL;

@@ -4,6 +4,7 @@
 
 #include <dirent.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -32,7 +33,7 @@ typedef struct maker {
     const glint_packet_frames *frames;
     const char *directory; /* its name in the end */
     char beside[PATH];     /* and until then */
-    glint_capture *capture;
+    const glint_capture *capture;
 } maker;
 
 static glint_status path_of(const char *directory, const char *name, char path[PATH],
@@ -224,11 +225,15 @@ static glint_status write_files(const maker *m, glint_error *err)
 glint_status glint_packet_write(const glint_failure *failure, const glint_packet_frames *frames,
                                 const char *directory, glint_error *err)
 {
-    maker m = {.failure = failure, .frames = frames, .directory = directory};
+    maker m = {
+        .failure = failure, .frames = frames, .directory = directory, .capture = failure->capture};
     glint_failure_finding finding;
+    glint_capture *played = NULL;
     glint_status status = GLINT_OK;
-    if (glint_failure_playable(failure))
-        status = glint_failure_play(failure, NULL, &finding, &m.capture, err);
+    if (m.capture == NULL && glint_failure_playable(failure)) {
+        status = glint_failure_play(failure, NULL, &finding, &played, err);
+        m.capture = played;
+    }
     if (status == GLINT_OK)
         status = begin(&m, err);
     if (status == GLINT_OK) {
@@ -238,7 +243,7 @@ glint_status glint_packet_write(const glint_failure *failure, const glint_packet
         if (status != GLINT_OK)
             remove_packet(m.beside);
     }
-    free(m.capture);
+    free(played);
     return status;
 }
 
@@ -265,6 +270,25 @@ static glint_status read_text(FILE *file, const char *path, char **text, glint_e
     return GLINT_OK;
 }
 
+/* A pipe or a device is no packet's, and might keep its reader waiting: it is opened so that it
+ * cannot, and turned away. */
+static glint_status open_data(const char *path, FILE **file, glint_error *err)
+{
+    struct stat found;
+    const int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    *file = NULL;
+    if (descriptor < 0)
+        return glint_fail(err, GLINT_IO_ERROR, "%s: %s", path, strerror(errno));
+    const bool is_regular = fstat(descriptor, &found) == 0 && S_ISREG(found.st_mode);
+    if (is_regular)
+        *file = fdopen(descriptor, "rb");
+    if (*file != NULL)
+        return GLINT_OK;
+    (void)close(descriptor);
+    return glint_fail(err, GLINT_IO_ERROR, "%s: %s", path,
+                      is_regular ? "cannot be opened" : "not a regular file");
+}
+
 glint_status glint_packet_read(const char *directory, glint_failure **failure, glint_error *err)
 {
     char path[PATH];
@@ -274,9 +298,10 @@ glint_status glint_packet_read(const char *directory, glint_failure **failure, g
     glint_status status = path_of(directory, GLINT_PACKET_DATA, path, err);
     if (status != GLINT_OK)
         return status;
-    FILE *file = fopen(path, "rb");
-    if (file == NULL)
-        return glint_fail(err, GLINT_IO_ERROR, "%s: %s", path, strerror(errno));
+    FILE *file;
+    status = open_data(path, &file, err);
+    if (status != GLINT_OK)
+        return status;
     status = read_text(file, path, &text, err);
     (void)fclose(file);
     if (status != GLINT_OK)

@@ -19,9 +19,10 @@ typedef struct glint_packet_frames {
     const glint_image *model, *rtl;
 } glint_packet_frames;
 
-/* Plays the failure and writes the packet: under another name beside `directory`, which it takes
- * when it is complete. The directories above are made if missing; an older packet of that name is
- * replaced, but not a directory with anything else in it. frames: NULL for none. */
+/* Writes the packet, and plays the failure where it has no capture yet: under another name beside
+ * `directory`, which it takes when it is complete. The directories above are made if missing; an
+ * older packet of that name is replaced, but not a directory with anything else in it. frames: NULL
+ * for none. */
 glint_status glint_packet_write(const glint_failure *failure, const glint_packet_frames *frames,
                                 const char *directory, glint_error *err);
 

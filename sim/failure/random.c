@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "failure/failure.h"
-#include "lockstep/random_pins.h"
 #include "lockstep/twin.h"
 
 /* The fewest clocks before the window that are tried, and the most. Registers that are seldom
@@ -13,22 +12,15 @@
 #define WINDOW   (GLINT_CAPTURE_BEFORE + 1u)
 #define RECENT   (LEAD_MAX + WINDOW + GLINT_CAPTURE_AFTER)
 
-/* The run once more, C model only, up to 8 clocks after the first mismatch. */
+/* The run once more, up to 8 clocks after the first mismatch. */
 typedef struct history {
     const glint_setting *setting;
     uint64_t failing;
     uint64_t first; /* of the pins kept: the last RECENT clocks */
     size_t count;
     glint_pins *pins;
-    uint64_t (*model)[GLINT_SETTING_SIGNALS_MAX]; /* after the clocks of the window */
-    uint64_t window;                              /* the first of them */
+    glint_capture *capture; /* the clocks of the window, and those after it */
 } history;
-
-static void forget(history *h)
-{
-    free(h->pins);
-    free(h->model);
-}
 
 static uint64_t later(uint64_t a, uint64_t b)
 {
@@ -41,46 +33,32 @@ static uint64_t before(uint64_t clock, uint64_t count)
     return clock > count ? clock - count : 1;
 }
 
-static glint_status make_room(history *h, glint_error *err)
+/* Both sides are played, so that it need not be done again where only the whole run shows it. */
+static glint_status remember(history *h, const glint_lockstep_options *options, glint_error *err)
 {
     const uint64_t last = h->failing + GLINT_CAPTURE_AFTER;
+    const glint_capture_control control = {options->stop, options->progress,
+                                           options->progress_context};
     h->first = before(last + 1, RECENT);
-    h->window = before(h->failing, GLINT_CAPTURE_BEFORE);
     h->count = (size_t)(last + 1 - h->first);
     h->pins = calloc(h->count, sizeof *h->pins);
-    h->model = calloc(WINDOW, sizeof *h->model);
-    if (h->pins == NULL || h->model == NULL)
+    if (h->pins == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for the clocks before a failure");
-    return GLINT_OK;
-}
-
-static glint_status remember(history *h, uint64_t seed, glint_error *err)
-{
-    glint_twin *twin;
-    glint_random_pins source;
-    glint_pins pins;
-    glint_status status = glint_twin_create_model(h->setting, &twin, err);
-    if (status != GLINT_OK)
-        return status;
-    glint_random_pins_begin(&source, h->setting, seed);
-    for (uint64_t clock = 1; clock < h->first + h->count; clock++) {
-        glint_random_pins_next(&source, &pins);
-        if (clock >= h->first)
-            h->pins[clock - h->first] = pins;
-        if (clock > h->failing)
-            continue;
-        glint_twin_clock(twin, &pins);
-        if (clock >= h->window)
-            glint_twin_read(twin, h->model[clock - h->window], NULL);
-    }
-    glint_twin_destroy(twin);
-    return status;
+    const glint_play whole = {.setting = h->setting,
+                              .seed = options->seed,
+                              .expected = h->failing,
+                              .control = &control,
+                              .kept = h->pins,
+                              .kept_from = h->first,
+                              .kept_count = h->count};
+    return glint_capture_play(&whole, &h->capture, err);
 }
 
 /* Whether the C model, begun in reset state at clock `start`, has all that it had in the window. */
 static glint_status suffices(const history *h, uint64_t start, bool *same, glint_error *err)
 {
     const size_t size = (size_t)glint_setting_signal_count(h->setting) * sizeof(uint64_t);
+    const glint_capture_clock *window = h->capture->clock;
     uint64_t model[GLINT_SETTING_SIGNALS_MAX];
     glint_twin *twin;
     const glint_status status = glint_twin_create_model(h->setting, &twin, err);
@@ -89,10 +67,10 @@ static glint_status suffices(const history *h, uint64_t start, bool *same, glint
     *same = true;
     for (uint64_t clock = start; *same && clock <= h->failing; clock++) {
         glint_twin_clock(twin, &h->pins[clock - h->first]);
-        if (clock < h->window)
+        if (clock < window[0].clock)
             continue;
         glint_twin_read(twin, model, NULL);
-        *same = memcmp(model, h->model[clock - h->window], size) == 0;
+        *same = memcmp(model, window[clock - window[0].clock].model, size) == 0;
     }
     glint_twin_destroy(twin);
     return GLINT_OK;
@@ -121,26 +99,35 @@ static glint_status shows(glint_failure *failure, const history *h, uint64_t sta
     glint_status status = suffices(h, start, same, err);
     if (status != GLINT_OK || !*same)
         return status;
+    free(failure->capture);
+    failure->capture = NULL;
     status = keep_pins(failure, h, start, err);
     if (status == GLINT_OK)
-        status = glint_failure_play(failure, NULL, &found, NULL, err);
+        status = glint_failure_play(failure, NULL, &found, &failure->capture, err);
     if (status == GLINT_OK)
         *same = glint_failure_same(&found, &failure->finding);
     return status;
 }
 
 /* Without any, the whole run is to be played: the failure keeps no pins. */
-static glint_status find_shortest(glint_failure *failure, const history *h, glint_error *err)
+static glint_status find_shortest(glint_failure *failure, history *h, glint_error *err)
 {
+    const glint_capture *whole = h->capture;
     bool same = false;
     glint_status status = GLINT_OK;
-    for (uint64_t lead = LEAD_MIN; status == GLINT_OK && !same && lead <= LEAD_MAX; lead *= 2)
-        status = shows(failure, h, later(before(h->window, lead), h->first), &same, err);
-    if (!same) {
+    const bool again = whole->clock[whole->failing].clock == h->failing;
+    for (uint64_t lead = LEAD_MIN; status == GLINT_OK && again && !same && lead <= LEAD_MAX;
+         lead *= 2)
+        status =
+            shows(failure, h, later(before(whole->clock[0].clock, lead), h->first), &same, err);
+    if (status == GLINT_OK && !same) {
         free(failure->pins);
         failure->pins = NULL;
         failure->pin_count = 0;
         failure->first_clock = 1;
+        free(failure->capture);
+        failure->capture = h->capture;
+        h->capture = NULL;
     }
     return status;
 }
@@ -159,11 +146,24 @@ static void take_run(glint_failure *failure, const glint_lockstep_result *result
     }
 }
 
+/* Not an error when stopped: what the run found is still to be told. */
+static glint_status play_again(glint_failure *made, const glint_lockstep_options *options,
+                               glint_error *err)
+{
+    history h = {.setting = &options->setting, .failing = made->finding.clock};
+    glint_status status = remember(&h, options, err);
+    if (status == GLINT_OK)
+        status = find_shortest(made, &h, err);
+    made->interrupted = status == GLINT_INTERRUPTED;
+    free(h.pins);
+    free(h.capture);
+    return made->interrupted ? GLINT_OK : status;
+}
+
 glint_status glint_failure_of_lockstep(const glint_lockstep_options *options,
                                        const glint_lockstep_result *result, glint_failure **failure,
                                        glint_error *err)
 {
-    history h = {.setting = &options->setting, .failing = result->first_clock};
     *failure = NULL;
     if (result->mismatches == 0)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "no mismatch: nothing to explain");
@@ -173,13 +173,9 @@ glint_status glint_failure_of_lockstep(const glint_lockstep_options *options,
     made->kind = GLINT_FAILURE_RANDOM;
     made->setting = options->setting;
     made->seed = options->seed;
+    made->first_clock = 1;
     take_run(made, result);
-    glint_status status = make_room(&h, err);
-    if (status == GLINT_OK)
-        status = remember(&h, options->seed, err);
-    if (status == GLINT_OK)
-        status = find_shortest(made, &h, err);
-    forget(&h);
+    const glint_status status = play_again(made, options, err);
     if (status != GLINT_OK) {
         glint_failure_destroy(made);
         return status;

@@ -61,7 +61,23 @@ static void print_frame(FILE *out, const glint_failure_frame *frame)
                 frame->material.r, frame->material.g, frame->material.b);
 }
 
-/* The point as a line for `glint eval` says more than a list of its values. */
+/* The point as a line for `glint eval` says more than a list of its values. It takes lane 0: one of
+ * another lane comes behind as many of itself, and is the last row printed. */
+static void print_point_alone(FILE *out, const glint_failure *failure)
+{
+    const glint_answer *answer = &failure->answer;
+    const glint_specular_config *config = &failure->setting.specular;
+    const int lane = answer->at % config->lanes;
+    fprintf(out, "  alone: %s '%u 0x%" PRIx32 " %u %u %u' | ", lane == 0 ? "echo" : "yes",
+            answer->material.n, answer->cos_code[answer->at], answer->material.r,
+            answer->material.g, answer->material.b);
+    if (lane != 0)
+        fprintf(out, "head -n %d | ", lane + 1);
+    print_program(out, failure);
+    fprintf(out, " eval --backend rtl --gate %s --pipeline %s --lanes %d\n",
+            glint_gate_name(config->gate), glint_pipeline_name(config->pipeline), config->lanes);
+}
+
 static void print_point(FILE *out, const glint_failure *failure)
 {
     const glint_answer *answer = &failure->answer;
@@ -72,11 +88,23 @@ static void print_point(FILE *out, const glint_failure *failure)
             answer->material.g, answer->material.b, answer->at % config->lanes,
             glint_answer_value_name(answer->value));
     fprintf(out, "model %" PRId32 ", rtl %" PRId32 "\n", answer->model, answer->rtl);
-    fprintf(out, "  alone: echo '%u 0x%" PRIx32 " %u %u %u' | ", answer->material.n, code,
-            answer->material.r, answer->material.g, answer->material.b);
+    if (failure->finding.alone_differs)
+        print_point_alone(out, failure);
+}
+
+/* The components before the answer's are there to put it in its place: `glint divide` takes lines
+ * of one k for R, G and B of one division. It is the last row printed. */
+static void print_division_alone(FILE *out, const glint_failure *failure)
+{
+    const glint_answer *answer = &failure->answer;
+    const glint_division *division = &answer->division[answer->at];
+    fprintf(out, "  alone: printf '");
+    for (int c = 0; c <= (int)answer->value - GLINT_ANSWER_R; c++)
+        fprintf(out, "%d %u\\n", division->difference[c], division->k);
+    fprintf(out, "' | ");
     print_program(out, failure);
-    fprintf(out, " eval --backend rtl --gate %s --pipeline %s\n", glint_gate_name(config->gate),
-            glint_pipeline_name(config->pipeline));
+    fprintf(out, " divide --backend rtl --form %s --shifts %d\n",
+            glint_divider_form_name(failure->setting.form), failure->setting.shifts);
 }
 
 static void print_division(FILE *out, const glint_failure *failure)
@@ -90,10 +118,8 @@ static void print_division(FILE *out, const glint_failure *failure)
             " (%.9g)\n",
             division->difference[component], division->k, glint_answer_value_name(answer->value),
             answer->model, answer->model / one, answer->rtl, answer->rtl / one);
-    fprintf(out, "  alone: echo '%d %u' | ", division->difference[component], division->k);
-    print_program(out, failure);
-    fprintf(out, " divide --backend rtl --form %s --shifts %d\n",
-            glint_divider_form_name(failure->setting.form), failure->setting.shifts);
+    if (failure->finding.alone_differs)
+        print_division_alone(out, failure);
 }
 
 static void print_answer(FILE *out, const glint_failure *failure)
@@ -155,14 +181,43 @@ static int pin_width(const glint_pin_info *pin, int lanes)
     return wider((int)strlen(name), wider((int)strlen(least), (int)strlen(most)));
 }
 
-/* Index of the first signal that differs in the failing clock; −1: none. */
-static int first_differing(const glint_capture *capture)
+static bool differs_then(const glint_capture *capture, int signal)
 {
     const glint_capture_clock *failing = &capture->clock[capture->failing];
-    for (int i = 0; i < glint_setting_signal_count(&capture->setting); i++)
-        if (failing->rtl[i] != failing->model[i])
+    return failing->rtl[signal] != failing->model[signal];
+}
+
+/* Whether the signal is the output with the answer's value. */
+static bool is_answer(const glint_failure *failure, const glint_signal_info *signal)
+{
+    static const char *const points[] = {"out_w", "out_r", "out_g", "out_b"};
+    static const char *const divisions[] = {"", "quotient_r", "quotient_g", "quotient_b"};
+    const glint_answer *answer = &failure->answer;
+    const glint_setting *setting = &failure->setting;
+    if (!failure->has_answer || failure->pins != NULL)
+        return false;
+    if (!answer->is_divider)
+        return strcmp(signal->name, points[answer->value]) == 0 &&
+               signal->lane == answer->at % setting->specular.lanes;
+    return strcmp(signal->name, setting->form == GLINT_DIVIDER_SEQUENTIAL
+                                    ? "quotient"
+                                    : divisions[answer->value]) == 0;
+}
+
+/* Index of the signal that the table shows, of those that differ in the failing clock: the answer,
+ * or else the first; −1: none does. */
+static int signal_of_table(const glint_failure *failure, const glint_capture *capture)
+{
+    int first = -1;
+    for (int i = glint_setting_signal_count(&capture->setting) - 1; i >= 0; i--) {
+        const glint_signal_info signal = glint_setting_signal(&capture->setting, i);
+        if (!differs_then(capture, i))
+            continue;
+        if (is_answer(failure, &signal))
             return i;
-    return -1;
+        first = i;
+    }
+    return first;
 }
 
 /* Of several lanes the table has the cosine of one: the failing one's. */
@@ -226,15 +281,16 @@ static void print_material(FILE *out, const glint_capture *capture, int row)
             held[0], held[1], held[2], held[3]);
 }
 
-static void print_table(FILE *out, const glint_capture *capture)
+static void print_table(FILE *out, const glint_failure *failure, const glint_capture *capture)
 {
     const int last = capture->failing;
     const int first = last + 1 > GLINT_CAPTURE_BEFORE ? last + 1 - GLINT_CAPTURE_BEFORE : 0;
-    const int signal = first_differing(capture);
-    fprintf(out,
-            "the last %d clocks, at each edge the pins, and after it both values of the first "
-            "signal to differ:\n",
-            last + 1 - first);
+    const int signal = signal_of_table(failure, capture);
+    const glint_signal_info shown =
+        glint_setting_signal(&capture->setting, signal < 0 ? 0 : signal);
+    fprintf(out, "the last %d clocks, at each edge the pins, and after it both values of the %s:\n",
+            last + 1 - first,
+            signal >= 0 && is_answer(failure, &shown) ? "answer" : "first signal to differ");
     print_heading(out, capture, signal);
     for (int row = first; row <= last; row++)
         print_clock(out, capture, row, signal);
@@ -244,6 +300,23 @@ static void print_table(FILE *out, const glint_capture *capture)
 
 /* ---- All of it ----------------------------------------------------------------------------------
  */
+
+void glint_failure_print_mismatches(FILE *out, const glint_failure *failure,
+                                    const glint_failure_finding *finding,
+                                    const glint_lockstep_result *found)
+{
+    if (!failure->has_answer || failure->pins != NULL) {
+        glint_mismatch_print(out, &failure->setting, found);
+        return;
+    }
+    if (found->kept != 0 && found->mismatch[0].clock < finding->clock) {
+        fprintf(out, "the first signal to differ:\n");
+        glint_mismatch_print_one(out, &failure->setting, &found->mismatch[0]);
+        fprintf(out, "and when the answer is out:\n");
+    }
+    for (int i = 0; i < finding->count; i++)
+        glint_mismatch_print_one(out, &failure->setting, &finding->mismatch[i]);
+}
 
 static void print_lockstep(FILE *out, const glint_failure *failure, const glint_capture *capture)
 {
@@ -256,7 +329,8 @@ static void print_lockstep(FILE *out, const glint_failure *failure, const glint_
                 "differs: the builds of one Verilog do not do the same\n");
         return;
     }
-    glint_mismatch_print(out, &failure->setting, has_run ? &failure->run : &capture->found);
+    glint_failure_print_mismatches(out, failure, &failure->finding,
+                                   has_run ? &failure->run : &capture->found);
 }
 
 static void print_how_played(FILE *out, const glint_failure *failure)
@@ -265,7 +339,9 @@ static void print_how_played(FILE *out, const glint_failure *failure)
         fprintf(out, "seed: %" PRIu64 "\n", failure->seed);
     else if (failure->pins == NULL)
         return;
-    if (failure->pins == NULL)
+    if (failure->interrupted)
+        fprintf(out, "interrupted before it was played again: there is no packet\n");
+    else if (failure->pins == NULL)
         fprintf(out, "played from clock 1: no part of the run shows the mismatch by itself\n");
     else
         fprintf(out, "played from clock %" PRIu64 ", %zu clocks\n", failure->first_clock,
@@ -293,12 +369,14 @@ void glint_failure_report(FILE *out, const glint_failure *failure, const glint_c
         print_frame(out, &failure->frame);
     if (failure->has_answer)
         print_answer(out, failure);
-    if (capture == NULL) {
+    if (capture == NULL && failure->interrupted) {
+        glint_failure_print_mismatches(out, failure, &failure->finding, &failure->run);
+    } else if (capture == NULL) {
         fprintf(out, "no answer of the circuit was found to differ when the frame was rendered "
                      "again: there are no clocks to show\n");
     } else {
         print_lockstep(out, failure, capture);
-        print_table(out, capture);
+        print_table(out, failure, capture);
     }
     if (failure->run.comparisons != 0)
         glint_mismatch_print_totals(out, &failure->run);

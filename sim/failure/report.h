@@ -8,9 +8,16 @@
 
 /* Writes it: what differs where, both values as bits and as numbers, the pins of the last 32 clocks
  * as a table with the failing one marked, the seed, and the commands that look at it and play it
- * again. capture: what the failure's play gave; NULL when it has none. directory: of the packet;
- * NULL when there is none to look at. */
+ * again. The command that asks an answer's point alone is there where that shows the difference.
+ * capture: what the failure's play gave; NULL when it has none. directory: of the packet; NULL when
+ * there is none to look at. */
 void glint_failure_report(FILE *out, const glint_failure *failure, const glint_capture *capture,
                           const char *directory);
+
+/* Of an answer: what differs first, where that is before the failing clock, and what differs in the
+ * failing clock. Of others: the first mismatches, as they came. found: of the play or the run. */
+void glint_failure_print_mismatches(FILE *out, const glint_failure *failure,
+                                    const glint_failure_finding *finding,
+                                    const glint_lockstep_result *found);
 
 #endif

@@ -43,6 +43,38 @@ void glint_answer_keep_divisions(glint_answer *answer, const glint_division *div
     memcpy(answer->division, divisions + kept.first, (size_t)answer->count * sizeof *divisions);
 }
 
+static void division_alone(const glint_answer *answer, glint_answer *alone)
+{
+    const glint_division *asked = &answer->division[answer->at];
+    alone->count = 1;
+    alone->division[0] = (glint_division){.k = asked->k};
+    for (int c = 0; c <= (int)answer->value - GLINT_ANSWER_R; c++)
+        alone->division[0].difference[c] = asked->difference[c];
+}
+
+static void point_alone(const glint_answer *answer, int lanes, glint_answer *alone)
+{
+    alone->material = answer->material;
+    alone->at = answer->at % lanes;
+    alone->count = alone->at + 1;
+    for (int i = 0; i < alone->count; i++)
+        alone->cos_code[i] = answer->cos_code[answer->at];
+}
+
+void glint_answer_alone(const glint_answer *answer, const glint_setting *setting,
+                        glint_answer *alone)
+{
+    memset(alone, 0, sizeof *alone);
+    alone->is_divider = answer->is_divider;
+    alone->value = answer->value;
+    alone->model = answer->model;
+    alone->rtl = answer->rtl;
+    if (answer->is_divider)
+        division_alone(answer, alone);
+    else
+        point_alone(answer, setting->specular.lanes, alone);
+}
+
 const char *glint_answer_value_name(glint_answer_value value)
 {
     static const char *const names[] = {"W", "red", "green", "blue"};

@@ -42,6 +42,12 @@ void glint_answer_keep_points(glint_answer *answer, int lanes, const glint_mater
 void glint_answer_keep_divisions(glint_answer *answer, const glint_division *divisions,
                                  size_t count, size_t at);
 
+/* What asks for its point or division without its neighbours, in the same place of the circuit, as
+ * whoever types it can: points from lane 0 up to the answer's, all of them it, and of a division
+ * the differences up to the answer's component. */
+void glint_answer_alone(const glint_answer *answer, const glint_setting *setting,
+                        glint_answer *alone);
+
 /* "W", "red", "green", "blue". */
 const char *glint_answer_value_name(glint_answer_value value);
 

@@ -33,8 +33,14 @@ void glint_mismatch_compare(glint_lockstep_result *result, const glint_setting *
                             const glint_twin *twin)
 {
     uint64_t model[GLINT_SETTING_SIGNALS_MAX], rtl[GLINT_SETTING_SIGNALS_MAX];
-    const int count = glint_setting_signal_count(setting);
     glint_twin_read(twin, model, rtl);
+    glint_mismatch_compare_values(result, setting, model, rtl);
+}
+
+void glint_mismatch_compare_values(glint_lockstep_result *result, const glint_setting *setting,
+                                   const uint64_t *model, const uint64_t *rtl)
+{
+    const int count = glint_setting_signal_count(setting);
     for (int i = 0; i < count; i++) {
         if (model[i] != rtl[i]) {
             const glint_signal_info signal = glint_setting_signal(setting, i);
@@ -60,12 +66,13 @@ static void print_value(FILE *out, const glint_signal_info *signal, uint64_t bit
     fprintf(out, "0x%0*" PRIx64 " (%.9g)", digits, bits, glint_mismatch_number(signal, bits));
 }
 
-static void print_mismatch(FILE *out, const glint_mismatch *mismatch, const char *lane_name)
+void glint_mismatch_print_one(FILE *out, const glint_setting *setting,
+                              const glint_mismatch *mismatch)
 {
     const glint_signal_info *signal = &mismatch->signal;
     fprintf(out, "  clock %" PRIu64 ": %s", mismatch->clock, signal->name);
     if (signal->lane >= 0)
-        fprintf(out, ", %s %d", lane_name, signal->lane);
+        fprintf(out, ", %s %d", glint_setting_lane_name(setting), signal->lane);
     if (signal->block != 0)
         fprintf(out, ", block %d", signal->block);
     fprintf(out, ", %s: model ", signal->meaning);
@@ -79,7 +86,7 @@ void glint_mismatch_print(FILE *out, const glint_setting *setting,
                           const glint_lockstep_result *result)
 {
     for (int i = 0; i < result->kept; i++)
-        print_mismatch(out, &result->mismatch[i], glint_setting_lane_name(setting));
+        glint_mismatch_print_one(out, setting, &result->mismatch[i]);
 }
 
 void glint_mismatch_print_totals(FILE *out, const glint_lockstep_result *result)

@@ -11,10 +11,18 @@
 void glint_mismatch_compare(glint_lockstep_result *result, const glint_setting *setting,
                             const glint_twin *twin);
 
+/* The same for values read already. */
+void glint_mismatch_compare_values(glint_lockstep_result *result, const glint_setting *setting,
+                                   const uint64_t *model, const uint64_t *rtl);
+
 /* The number that a signal's bits stand for. */
 double glint_mismatch_number(const glint_signal_info *signal, uint64_t bits);
 
-/* A line for each mismatch kept: clock, signal, lane, block, meaning, both values. */
+/* A line for one: clock, signal, lane, block, meaning, both values. */
+void glint_mismatch_print_one(FILE *out, const glint_setting *setting,
+                              const glint_mismatch *mismatch);
+
+/* A line for each mismatch kept. */
 void glint_mismatch_print(FILE *out, const glint_setting *setting,
                           const glint_lockstep_result *result);
 

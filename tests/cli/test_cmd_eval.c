@@ -30,8 +30,16 @@ static void assert_answer(const char *options, const char *input, const char *ex
 static void a_point_is_answered(void **state)
 {
     (void)state;
-    static const char *const backends[] = {"", "--backend c", "--backend rtl", "--backend real"};
-    for (size_t i = 0; i < 4; i++) {
+    static const char *const backends[] = {
+        "",
+        "--backend c",
+        "--backend rtl",
+        "--backend real",
+        "--backend rtl --lanes 1",
+        "--backend rtl --lanes 4 --pipeline drawn",
+        "--backend rtl --lanes 0",
+    };
+    for (size_t i = 0; i < sizeof backends / sizeof backends[0]; i++) {
         assert_answer(backends[i], "2 0.5 255 100 4\n", HEADER "2,131072,65536,64,25,1\n");
         assert_answer(backends[i], "1000 1 255 1 0\n", HEADER "1000,262144,262144,255,1,0\n");
     }
@@ -57,6 +65,18 @@ static void the_input_is_read_generously_in_its_blanks(void **state)
     for (size_t i = 0; i < sizeof inputs / sizeof inputs[0]; i++) {
         assert_answer("", inputs[i], HEADER "2,131072,65536,1,2,3\n");
     }
+}
+
+static void lanes_are_a_power_of_two(void **state)
+{
+    (void)state;
+    outcome done = run("eval --backend rtl --lanes 3", "");
+    assert_outcome(&done, 2, "glint eval: --lanes: 3 is not 1, 2, 4, 8, 16 or 0\n");
+    forget(&done);
+    done = run("eval --lanes 32", "");
+    assert_outcome(&done, 2, NULL);
+    assert_says(done.err, "--lanes");
+    forget(&done);
 }
 
 static void an_empty_input_has_no_rows(void **state)
@@ -488,6 +508,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_point_is_answered),
         cmocka_unit_test(the_input_is_read_generously_in_its_blanks),
+        cmocka_unit_test(lanes_are_a_power_of_two),
         cmocka_unit_test(an_empty_input_has_no_rows),
         cmocka_unit_test(a_code_above_one_saturates),
         cmocka_unit_test(a_real_cosine_is_rounded_half_up),

@@ -17,6 +17,7 @@
 #include "failure/packet.h"
 #include "faults.h"
 #include "lockstep/exhaustive.h"
+#include "lockstep/mismatch.h"
 #include "lockstep/random.h"
 #include "wave/waveform.h"
 
@@ -75,6 +76,91 @@ static void assert_survives_the_packet(const glint_setting *setting)
     glint_failure_destroy(read);
 }
 
+/* Of lane 0, or of the divider, as the number it stands for times its unit. */
+static int32_t value_of(const glint_capture_clock *clock, const char *name, bool rtl)
+{
+    for (int i = 0; i < glint_setting_signal_count(&failure->setting); i++) {
+        const glint_signal_info signal = glint_setting_signal(&failure->setting, i);
+        if (strcmp(signal.name, name) == 0 && signal.lane <= 0) {
+            const double one = (double)(UINT64_C(1) << signal.frac_bits);
+            return (int32_t)(glint_mismatch_number(&signal, rtl ? clock->rtl[i] : clock->model[i]) *
+                             one);
+        }
+    }
+    fail_msg("no signal %s", name);
+    return 0;
+}
+
+/* The clock marked is the one in which the output has the answer, wrong; the clocks
+ * before it are there, and what differed first is told where that was earlier. */
+static void assert_reaches_the_answer(const char *output)
+{
+    const glint_capture *capture = failure->capture;
+    const glint_capture_clock *failing = &capture->clock[capture->failing];
+    const glint_mismatch *first = &capture->found.mismatch[0];
+    char line[128];
+    assert_int_equal(failing->clock, failure->finding.clock);
+    assert_int_equal(capture->failing, failing->clock > 32 ? 32 : (int)failing->clock - 1);
+    assert_int_equal(value_of(failing, output, false), failure->finding.model);
+    assert_int_equal(value_of(failing, output, true), failure->finding.rtl);
+    char *report = scratch_read(scratch_path("packet/" GLINT_PACKET_REPORT), NULL);
+    (void)snprintf(line, sizeof line, "\n> %10" PRIu64 " ", failing->clock);
+    assert_non_null(strstr(report, line));
+    (void)snprintf(line, sizeof line, ":\n  clock %" PRIu64 ": %s,", first->clock,
+                   first->signal.name);
+    assert_non_null(strstr(report, line));
+    assert_int_equal(strstr(report, "\nthe first signal to differ:\n") != NULL,
+                     first->clock < failing->clock);
+    (void)snprintf(line, sizeof line, "values of the answer:\n");
+    assert_non_null(strstr(report, line));
+    free(report);
+}
+
+/* The report's line that asks the point or division alone, run by a shell with a program in it: a
+ * number of the last row. */
+static int32_t run_alone(const char *program, int column)
+{
+    static char command[8192], row[1024];
+    glint_error err;
+    failure->program = program;
+    assert_done(glint_packet_write(failure, NULL, scratch_path("alone"), &err), &err);
+    failure->program = NULL;
+    char *report = scratch_read(scratch_path("alone/" GLINT_PACKET_REPORT), NULL);
+    const char *line = strstr(report, "\n  alone: ");
+    assert_non_null(line);
+    line += strlen("\n  alone: ");
+    (void)snprintf(command, sizeof command, "%.*s", (int)strcspn(line, "\n"), line);
+    free(report);
+    FILE *answers = popen(command, "r");
+    assert_non_null(answers);
+    while (fgets(row, sizeof row, answers) != NULL) {
+    }
+    assert_int_equal(pclose(answers), 0);
+    char *value = strtok(row, ",");
+    for (int i = 0; i < column; i++) {
+        value = strtok(NULL, ",");
+    }
+    assert_non_null(value);
+    return (int32_t)strtol(value, NULL, 10);
+}
+
+static const char *right_program(void)
+{
+    const char *path = getenv("GLINT");
+    return path != NULL ? path : "build/glint";
+}
+
+/* The command with the circuit `truncating` in it. */
+static const char *wrong_program(void)
+{
+    static char path[1024];
+    const char *build = getenv("GLINT_BUILD");
+    (void)snprintf(path, sizeof path, "%s/wrong/glint", build != NULL ? build : "build");
+    return path;
+}
+
+enum { COLUMN_W = 2, COLUMN_QUOTIENT = 3 }; /* of eval, then red, green and blue; of divide */
+
 /* ---- The specular device ------------------------------------------------------------------------
  */
 
@@ -111,6 +197,13 @@ static void a_mismatch_of_the_exhaustive_run_is_found_in_its_block(void **state)
         assert_in_range(finding->mismatch[0].signal.block, cases[i].first_block,
                         cases[i].last_block);
         assert_survives_the_packet(&setting);
+        static const char *const outputs[] = {"out_w", "out_r", "out_g", "out_b"};
+        assert_reaches_the_answer(outputs[first->answer.value]);
+        const int column = COLUMN_W + (int)first->answer.value;
+        assert_int_equal(run_alone(right_program(), column), finding->model);
+        if (strcmp(cases[i].fault, "truncating") == 0) {
+            assert_int_equal(run_alone(wrong_program(), column), finding->rtl);
+        }
     }
 }
 
@@ -175,7 +268,10 @@ static void a_difference_of_the_fast_build_alone_is_told(void **state)
     assert_non_null(strstr(report, "green: model 190, rtl 191"));
     assert_non_null(
         strstr(report, "nothing differs: the builds of one Verilog do not do the same"));
+    assert_non_null(strstr(report, "\n  alone: yes '50 0x40000 255 190 110' | head -n 2 | "));
+    assert_non_null(strstr(report, " --lanes 4\n"));
     free(report);
+    assert_int_equal(run_alone(right_program(), COLUMN_W + GLINT_ANSWER_G), 190);
     glint_failure *read;
     assert_done(glint_packet_read(scratch_path("lying"), &read, &err), &err);
     read->setting.specular_model = &lying;
@@ -281,7 +377,7 @@ static void what_went_before_is_played(void **state)
     assert_false(glint_failure_differs(&failure->finding));
     glint_failure_destroy(failure);
     assert_done(glint_failure_of_history(GLINT_FAILURE_EXHAUSTIVE, &setting, answer, result.history,
-                                         &failure, &err),
+                                         NULL, &failure, &err),
                 &err);
     glint_history_destroy(result.history);
     assert_true(failure->finding.lockstep_differs);
@@ -292,6 +388,7 @@ static void what_went_before_is_played(void **state)
     assert_survives_the_packet(&setting);
     char *report = scratch_read(scratch_path("packet/" GLINT_PACKET_REPORT), NULL);
     assert_non_null(strstr(report, "what is below went before them"));
+    assert_null(strstr(report, "alone: ")); /* it would be answered rightly */
     assert_non_null(strstr(report, "\n>        300 "));
     assert_non_null(strstr(report, "\nplayed from clock 1, 308 clocks\n"));
     free(report);
@@ -312,7 +409,7 @@ static void a_circuit_that_keeps_an_answer_back_is_found_out(void **state)
     assert_ptr_equal(setting.specular_model, &ageing);
     glint_failure_destroy(failure);
     assert_done(glint_failure_of_history(GLINT_FAILURE_EXHAUSTIVE, &setting, NULL, result.history,
-                                         &failure, &err),
+                                         NULL, &failure, &err),
                 &err);
     glint_history_destroy(result.history);
     assert_int_equal(failure->finding.clock, WRONG_CLOCK);
@@ -341,11 +438,21 @@ static void what_does_not_matter_is_left_out(void **state)
     takes_none = false;
     wrong_after = 100; /* in the last batch, which begins with the material */
     glint_failure_destroy(failure);
-    assert_done(
-        glint_failure_of_history(GLINT_FAILURE_EXHAUSTIVE, &setting, NULL, history, &failure, &err),
-        &err);
+    assert_done(glint_failure_of_history(GLINT_FAILURE_EXHAUSTIVE, &setting, NULL, history, NULL,
+                                         &failure, &err),
+                &err);
     assert_survives_the_packet(&setting);
     wrong_after = 0;
+    static const volatile bool stop = true;
+    const glint_setting right = {.specular = ageing.config};
+    glint_failure *stopped;
+    for (int i = 0; i < 100; i++) { /* more clocks than are played whether stopped or not */
+        glint_history_add(&history, &right, &batch);
+    }
+    assert_int_equal(glint_failure_of_history(GLINT_FAILURE_EXHAUSTIVE, &right, NULL, history,
+                                              &stop, &stopped, &err),
+                     GLINT_INTERRUPTED);
+    assert_null(stopped);
     glint_history_destroy(history);
     assert_true(failure->finding.lockstep_differs);
     assert_string_equal(failure->finding.mismatch[0].signal.name, "reg1");
@@ -413,10 +520,23 @@ static void assert_division(const char *fault, int component, const glint_divisi
     make_failure(&setting, &answer);
     const glint_failure_finding *finding = &failure->finding;
     assert_true(finding->answer_differs && finding->lockstep_differs);
-    if (strstr(signals, finding->mismatch[0].signal.name) == NULL) {
-        fail_msg("%s: the first to differ is %s", fault, finding->mismatch[0].signal.name);
+    const char *first = failure->capture->found.mismatch[0].signal.name;
+    if (strstr(signals, first) == NULL) {
+        fail_msg("%s: the first to differ is %s", fault, first);
     }
     assert_survives_the_packet(&setting);
+    static const char *const outputs[] = {"quotient_r", "quotient_g", "quotient_b"};
+    const bool sequential = setting.form == GLINT_DIVIDER_SEQUENTIAL;
+    assert_reaches_the_answer(sequential ? "quotient" : outputs[component]);
+    /* With the wrong circuit it differs alone, too; there is no command with that. */
+    glint_answer alone;
+    int32_t model, rtl;
+    glint_error err;
+    glint_answer_alone(&answer, &setting, &alone);
+    assert_done(glint_answer_ask(&alone, &setting, &model, &rtl, &err), &err);
+    assert_int_equal(rtl, finding->rtl);
+    assert_int_equal(model, finding->model);
+    assert_int_equal(run_alone(right_program(), COLUMN_QUOTIENT), finding->model);
 }
 
 static void a_divider_is_asked_clock_by_clock(void **state)

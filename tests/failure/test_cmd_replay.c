@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <sys/stat.h>
 
 #include <cjson/cJSON.h>
 #include <cmocka.h>
@@ -15,6 +16,7 @@
 #include "../child.h"
 #include "../cli/run.h"
 #include "../record.h"
+#include "../terminal.h"
 #include "failure/packet.h"
 #include "faults.h"
 
@@ -202,12 +204,19 @@ static const edit edits[] = {
     {RANDOM, "lanes", "3", "3 lanes"},
     {RANDOM, "lanes", "1e300", "lanes is no whole number"},
     {RANDOM, "lanes", "-1", "lanes is no whole number"},
-    {RANDOM, "lanes", "2", "a clock does not have 11 pins"},
+    {RANDOM, "lanes", "2", "names is no list of 11 to 11"},
     {RANDOM, "seed", "\"-1\"", "seed is no number"},
     {RANDOM, "seed", "\"99999999999999999999\"", "seed is no number"},
     {RANDOM, "seed", NULL, "seed is no text"},
     {RANDOM, "pins.first_clock", "0", "first_clock is no whole number"},
     {RANDOM, "pins.first_clock", "1000000000000", "is not among those of the pins"},
+    {RANDOM, "pins.names", "[\"a\"]", "names is no list of 10 to 10"},
+    {RANDOM, "pins.names", NULL, "names is no list of 10 to 10"},
+    {RANDOM, "pins.names",
+     "[\"cos\",\"in_valid\",\"b\",\"g\",\"r\",\"rgb_we\",\"n\",\"n_we\",\"en\",\"reset\"]",
+     "pin 1 of names is not reset"},
+    {RANDOM, "pins.names.9", "\"cos2\"", "pin 10 of names is not cos"},
+    {RANDOM, "pins.names.2", "2", "pin 3 of names is not n_we"},
     {RANDOM, "pins.clocks", "[]", "clocks is no list"},
     {RANDOM, "pins.clocks", "{}", "clocks is no list"},
     {RANDOM, "pins.clocks.0", "[]", "a clock does not have 10 pins"},
@@ -263,6 +272,97 @@ static void what_is_out_of_range_is_refused(void **state)
     seconds_refusing += child_seconds() - begin;
     record("abuse-packet", "a damaged failure packet is refused in one line, not played",
            "cut and edited packets", refused, "packets", seconds_refusing);
+}
+
+/* A second value of a name that is there already, in any object. */
+static void what_is_there_twice_is_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        int packet;
+        const char *name, *added;
+    } cases[] = {
+        {RANDOM, "\"lanes\"", "\"lanes\": 2, "},
+        {RANDOM, "\"lanes\"", "\"lanes\": 1, "},
+        {RANDOM, "\"first_clock\"", "\"clocks\": [], "},
+        {RANDOM, "\"rtl\"", "\"rtl\": \"0x0\", "},
+        {POINTS, "\"at\"", "\"n\": 3, "},
+        {DIVISIONS, "\"format\"", "\"unknown\": 1, \"unknown\": 1, "},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const char *text = packets[cases[i].packet];
+        const char *at = strstr(text, cases[i].name);
+        const size_t size = strlen(text) + 100;
+        char *doubled = malloc(size);
+        assert_non_null(at);
+        assert_non_null(doubled);
+        (void)snprintf(doubled, size, "%.*s%s%s", (int)(at - text), text, cases[i].added, at);
+        put_packet(doubled);
+        free(doubled);
+        outcome done = replay("");
+        assert_refused(&done, " is there twice", cases[i].added);
+        forget(&done);
+    }
+}
+
+/* What might keep its reader waiting is not read. */
+static void what_is_no_regular_file_is_refused(void **state)
+{
+    (void)state;
+    char data[1024];
+    (void)snprintf(data, sizeof data, "%s", scratch_path("packet/" GLINT_PACKET_DATA));
+    assert_int_equal(unlink(data), 0);
+    assert_int_equal(mkfifo(data, 0600), 0);
+    const char *const argv[] = {glint_under_test(), "replay", scratch_path("packet"), NULL};
+    assert_int_equal(child_run(argv, 20), 2);
+    char *said = scratch_read(scratch_path("child.err"), NULL);
+    assert_says(said, "packet/failure.json: not a regular file\n");
+    free(said);
+    assert_int_equal(unlink(data), 0);
+    assert_int_equal(symlink("/dev/zero", data), 0);
+    outcome done = replay("");
+    assert_refused(&done, "packet/failure.json: not a regular file", "a device");
+    forget(&done);
+    assert_int_equal(unlink(data), 0);
+}
+
+/* The command with late/late_circuit.c in it: right, but for the clock that GLINT_LATE names. */
+static const char *late_program(void)
+{
+    static char path[1024];
+    const char *build = getenv("GLINT_BUILD");
+    (void)snprintf(path, sizeof path, "%s/late/glint", build != NULL ? build : "build");
+    return path;
+}
+
+/* They differ, and that is what the exit status says; that the packet cannot be written is told. */
+static void a_packet_that_cannot_be_written_changes_no_verdict(void **state)
+{
+    (void)state;
+    assert_int_equal(setenv("GLINT_LATE", "500", 1), 0);
+    const char *const find[] = {late_program(),
+                                "verify",
+                                "--circuit",
+                                "specular",
+                                "--clocks",
+                                "1000",
+                                "--seed",
+                                "2",
+                                "--out",
+                                scratch_path("found"),
+                                NULL};
+    assert_int_equal(child_run(find, 60), 1);
+    char packet[1100];
+    (void)snprintf(packet, sizeof packet, "%s/specular_cosine_pipelined_1", scratch_path("found"));
+    const char *const argv[] = {late_program(), "replay", packet, "--out", "/proc/xx", NULL};
+    assert_int_equal(child_run(argv, 60), 1);
+    char *said = scratch_read(scratch_path("child.err"), NULL);
+    assert_int_equal(strncmp(said, "glint replay: /proc/xx: ", 24), 0);
+    assert_ptr_equal(strchr(said, '\n'), said + strlen(said) - 1);
+    free(said);
+    said = scratch_read(scratch_path("child.out"), NULL);
+    assert_says(said, ": the same mismatch; ");
+    free(said);
 }
 
 static void what_is_no_packet_is_refused(void **state)
@@ -334,15 +434,81 @@ static void it_can_be_interrupted(void **state)
     free(said);
 }
 
+/* Waits for the progress of a program that was started on a terminal, and presses Ctrl-C. */
+static void interrupt_after(const char *const *argv, const char *progress, int status)
+{
+    static char shown[65536];
+    terminal screen = terminal_open();
+    const pid_t child = child_start(argv, scratch_path("child.out"), screen.name);
+    terminal_wait_for(&screen, progress, 60, shown, sizeof shown);
+    const double begin = child_seconds();
+    assert_int_equal(kill(child, SIGINT), 0);
+    assert_int_equal(child_wait(child, 60), status);
+    assert_true(child_seconds() - begin < 5);
+    terminal_wait_for(&screen, "interrupted", 10, shown, sizeof shown);
+    terminal_close(&screen);
+}
+
+/* A fault after a million clocks, which no part of the run shows. */
+static void the_making_of_a_packet_shows_progress_and_can_be_interrupted(void **state)
+{
+    (void)state;
+    assert_int_equal(setenv("GLINT_LATE", "1000000", 1), 0);
+    const char *const argv[] = {
+        late_program(), "verify", "--circuit", "specular",           "--clocks", "1000100",
+        "--seed",       "2",      "--out",     scratch_path("late"), NULL};
+    interrupt_after(argv, "clocks played again", 1);
+    char *said = scratch_read(scratch_path("child.out"), NULL);
+    assert_says(said, "gate cosine, pipeline pipelined, lanes 1: ");
+    assert_says(said, "\n  clock 1000000: out_valid, an output is valid: model 0x");
+    assert_says(said, "\ninterrupted before it was played again: there is no packet\n");
+    assert_says(said, "\nwhole:  ");
+    assert_says(said, " clocks, 1 settings, seed 2, ");
+    assert_null(strstr(said, "packet: "));
+    free(said);
+    assert_int_equal(access(scratch_path("late"), F_OK), -1);
+}
+
+/* Let alone, it gets its packet, and a replay of that shows progress, too. */
+static void a_late_fault_is_played_from_the_beginning(void **state)
+{
+    (void)state;
+    char packet[1100];
+    const char *const find[] = {
+        late_program(), "verify", "--circuit", "specular",           "--clocks", "1000100",
+        "--seed",       "2",      "--out",     scratch_path("late"), NULL};
+    (void)snprintf(packet, sizeof packet, "%s/specular_cosine_pipelined_1", scratch_path("late"));
+    assert_int_equal(setenv("GLINT_LATE", "1000000", 1), 0);
+    assert_int_equal(child_run(find, 120), 1);
+    char *said = scratch_read(scratch_path("child.out"), NULL);
+    assert_says(said, "\n>    1000000 ");
+    assert_says(said, "\nplayed from clock 1: no part of the run shows the mismatch by itself\n");
+    free(said);
+    const char *const again[] = {late_program(), "replay", packet, NULL};
+    assert_int_equal(child_run(again, 120), 1);
+    said = scratch_read(scratch_path("child.out"), NULL);
+    assert_says(said, ": the same mismatch; ");
+    free(said);
+    said = scratch_read(scratch_path("child.err"), NULL);
+    assert_string_equal(said, ""); /* progress is for terminals */
+    free(said);
+    interrupt_after(again, "clocks", 2);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_right_circuit_has_none_of_them),
         cmocka_unit_test(what_is_cut_short_is_refused),
         cmocka_unit_test(what_is_out_of_range_is_refused),
+        cmocka_unit_test(what_is_there_twice_is_refused),
         cmocka_unit_test(what_is_no_packet_is_refused),
         cmocka_unit_test(a_circuit_that_is_not_there_is_not_gone),
         cmocka_unit_test(it_can_be_interrupted),
+        cmocka_unit_test(what_is_no_regular_file_is_refused),
+        cmocka_unit_test(a_packet_that_cannot_be_written_changes_no_verdict),
+        cmocka_unit_test(the_making_of_a_packet_shows_progress_and_can_be_interrupted),
+        cmocka_unit_test(a_late_fault_is_played_from_the_beginning),
     };
     return cmocka_run_group_tests(tests, prepare, clean_up);
 }

@@ -197,7 +197,8 @@ static void without_a_shorter_way_the_whole_run_is_played(void **state)
     assert_done(glint_failure_play(read, NULL, &again, NULL, &err), &err);
     assert_true(glint_failure_same(&again, &read->finding));
     static const volatile bool stop = true;
-    assert_int_equal(glint_failure_play(read, &stop, &again, NULL, &err), GLINT_INTERRUPTED);
+    const glint_capture_control stopped = {.stop = &stop};
+    assert_int_equal(glint_failure_play(read, &stopped, &again, NULL, &err), GLINT_INTERRUPTED);
     glint_failure_destroy(read);
     glint_failure_destroy(failure); /* it points to this function's circuit */
     failure = NULL;
