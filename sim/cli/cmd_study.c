@@ -32,7 +32,9 @@ static const char details[] =
     "different.\n"
     "\n"
     "DIR gets sheet.png, a sheet n-NNNN.png for each n (A, B, difference), study.csv,\n"
-    "study.json and, apart as no two runs agree on them, times.csv.\n"
+    "study.json and, apart as no two runs agree on them, times.csv. They take their\n"
+    "names together at the end: interrupted, DIR is left as it was. Sheets n-NNNN.png\n"
+    "and a times.csv of an earlier study that this one does not write are removed.\n"
     "\n" GLINT_COLOR_DETAILS;
 
 #define OWN_ROWS   6
@@ -95,14 +97,21 @@ static bool is_among(int n, const glint_study_options *study)
 }
 
 /* Returns the exit status, GLINT_OPTIONS_RUN when all is well; so do the next two. */
-static int read_exponents(const char *text, glint_study_options *study)
+static int read_exponents(const char *chosen_text, glint_study_options *study)
 {
+    const char *text = chosen_text;
     char part[64];
     glint_quoted quoted;
     study->count = 0;
     while (text != NULL) {
         int64_t n;
         text = glint_next_part(text, ',', part);
+        if (part[0] == '\0' && study->count > 0) {
+            return glint_complain("study", GLINT_EXIT_USAGE,
+                                  "--n: nothing follows a comma in %s, where an integer from 0 to "
+                                  "%u should",
+                                  glint_quote(chosen_text, &quoted), GLINT_N_MAX);
+        }
         if (!glint_parse_integer(part, 0, GLINT_N_MAX, &n)) {
             return glint_complain("study", GLINT_EXIT_USAGE,
                                   "--n: %s is not an integer from 0 to %u",
@@ -145,7 +154,9 @@ static int read_study(const study_options *chosen, glint_study_options *study)
         .setup = {.scene = glint_scene_options_scene(&chosen->scene),
                   .width = chosen->scene.width,
                   .height = chosen->scene.height,
-                  .threads = (int)chosen->scene.threads},
+                  .threads = (int)chosen->scene.threads,
+                  .model = chosen->scene.model,
+                  .density = glint_scene_options_density(&chosen->scene)},
         .frames = (int)chosen->frames,
         .directory = chosen->out,
         .stop = glint_stop_flag(),
@@ -157,8 +168,13 @@ static int read_study(const study_options *chosen, glint_study_options *study)
 static void print_row(const glint_study_row *row)
 {
     const glint_image_difference *d = &row->difference;
-    printf("%5d  %10.4g %7.4g  %4d %5d,%-5d %9" PRIu64 " %9" PRIu64, row->n, d->nmse, d->psnr,
-           d->largest, d->largest_x, d->largest_y, row->highlit[0], row->highlit[1]);
+    printf("%5d  %10.4g %7.4g  %4d ", row->n, d->nmse, d->psnr, d->largest);
+    if (d->largest_x >= 0) {
+        printf("%5d,%-5d", d->largest_x, d->largest_y);
+    } else {
+        printf("%5s %-5s", "-", "");
+    }
+    printf(" %9" PRIu64 " %9" PRIu64, row->highlit[0], row->highlit[1]);
     if (row->frames > 0) {
         printf(" %8.3f %8.3f %6.1f %6.1f %6.3f", 1e3 * row->seconds[0], 1e3 * row->seconds[1],
                1.0 / row->seconds[0], 1.0 / row->seconds[1], row->ratio);
@@ -166,14 +182,17 @@ static void print_row(const glint_study_row *row)
     printf("  %s\n", glint_image_reading(d->nmse));
 }
 
-static void print_text(const study_options *chosen, const glint_study_options *study,
-                       const glint_study_row *rows, bool words)
+static void print_text(const glint_study_options *study, const glint_study_row *rows, bool words)
 {
     glint_study_name a, b;
-    printf("%s, %dx%d: %" PRIu64 " triangles, %" PRIu64 " drawn, %" PRIu64 " seen in %" PRIu64
+    printf("%s", study->setup.model);
+    if (study->setup.density > 0) {
+        printf(", density %d", study->setup.density);
+    }
+    printf(", %dx%d: %" PRIu64 " triangles, %" PRIu64 " drawn, %" PRIu64 " seen in %" PRIu64
            " pixels\n",
-           chosen->scene.model, study->setup.width, study->setup.height, rows[0].triangles,
-           rows[0].drawn, rows[0].seen, rows[0].difference.object_pixels);
+           study->setup.width, study->setup.height, rows[0].triangles, rows[0].drawn, rows[0].seen,
+           rows[0].difference.object_pixels);
     printf("A %s, B %s\n\n", glint_study_method_name(&study->setup.method[0], &a),
            glint_study_method_name(&study->setup.method[1], &b));
     printf("%5s  %10s %7s  %-16s %-19s", "", "", "", "largest", "highlit triangles");
@@ -252,7 +271,7 @@ int glint_cmd_study(int argc, char **argv)
                               "%s", err.text);
     }
     if (!chosen.json) {
-        print_text(&chosen, &study, rows, words);
+        print_text(&study, rows, words);
     } else if (!print_json(&study, rows)) {
         return glint_complain("study", GLINT_EXIT_FAILURE, "no memory");
     }

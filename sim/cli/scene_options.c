@@ -145,17 +145,24 @@ glint_scene glint_scene_options_scene(const glint_scene_options *chosen)
     return scene;
 }
 
+int glint_scene_options_density(const glint_scene_options *chosen)
+{
+    return chosen->density != 0                   ? (int)chosen->density
+           : strcmp(chosen->model, "teapot") == 0 ? GLINT_TEAPOT_DENSITY
+           : strcmp(chosen->model, "sphere") == 0 ? GLINT_SPHERE_DENSITY
+                                                  : 0;
+}
+
 glint_status glint_scene_options_mesh(const glint_scene_options *chosen, glint_mesh **mesh,
                                       glint_error *err)
 {
-    const int density = (int)chosen->density;
     if (strcmp(chosen->model, "teapot") == 0) {
-        return glint_mesh_teapot(density != 0 ? density : GLINT_TEAPOT_DENSITY, mesh, err);
+        return glint_mesh_teapot(glint_scene_options_density(chosen), mesh, err);
     }
     if (strcmp(chosen->model, "sphere") == 0) {
-        return glint_mesh_sphere(density != 0 ? density : GLINT_SPHERE_DENSITY, mesh, err);
+        return glint_mesh_sphere(glint_scene_options_density(chosen), mesh, err);
     }
-    if (density != 0) {
+    if (chosen->density != 0) {
         return glint_fail(err, GLINT_BAD_ARGUMENT,
                           "--density is for teapot and sphere: others have their own triangles");
     }

@@ -34,6 +34,9 @@ void glint_scene_options_add(glint_scene_options *chosen, glint_option rows[GLIN
 /* The scene without its mesh; n, shading and what computes the highlights are its defaults. */
 glint_scene glint_scene_options_scene(const glint_scene_options *chosen);
 
+/* Of the model chosen, its own where none was given; 0: it has none. */
+int glint_scene_options_density(const glint_scene_options *chosen);
+
 /* The model: built in, or read from its file. */
 glint_status glint_scene_options_mesh(const glint_scene_options *chosen, glint_mesh **mesh,
                                       glint_error *err);

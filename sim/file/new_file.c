@@ -131,9 +131,12 @@ FILE *glint_new_file_stream(const glint_new_file *file)
     return file->stream;
 }
 
-/* Closes the stream. Returns 0, or the errno of whatever was not written. */
+/* Closes the stream, unless it is. Returns 0, or the errno of whatever was not written. */
 static int close_stream(glint_new_file *file)
 {
+    if (file->stream == NULL) {
+        return 0;
+    }
     errno = 0;
     bool whole = fflush(file->stream) == 0 && !ferror(file->stream);
     int reason = errno;
@@ -143,6 +146,17 @@ static int close_stream(glint_new_file *file)
     }
     file->stream = NULL;
     return whole ? 0 : (reason != 0 ? reason : EIO);
+}
+
+glint_status glint_new_file_close(glint_new_file *file, glint_error *err)
+{
+    const int reason = close_stream(file);
+    if (reason == 0) {
+        return GLINT_OK;
+    }
+    const glint_status status = cannot_write(file->target, reason, err);
+    glint_new_file_discard(file);
+    return status;
 }
 
 glint_status glint_new_file_commit(glint_new_file *file, glint_error *err)

@@ -22,6 +22,11 @@ glint_status glint_new_file_open(const char *path, glint_new_file **file, glint_
 /* Binary, fully buffered. Writers need not check each write: commit does. */
 FILE *glint_new_file_stream(const glint_new_file *file);
 
+/* Closes the stream before the file is given its name, which commit does: for several files that
+ * are to appear together. Where anything was not written, removes the file, which is gone as an
+ * object, and returns GLINT_IO_ERROR. */
+glint_status glint_new_file_close(glint_new_file *file, glint_error *err);
+
 /* Closes the file and gives it its name; where anything was not written, removes it instead and
  * returns GLINT_IO_ERROR. The file is gone as an object either way. */
 glint_status glint_new_file_commit(glint_new_file *file, glint_error *err);

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "glint_status.h"
 
@@ -29,6 +30,11 @@ glint_status glint_image_write_png(const glint_image *image, const char *path, g
  * 16384x16384 it takes half a minute. */
 glint_status glint_image_write_png_until(const glint_image *image, const char *path,
                                          const volatile bool *stop, glint_error *err);
+
+/* The same into a stream that is the caller's to flush and close; path: for what is said when it
+ * fails. */
+glint_status glint_image_print_png(const glint_image *image, FILE *stream, const char *path,
+                                   const volatile bool *stop, glint_error *err);
 
 /* Reads any PNG that libpng reads: grey becomes R = G = B, palettes and fewer bits are expanded,
  * 16 bits are rounded to 8; no gamma or colour profile is applied, and alpha does not change the

@@ -100,6 +100,13 @@ glint_status glint_image_write_png(const glint_image *image, const char *path, g
     return glint_image_write_png_until(image, path, NULL, err);
 }
 
+glint_status glint_image_print_png(const glint_image *image, FILE *stream, const char *path,
+                                   const volatile bool *stop, glint_error *err)
+{
+    writer to = {.path = path, .stop = stop, .stream = stream, .err = err};
+    return write_stream(image, &to);
+}
+
 glint_status glint_image_write_png_until(const glint_image *image, const char *path,
                                          const volatile bool *stop, glint_error *err)
 {
@@ -108,8 +115,7 @@ glint_status glint_image_write_png_until(const glint_image *image, const char *p
     if (status != GLINT_OK) {
         return status;
     }
-    writer to = {.path = path, .stop = stop, .stream = glint_new_file_stream(file), .err = err};
-    status = write_stream(image, &to);
+    status = glint_image_print_png(image, glint_new_file_stream(file), path, stop, err);
     if (status != GLINT_OK) {
         glint_new_file_discard(file);
         return status;

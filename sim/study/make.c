@@ -6,8 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "file/directory.h"
-#include "file/new_file.h"
+#include "study/files.h"
 #include "study/sheet.h"
 #include "study/table.h"
 
@@ -22,23 +21,23 @@ static const char note[] =
 typedef struct making {
     const glint_study_options *options;
     glint_study *study;
+    glint_study_files *files;
     glint_sheet *all;
     bool words;
 } making;
 
-static glint_status file_path(const making *m, const char *name, char path[4096], glint_error *err)
-{
-    const int length = snprintf(path, 4096, "%s/%s", m->options->directory, name);
-    return length < 4096 ? GLINT_OK
-                         : glint_fail(err, GLINT_BAD_ARGUMENT, "the directory's name is too long");
-}
-
 static glint_status write_picture(const making *m, const glint_sheet *sheet, const char *name,
                                   glint_error *err)
 {
-    char path[4096];
-    const glint_status status = file_path(m, name, path, err);
-    return status == GLINT_OK ? glint_image_write_png(glint_sheet_image(sheet), path, err) : status;
+    FILE *stream;
+    char path[512];
+    snprintf(path, sizeof path, "%.400s/%s", m->options->directory, name);
+    glint_status status = glint_study_files_add(m->files, name, &stream, err);
+    if (status == GLINT_OK) {
+        status =
+            glint_image_print_png(glint_sheet_image(sheet), stream, path, m->options->stop, err);
+    }
+    return status == GLINT_OK ? glint_study_files_end(m->files, err) : status;
 }
 
 /* The words over the three pictures of a row. */
@@ -103,25 +102,18 @@ static glint_status make_row(making *m, int at, glint_study_row *row, glint_erro
     return status;
 }
 
-static glint_status open_file(const making *m, const char *name, glint_new_file **file,
-                              glint_error *err)
-{
-    char path[4096];
-    const glint_status status = file_path(m, name, path, err);
-    return status == GLINT_OK ? glint_new_file_open(path, file, err) : status;
-}
-
 static glint_status write_table(const making *m, const char *name,
-                                void (*write)(FILE *to, const glint_study_row *rows, int count),
+                                void (*write)(FILE *to, const glint_study_setup *setup,
+                                              const glint_study_row *rows, int count),
                                 const glint_study_row *rows, glint_error *err)
 {
-    glint_new_file *file;
-    const glint_status status = open_file(m, name, &file, err);
+    FILE *stream;
+    const glint_status status = glint_study_files_add(m->files, name, &stream, err);
     if (status != GLINT_OK) {
         return status;
     }
-    write(glint_new_file_stream(file), rows, m->options->count);
-    return glint_new_file_commit(file, err);
+    write(stream, &m->options->setup, rows, m->options->count);
+    return glint_study_files_end(m->files, err);
 }
 
 static glint_status write_json(const making *m, const glint_study_row *rows, glint_error *err)
@@ -129,12 +121,12 @@ static glint_status write_json(const making *m, const glint_study_row *rows, gli
     cJSON *json = glint_study_json(&m->options->setup, rows, m->options->count);
     char *text = cJSON_Print(json);
     cJSON_Delete(json);
-    glint_new_file *file;
-    glint_status status = text != NULL ? open_file(m, "study.json", &file, err)
+    FILE *stream;
+    glint_status status = text != NULL ? glint_study_files_add(m->files, "study.json", &stream, err)
                                        : glint_fail(err, GLINT_NO_MEMORY, "no memory for JSON");
     if (status == GLINT_OK) {
-        fprintf(glint_new_file_stream(file), "%s\n", text);
-        status = glint_new_file_commit(file, err);
+        fprintf(stream, "%s\n", text);
+        status = glint_study_files_end(m->files, err);
     }
     free(text);
     return status;
@@ -152,6 +144,13 @@ static glint_status write_tables(const making *m, const glint_study_row *rows, g
     return status == GLINT_OK && m->options->frames > 0
                ? write_table(m, "times.csv", glint_study_write_times, rows, err)
                : status;
+}
+
+static glint_status finish(const making *m, glint_error *err)
+{
+    return m->options->stop != NULL && *m->options->stop
+               ? glint_fail(err, GLINT_INTERRUPTED, "interrupted")
+               : glint_study_files_commit(m->files, err);
 }
 
 /* An exponent that a model does not take is found before any file is written. */
@@ -181,7 +180,7 @@ glint_status glint_study_make(const glint_study_options *options, glint_study_ro
     making m = {.options = options};
     glint_status status = check_exponents(options, err);
     if (status == GLINT_OK) {
-        status = glint_directory_make(options->directory, err);
+        status = glint_study_files_create(options->directory, &m.files, err);
     }
     if (status == GLINT_OK) {
         status = glint_study_create(setup, &m.study, err);
@@ -198,8 +197,12 @@ glint_status glint_study_make(const glint_study_options *options, glint_study_ro
     if (status == GLINT_OK) {
         status = write_tables(&m, rows, err);
     }
+    if (status == GLINT_OK) {
+        status = finish(&m, err);
+    }
     *words = m.words;
     glint_sheet_destroy(m.all);
     glint_study_destroy(m.study);
+    glint_study_files_destroy(m.files);
     return status;
 }

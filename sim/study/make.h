@@ -17,7 +17,11 @@ typedef struct glint_study_options {
     void *context;
 } glint_study_options;
 
-/* Fills rows[0] … rows[count − 1] and writes
+/* All files take their names at the end, together: until then, and when it fails or is interrupted,
+ * the directory holds what it held. Then n-NNNN.png and times.csv of an earlier study that this one
+ * did not write are removed.
+ *
+ * Fills rows[0] … rows[count − 1] and writes
  *   n-0050.png   A, B and their difference (docs/frames.md has its colours), for each n
  *   sheet.png    a row for each n, smaller
  *   study.csv, study.json    glint_study_write_differences(), glint_study_json()

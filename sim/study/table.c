@@ -2,20 +2,58 @@
 #include "study/table.h"
 
 #include <inttypes.h>
-#include <math.h>
+#include <string.h>
 
-void glint_study_write_differences(FILE *to, const glint_study_row *rows, int count)
+/* In quotes where it holds what would end it. */
+static void write_text(FILE *to, const char *text)
+{
+    if (text[strcspn(text, "\",\r\n")] == '\0') {
+        fputs(text, to);
+        return;
+    }
+    fputc('"', to);
+    for (; *text != '\0'; text++) {
+        fprintf(to, *text == '"' ? "\"\"" : "%c", *text);
+    }
+    fputc('"', to);
+}
+
+#define SOURCE_NAMES "a,b,model,density\n"
+
+/* The end of a row: from what it is. */
+static void write_source(FILE *to, const glint_study_setup *setup)
+{
+    glint_study_name a, b;
+    fprintf(to, ",%s,%s,", glint_study_method_name(&setup->method[0], &a),
+            glint_study_method_name(&setup->method[1], &b));
+    write_text(to, setup->model);
+    if (setup->density > 0) {
+        fprintf(to, ",%d\n", setup->density);
+    } else {
+        fputs(",\n", to);
+    }
+}
+
+void glint_study_write_differences(FILE *to, const glint_study_setup *setup,
+                                   const glint_study_row *rows, int count)
 {
     fprintf(to, "n,nmse,psnr_db,largest,largest_x,largest_y,differing_pixels,object_pixels,"
-                "triangles,drawn,seen,highlit_a,highlit_b,reading\n");
+                "triangles,drawn,seen,highlit_a,highlit_b,reading," SOURCE_NAMES);
     for (int i = 0; i < count; i++) {
         const glint_study_row *r = &rows[i];
         const glint_image_difference *d = &r->difference;
-        fprintf(to, "%d,%.9g,%.9g,%d,%d,%d,%" PRIu64 ",%" PRIu64 ",", r->n, d->nmse, d->psnr,
-                d->largest, d->largest_x, d->largest_y, d->differing_pixels, d->object_pixels);
-        fprintf(to, "%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%s\n",
-                r->triangles, r->drawn, r->seen, r->highlit[0], r->highlit[1],
-                glint_image_reading(d->nmse));
+        fprintf(to, "%d,%.9g,", r->n, d->nmse);
+        if (d->largest_x >= 0) {
+            fprintf(to, "%.9g,%d,%d,%d,", d->psnr, d->largest, d->largest_x, d->largest_y);
+        } else {
+            fputs("inf,0,,,", to); /* equal: there is no such pixel */
+        }
+        fprintf(to,
+                "%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64
+                ",%s",
+                d->differing_pixels, d->object_pixels, r->triangles, r->drawn, r->seen,
+                r->highlit[0], r->highlit[1], glint_image_reading(d->nmse));
+        write_source(to, setup);
     }
 }
 
@@ -24,13 +62,15 @@ static double per_second(double seconds)
     return seconds > 0.0 ? 1.0 / seconds : 0.0;
 }
 
-void glint_study_write_times(FILE *to, const glint_study_row *rows, int count)
+void glint_study_write_times(FILE *to, const glint_study_setup *setup, const glint_study_row *rows,
+                             int count)
 {
-    fprintf(to, "n,frames,seconds_a,seconds_b,fps_a,fps_b,b_to_a\n");
+    fprintf(to, "n,frames,seconds_a,seconds_b,fps_a,fps_b,b_to_a," SOURCE_NAMES);
     for (int i = 0; i < count; i++) {
         const glint_study_row *r = &rows[i];
-        fprintf(to, "%d,%d,%.6g,%.6g,%.5g,%.5g,%.4g\n", r->n, r->frames, r->seconds[0],
-                r->seconds[1], per_second(r->seconds[0]), per_second(r->seconds[1]), r->ratio);
+        fprintf(to, "%d,%d,%.6g,%.6g,%.5g,%.5g,%.4g", r->n, r->frames, r->seconds[0], r->seconds[1],
+                per_second(r->seconds[0]), per_second(r->seconds[1]), r->ratio);
+        write_source(to, setup);
     }
 }
 
@@ -57,6 +97,12 @@ static void add_scene(cJSON *json, const glint_study_setup *setup)
 {
     const glint_scene *s = &setup->scene;
     cJSON *scene = cJSON_AddObjectToObject(json, "scene");
+    cJSON_AddStringToObject(scene, "model", setup->model);
+    if (setup->density > 0) {
+        cJSON_AddNumberToObject(scene, "density", setup->density);
+    } else {
+        cJSON_AddNullToObject(scene, "density");
+    }
     cJSON_AddNumberToObject(scene, "width", setup->width);
     cJSON_AddNumberToObject(scene, "height", setup->height);
     add_color(scene, "color", s->color);
@@ -85,8 +131,13 @@ static cJSON *row_json(const glint_study_row *r)
     cJSON_AddNumberToObject(json, "psnr", d->psnr);
     cJSON_AddStringToObject(json, "reading", glint_image_reading(d->nmse));
     cJSON_AddNumberToObject(json, "largest", d->largest);
-    cJSON_AddNumberToObject(json, "largest_x", d->largest_x);
-    cJSON_AddNumberToObject(json, "largest_y", d->largest_y);
+    if (d->largest_x >= 0) {
+        cJSON_AddNumberToObject(json, "largest_x", d->largest_x);
+        cJSON_AddNumberToObject(json, "largest_y", d->largest_y);
+    } else {
+        cJSON_AddNullToObject(json, "largest_x");
+        cJSON_AddNullToObject(json, "largest_y");
+    }
     cJSON_AddNumberToObject(json, "differing_pixels", (double)d->differing_pixels);
     cJSON_AddNumberToObject(json, "object_pixels", (double)d->object_pixels);
     cJSON_AddNumberToObject(json, "triangles", (double)r->triangles);

@@ -9,14 +9,19 @@
 
 #include "study/study.h"
 
-/* CSV with a header: n, NMSE, PSNR (inf: equal), largest difference and where, pixels, triangles,
- * and what the thesis reads from the NMSE. */
-void glint_study_write_differences(FILE *to, const glint_study_row *rows, int count);
+/* CSV with a header: n, NMSE, PSNR (inf: equal), largest difference and where (empty: nowhere),
+ * pixels, triangles, what the thesis reads from the NMSE; then A, B, the model and its density
+ * (empty: it has none). */
+void glint_study_write_differences(FILE *to, const glint_study_setup *setup,
+                                   const glint_study_row *rows, int count);
 
-/* CSV with a header: n, frames timed, seconds and frames a second of A and B, B's time to A's. */
-void glint_study_write_times(FILE *to, const glint_study_row *rows, int count);
+/* CSV with a header: n, frames timed, seconds and frames a second of A and B, B's time to A's; then
+ * A, B, the model and its density. */
+void glint_study_write_times(FILE *to, const glint_study_setup *setup, const glint_study_row *rows,
+                             int count);
 
-/* The methods, the scene, and the same rows; psnr null: infinite. NULL: no memory. */
+/* The methods, the scene with its model, and the same rows; psnr null: infinite, largest_x and
+ * largest_y null: nowhere, density null: the model has none. NULL: no memory. */
 cJSON *glint_study_json(const glint_study_setup *setup, const glint_study_row *rows, int count);
 
 /* An array of the times; NULL: no memory. */

@@ -11,6 +11,8 @@
 #include <cmocka.h>
 
 #include "../scratch.h"
+
+#include "../child.h"
 #include "image/image.h"
 #include "run.h"
 
@@ -154,6 +156,156 @@ static void times_are_in_the_json_when_asked_for(void **state)
     forget(&done);
 }
 
+/* Each table says of what it is: the mesh, its density, the methods. */
+static void the_tables_say_what_they_are_of(void **state)
+{
+    (void)state;
+    outcome done = study("named", "--model sphere --density 20 --n 10,20 --frames 1 --json");
+    assert_outcome(&done, 0, "");
+    cJSON *json = cJSON_Parse(done.out);
+    const cJSON *scene = cJSON_GetObjectItem(json, "scene");
+    assert_string_equal(cJSON_GetObjectItem(scene, "model")->valuestring, "sphere");
+    assert_int_equal(cJSON_GetObjectItem(scene, "density")->valueint, 20);
+    cJSON_Delete(json);
+    forget(&done);
+    static const char *const names[] = {"study.csv", "times.csv"};
+    for (int i = 0; i < 2; i++) {
+        char *csv = read_from("named", names[i], NULL);
+        assert_says(csv, ",a,b,model,density\n");
+        assert_says(csv, ",blinn,cosine-quadratic,sphere,20\n20,");
+        free(csv);
+    }
+    done = study("named", "--model sphere --n 10 --frames 0 --b rtl:gouraud");
+    assert_says(done.out, "sphere, density 128, 120x90: 16128 triangles");
+    forget(&done);
+    char *csv = read_from("named", "study.csv", NULL);
+    assert_says(csv, ",blinn,rtl:gouraud,sphere,128\n");
+    free(csv);
+}
+
+/* A path may hold what would end a column; a file has no density. */
+static void a_file_is_named_in_quotes_where_it_must_be(void **state)
+{
+    (void)state;
+    static const char triangle[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    char options[1200], expected[1200];
+    snprintf(options, sizeof options, "--n 10 --frames 0 --json --model %s",
+             scratch_path("one,\"two\".obj"));
+    snprintf(expected, sizeof expected, ",blinn,cosine-quadratic,\"%s/one,\"\"two\"\".obj\",\n",
+             scratch_directory);
+    scratch_write(scratch_path("one,\"two\".obj"), triangle, sizeof triangle - 1);
+    outcome done = study("quoted", options);
+    assert_outcome(&done, 0, "");
+    cJSON *json = cJSON_Parse(done.out);
+    const cJSON *scene = cJSON_GetObjectItem(json, "scene");
+    assert_string_equal(cJSON_GetObjectItem(scene, "model")->valuestring,
+                        scratch_path("one,\"two\".obj"));
+    assert_true(cJSON_IsNull(cJSON_GetObjectItem(scene, "density")));
+    cJSON_Delete(json);
+    char *csv = read_from("quoted", "study.csv", NULL);
+    assert_says(csv, expected);
+    free(csv);
+    forget(&done);
+}
+
+/* There is no largest difference, and so no pixel that has it. */
+static void equal_pictures_have_no_largest_difference(void **state)
+{
+    (void)state;
+    outcome done = study("equal", "--n 10 --frames 0 --ks 0 --kd 0 --ia 0 --json");
+    assert_outcome(&done, 0, "");
+    cJSON *json = cJSON_Parse(done.out);
+    const cJSON *row = cJSON_GetArrayItem(cJSON_GetObjectItem(json, "rows"), 0);
+    assert_int_equal(cJSON_GetObjectItem(row, "largest")->valueint, 0);
+    assert_true(cJSON_IsNull(cJSON_GetObjectItem(row, "largest_x")));
+    assert_true(cJSON_IsNull(cJSON_GetObjectItem(row, "largest_y")));
+    assert_true(cJSON_IsNull(cJSON_GetObjectItem(row, "psnr")));
+    cJSON_Delete(json);
+    char *csv = read_from("equal", "study.csv", NULL);
+    assert_says(csv, "\n10,0,inf,0,,,0,");
+    free(csv);
+    forget(&done);
+    done = study("equal", "--n 10 --frames 0 --ks 0 --kd 0 --ia 0");
+    assert_null(strstr(done.out, "-1"));
+    forget(&done);
+}
+
+static const char *const of_a_study[] = {"n-0001.png", "n-0002.png", "sheet.png",
+                                         "study.csv",  "study.json", "times.csv"};
+enum { OF_A_STUDY = sizeof of_a_study / sizeof of_a_study[0] };
+
+static int entries_of(const char *directory)
+{
+    int count = -2; /* "." and ".." */
+    DIR *opened = opendir(scratch_path(directory));
+    assert_non_null(opened);
+    while (readdir(opened) != NULL) {
+        count++;
+    }
+    closedir(opened);
+    return count;
+}
+
+/* A directory holds one study: the one before, until the next is whole. */
+static void an_interrupted_study_leaves_the_one_before(void **state)
+{
+    (void)state;
+    char *before[OF_A_STUDY], out[1024];
+    size_t size[OF_A_STUDY];
+    snprintf(out, sizeof out, "%s", scratch_path("mixed"));
+    outcome done = study("mixed", "--n 1,2 --frames 1");
+    assert_outcome(&done, 0, "");
+    forget(&done);
+    for (int i = 0; i < OF_A_STUDY; i++) {
+        before[i] = read_from("mixed", of_a_study[i], &size[i]);
+    }
+    const char *const argv[] = {
+        glint_under_test(), "study", "--size", "320x240", "--b",       "schlick", "--n", "1,2,3,4",
+        "--frames",         "200",   "--out",  out,       "--threads", "1",       NULL};
+    const pid_t child = child_start(argv, scratch_path("child.out"), scratch_path("child.err"));
+    const double limit = child_seconds() + 60;
+    while (entries_of("mixed") < OF_A_STUDY + 2 && child_seconds() < limit) {
+        child_pause(); /* until two sheets are made */
+    }
+    assert_true(entries_of("mixed") >= OF_A_STUDY + 2);
+    kill(child, SIGINT);
+    assert_int_equal(child_wait(child, 60), 1);
+    assert_int_equal(entries_of("mixed"), OF_A_STUDY);
+    for (int i = 0; i < OF_A_STUDY; i++) {
+        size_t count;
+        char *after = read_from("mixed", of_a_study[i], &count);
+        assert_int_equal(count, size[i]);
+        assert_memory_equal(after, before[i], count);
+        free(after);
+        free(before[i]);
+    }
+}
+
+static void a_study_removes_what_the_one_before_left_and_nothing_else(void **state)
+{
+    (void)state;
+    static const char *const kept[] = {"again/notes.txt", "again/n-12.png", "again/n-000a.png",
+                                       "again/n-0001.png.txt"};
+    outcome done = study("again", "--n 1,2,1000 --frames 1");
+    assert_outcome(&done, 0, "");
+    forget(&done);
+    for (size_t i = 0; i < sizeof kept / sizeof kept[0]; i++) {
+        scratch_write(scratch_path(kept[i]), "x", 1);
+    }
+    assert_int_equal(mkdir(scratch_path("again/n-0099.png"), 0777), 0);
+    done = study("again", "--n 2,3 --frames 0");
+    assert_outcome(&done, 0, "");
+    forget(&done);
+    for (size_t i = 0; i < sizeof kept / sizeof kept[0]; i++) {
+        assert_int_equal(access(scratch_path(kept[i]), F_OK), 0);
+    }
+    assert_true(is_there("again", "n-0099.png") && is_there("again", "n-0002.png") &&
+                is_there("again", "n-0003.png"));
+    assert_false(is_there("again", "n-0001.png") || is_there("again", "n-1000.png") ||
+                 is_there("again", "times.csv"));
+    assert_int_equal(entries_of("again"), 4 + 1 + 2 + 3);
+}
+
 static void what_cannot_be_studied_is_named(void **state)
 {
     (void)state;
@@ -163,7 +315,9 @@ static void what_cannot_be_studied_is_named(void **state)
         const char *says;
     } refused[] = {
         {"--n 10,10", 2, "--n: 10 is there twice"},
-        {"--n 10,", 2, "--n: \"\" is not an integer from 0 to 1023"},
+        {"--n 10,", 2, "--n: nothing follows a comma in \"10,\", where an integer from 0 to 1023"},
+        {"--n 10,,20", 2, "--n: nothing follows a comma in \"10,,20\""},
+        {"--n ,10", 2, "--n: \"\" is not an integer from 0 to 1023"},
         {"--n 5,1024", 2, "--n: \"1024\" is not an integer from 0 to 1023"},
         {"--a glass", 2, "--a: \"glass\" is no method"},
         {"--b blinn:smooth", 2, "--b: \"smooth\" is no shading"},
@@ -196,6 +350,11 @@ int main(void)
         cmocka_unit_test(every_run_writes_the_same_but_for_times),
         cmocka_unit_test(the_numbers_are_those_of_compare),
         cmocka_unit_test(times_are_in_the_json_when_asked_for),
+        cmocka_unit_test(the_tables_say_what_they_are_of),
+        cmocka_unit_test(a_file_is_named_in_quotes_where_it_must_be),
+        cmocka_unit_test(equal_pictures_have_no_largest_difference),
+        cmocka_unit_test(an_interrupted_study_leaves_the_one_before),
+        cmocka_unit_test(a_study_removes_what_the_one_before_left_and_nothing_else),
         cmocka_unit_test(what_cannot_be_studied_is_named),
     };
     return cmocka_run_group_tests_name("study", tests, scratch_make, scratch_remove);

@@ -1,5 +1,6 @@
 /* Studies: their numbers against frames rendered and compared apart, what counts as touched by the
  * highlight, the names of methods, contact sheets, and what is refused. */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -91,6 +92,48 @@ static glint_image *frame_of(const glint_study_setup *setup, int which, int n)
     return image;
 }
 
+/* (3.1) and the PSNR of the object's pixels, term by term. */
+static void assert_difference(const glint_image_difference *found, const glint_image *a,
+                              const glint_image *b)
+{
+    double squares = 0.0, reference = 0.0;
+    uint64_t pixels = 0, differing = 0;
+    int largest = 0;
+    for (int y = 0; y < HEIGHT; y++) {
+        for (int x = 0; x < WIDTH; x++) {
+            const int at = y * WIDTH + x;
+            bool differs = false;
+            for (int c = 3 * at; c < 3 * at + 3; c++) {
+                const int apart = a->rgb[c] - b->rgb[c];
+                squares += (double)(apart * apart);
+                reference += (double)(a->rgb[c] * a->rgb[c]);
+                differs = differs || apart != 0;
+                largest = abs(apart) > largest ? abs(apart) : largest;
+            }
+            assert_int_equal(a->object[at], b->object[at]);
+            assert_true(a->object[at] != 0 || !differs);
+            if (a->object[at] == 0) { /* the background is no part of either sum */
+                assert_int_equal(a->rgb[3 * at] + a->rgb[3 * at + 1] + a->rgb[3 * at + 2], 0);
+            }
+            pixels += a->object[at] != 0;
+            differing += differs;
+        }
+    }
+    assert_true(pixels > 1000 && squares > 0.0);
+    assert_true(found->object_pixels == pixels && found->differing_pixels == differing);
+    assert_int_equal(found->largest, largest);
+    assert_true(fabs(found->nmse / (squares / reference) - 1.0) < 1e-12);
+    const double psnr = 10.0 * log10(255.0 * 255.0 * 3.0 * (double)pixels / squares);
+    assert_true(fabs(found->psnr - psnr) < 1e-9);
+    int at_largest = 0;
+    const int at = 3 * (found->largest_y * WIDTH + found->largest_x);
+    for (int c = at; c < at + 3; c++) {
+        at_largest =
+            abs(a->rgb[c] - b->rgb[c]) > at_largest ? abs(a->rgb[c] - b->rgb[c]) : at_largest;
+    }
+    assert_int_equal(at_largest, largest);
+}
+
 static void the_numbers_are_those_of_two_frames(void **state)
 {
     (void)state;
@@ -107,19 +150,9 @@ static void the_numbers_are_those_of_two_frames(void **state)
             const glint_study_row row = run(study, n, 0);
             glint_image *a = frame_of(&setup, 0, n);
             glint_image *b = frame_of(&setup, 1, n);
-            glint_image_difference expected;
-            assert_int_equal(glint_image_compare(a, b, &expected, NULL), GLINT_OK);
-            assert_memory_equal(&row.difference, &expected, sizeof expected);
-            assert_true(expected.differing_pixels > 0);
+            assert_difference(&row.difference, a, b);
             assert_memory_equal(glint_study_picture(study, 0)->rgb, a->rgb, 3 * WIDTH * HEIGHT);
             assert_memory_equal(glint_study_picture(study, 1)->rgb, b->rgb, 3 * WIDTH * HEIGHT);
-            const size_t at = (size_t)(expected.largest_y * WIDTH + expected.largest_x);
-            int largest = 0;
-            for (size_t c = 3 * at; c < 3 * at + 3; c++) {
-                largest =
-                    abs(a->rgb[c] - b->rgb[c]) > largest ? abs(a->rgb[c] - b->rgb[c]) : largest;
-            }
-            assert_int_equal(largest, expected.largest);
             glint_image_destroy(a);
             glint_image_destroy(b);
         }
