@@ -23,6 +23,7 @@ static const char *const method_names[] = {"quadrature", "monte-carlo", "both", 
 
 #define THREADS_MAX 64
 #define SAMPLES_MAX 100000000
+#define ANGLE_MAX   89.9999 /* degrees: at 90 no light arrives */
 
 /* The exponents of the furnace, when none are asked for. */
 #define FURNACE_N "1,3,10,30,100,300,1000"
@@ -81,12 +82,12 @@ static int parse(int argc, char **argv, energy_options *chosen)
         {.name = "n",
          .placeholder = "LIST",
          .given = &chosen->n_given,
-         .help = "exponents; of microfacets the roughness is √(2/(n+2))",
+         .help = "exponents, 0 to 1e6; of microfacets the roughness is √(2/(n+2))",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->n},
         {.name = "angle",
          .placeholder = "LIST",
-         .help = "incidences, degrees",
+         .help = "incidences, 0 to 89.9999 degrees",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->angle},
         {.name = "method",
@@ -194,14 +195,15 @@ static int find_models(run *all)
     return GLINT_OPTIONS_RUN;
 }
 
-static int find_numbers(const char *option, const char *text, double max, const char *expected,
-                        glint_number_list *list)
+static int find_numbers(const char *option, const char *text, double max, const char *what,
+                        const char *example, glint_number_list *list)
 {
     glint_quoted quoted;
     return glint_number_list_parse(text, 0.0, max, list)
                ? GLINT_OPTIONS_RUN
-               : glint_complain("energy", GLINT_EXIT_USAGE, "--%s: %s is not a list of %s", option,
-                                glint_quote(text, &quoted), expected);
+               : glint_complain("energy", GLINT_EXIT_USAGE,
+                                "--%s: %s is not a list of %s from 0 to %.7g that ascend, as %s",
+                                option, glint_quote(text, &quoted), what, max, example);
 }
 
 /* Whether the furnace's picture can be as large. */
@@ -239,11 +241,10 @@ static int find_what(run *all)
     int status = find_models(all);
     if (status == GLINT_OPTIONS_RUN)
         status = find_numbers("n", chosen->furnace && !chosen->n_given ? FURNACE_N : chosen->n,
-                              GLINT_EXPONENT_MAX, "exponents that ascend, as 1..1000 or 1,5,80",
-                              &all->n);
+                              GLINT_EXPONENT_MAX, "exponents", "1..1000 or 1,5,80", &all->n);
     if (status == GLINT_OPTIONS_RUN)
-        status = find_numbers("angle", chosen->angle, 89.9999,
-                              "degrees below 90 that ascend, as 0..89 or 0,45", &all->angle);
+        status = find_numbers("angle", chosen->angle, ANGLE_MAX, "degrees", "0..89 or 0,45",
+                              &all->angle);
     if (status == GLINT_OPTIONS_RUN)
         status = check_exponents(all);
     return status == GLINT_OPTIONS_RUN ? check_picture(all) : status;

@@ -29,18 +29,18 @@ static void print_text(const choices *chosen)
     printf("Differences from cos^n, n = %g: the largest, the largest in the epicentre\n"
            "(cos^n >= %g), the largest there relative to cos^n. c is the cosine.\n\n",
            chosen->n, chosen->level);
-    printf("%-26s%-20s%9s%11s%10s  formula\n", "model", "equation", "largest", "epicentre",
+    printf("%-25s %-20s %11s %11s %11s  formula\n", "model", "equation", "largest", "epicentre",
            "relative");
     for (int i = 0; i < GLINT_REFLECTANCE_COUNT; i++) {
         const glint_reflectance_model model = (glint_reflectance_model)i;
         const glint_reflectance_info *info = glint_reflectance_describe(model);
         glint_accuracy a;
-        printf("%-26s%-20s", glint_reflectance_names[i], info->equation);
+        printf("%-25s %-20s", glint_reflectance_names[i], info->equation);
         if (measure(model, chosen, &a)) {
-            printf("%9.5f%11.5f%10.5f", a.absolute.error, a.epicentre_absolute.error,
+            printf(" %11.5f %11.5f %11.5f", a.absolute.error, a.epicentre_absolute.error,
                    a.epicentre_relative.error);
         } else {
-            printf("%9s%11s%10s", "-", "-", "-");
+            printf(" %11s %11s %11s", "-", "-", "-");
         }
         printf("  %s\n    %s\n", info->formula, info->edges);
     }

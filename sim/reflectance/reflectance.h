@@ -141,9 +141,11 @@ static inline double glint_reflectance_of_cosine(const glint_reflectance *prepar
     return prepared->of_cosine(prepared, above > 1.0 ? 1.0 : above);
 }
 
-/* The same for many cosines in single precision, the faster for it: within 1e-6 of
- * glint_reflectance_of_cosine() for values up to 1, of the value above. The arrays may not overlap.
- */
+/* The same for many cosines in single precision, the faster for it. The difference from
+ * glint_reflectance_of_cosine() of the same cosine is at most 1e-6 of the lobe's height, which is
+ * its value at 1, and at most 1e-6 where that is below 1. So it is no relative bound: of
+ * energy-conserving with n = 1e5, whose height is 4074, it is 0.004 everywhere. The arrays may not
+ * overlap. */
 void glint_reflectance_batch(const glint_reflectance *prepared, const float *restrict cosine,
                              size_t count, float *restrict value);
 

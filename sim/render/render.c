@@ -303,8 +303,10 @@ static glint_status prepare_specular(glint_renderer *r, const glint_scene *scene
         return GLINT_OK;
     }
     const glint_reflectance_parameters parameters = {.n = scene->n, .f0 = (double)scene->f0};
-    const glint_status status =
-        glint_reflectance_prepare(scene->specular, &parameters, &r->specular, err);
+    glint_status status = glint_scene_check_exponent(scene->specular, scene->n, err);
+    if (status == GLINT_OK) {
+        status = glint_reflectance_prepare(scene->specular, &parameters, &r->specular, err);
+    }
     r->prepared = status == GLINT_OK;
     r->f0 = scene->f0;
     return status;

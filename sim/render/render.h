@@ -63,6 +63,9 @@ typedef struct glint_scene {
 /* Everything but the mesh set to the defaults that stand in brackets above. */
 void glint_scene_defaults(glint_scene *scene);
 
+/* GLINT_BAD_ARGUMENT for an n outside what the model and a scene both take. */
+glint_status glint_scene_check_exponent(glint_reflectance_model model, int n, glint_error *err);
+
 typedef struct glint_render_stats {
     uint64_t triangles;  /* of the mesh */
     uint64_t drawn;      /* triangles left after culling and clipping that span a pixel's centre */

@@ -27,6 +27,19 @@ void glint_scene_defaults(glint_scene *scene)
     };
 }
 
+glint_status glint_scene_check_exponent(glint_reflectance_model model, int n, glint_error *err)
+{
+    const glint_reflectance_info *info = glint_reflectance_describe(model);
+    if (info == NULL) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no reflectance model %d", (int)model);
+    }
+    const double max = fmin(info->n_max, GLINT_N_MAX);
+    return (double)n >= info->n_min && (double)n <= max
+               ? GLINT_OK
+               : glint_fail(err, GLINT_BAD_ARGUMENT, "model %s takes n from %g to %g here, not %d",
+                            glint_reflectance_names[model], info->n_min, max, n);
+}
+
 /* The comparison is false for a NaN, so that a NaN is out of every range. */
 static glint_status check_range(const char *name, float value, float low, float high,
                                 glint_error *err)

@@ -159,11 +159,8 @@ static glint_status check_exponents(const glint_study_options *options, glint_er
     glint_status status = GLINT_OK;
     for (int i = 0; status == GLINT_OK && i < 2 * options->count; i++) {
         const glint_study_method *method = &options->setup.method[i % 2];
-        const glint_reflectance_parameters parameters = {.n = options->n[i / 2],
-                                                         .f0 = (double)options->setup.scene.f0};
-        glint_reflectance prepared;
         if (method->by_model) {
-            status = glint_reflectance_prepare(method->model, &parameters, &prepared, err);
+            status = glint_scene_check_exponent(method->model, options->n[i / 2], err);
         }
     }
     return status;

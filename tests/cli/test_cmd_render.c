@@ -284,7 +284,8 @@ static void models_that_do_not_fit_are_refused(void **state)
         {"--f0 0.5", "--f0 is for --specular cook-torrance and torrance-sparrow\n"},
         {"--f0 0.5 --backend real --specular blinn",
          "--f0 is for --specular cook-torrance and torrance-sparrow\n"},
-        {"--n 0 --backend real --specular quadratic", "model quadratic: n = 0 is not in 1"},
+        {"--n 0 --backend real --specular quadratic",
+         "model quadratic takes n from 1 to 1023 here, not 0\n"},
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         outcome done = render("refused.png", refused[i][0]);

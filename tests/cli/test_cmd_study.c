@@ -322,7 +322,8 @@ static void what_cannot_be_studied_is_named(void **state)
         {"--a glass", 2, "--a: \"glass\" is no method"},
         {"--b blinn:smooth", 2, "--b: \"smooth\" is no shading"},
         {"--f0 0.5", 2, "--f0 is for cook-torrance and torrance-sparrow"},
-        {"--b quadratic --n 5,0 --frames 0", 2, "model quadratic: n = 0 is not in 1"},
+        {"--b quadratic --n 5,0 --frames 0", 2,
+         "model quadratic takes n from 1 to 1023 here, not 0"},
         {"--model /nonexistent.obj", 1, "/nonexistent.obj"},
         {"--model sphere --distance 0.5", 1, "nothing to compare"},
     };

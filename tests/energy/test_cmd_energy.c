@@ -156,7 +156,8 @@ static void lists_are_read_strictly(void **state)
         char command_line[64], expected[128];
         snprintf(command_line, sizeof command_line, "energy --n %s", refused[i]);
         snprintf(expected, sizeof expected,
-                 "glint energy: --n: \"%s\" is not a list of exponents that ascend, as 1..1000 or "
+                 "glint energy: --n: \"%s\" is not a list of exponents from 0 to 1000000 that "
+                 "ascend, as 1..1000 or "
                  "1,5,80\n",
                  refused[i]);
         outcome done = run(command_line, "");
@@ -190,14 +191,19 @@ static void the_command_line_is_read_strictly(void **state)
          "glint energy: --model: there is no model \"blin\" (docs/models.md has them)\n"},
         {"energy --model blinn,",
          "glint energy: --model: there is no model \"\" (docs/models.md has them)\n"},
-        {"energy --model blinn,device,blinn",
-         "glint energy: --model: blinn is there twice\n"},
-        {"energy --n 5,4",
-         "glint energy: --n: \"5,4\" is not a list of exponents that ascend, as 1..1000 or "
-         "1,5,80\n"},
-        {"energy --angle 90",
-         "glint energy: --angle: \"90\" is not a list of degrees below 90 that ascend, as 0..89 or "
-         "0,45\n"},
+        {"energy --model blinn,device,blinn", "glint energy: --model: blinn is there twice\n"},
+        {"energy --n 5,4", "glint energy: --n: \"5,4\" is not a list of exponents from 0 to "
+                           "1000000 that ascend, as 1..1000 or "
+                           "1,5,80\n"},
+        {"energy --angle 90", "glint energy: --angle: \"90\" is not a list of degrees from 0 to "
+                              "89.9999 that ascend, as 0..89 or "
+                              "0,45\n"},
+        {"energy --angle 89.99999",
+         "glint energy: --angle: \"89.99999\" is not a list of degrees from 0 to 89.9999 that "
+         "ascend, as 0..89 or 0,45\n"},
+        {"energy --n 1e7",
+         "glint energy: --n: \"1e7\" is not a list of exponents from 0 to 1000000 that ascend, as "
+         "1..1000 or 1,5,80\n"},
         {"energy --samples 5",
          "glint energy: --samples and --seed go with --method monte-carlo or both\n"},
         {"energy --furnace", "glint energy: --furnace needs --out\n"},
