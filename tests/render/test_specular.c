@@ -468,7 +468,7 @@ static void what_cannot_be_is_refused(void **state)
     bad = good;
     bad.specular = GLINT_REFLECTANCE_QUADRATIC;
     bad.n = 0;
-    expect_refusal(&real, &bad, "n = 0");
+    expect_refusal(&real, &bad, "model quadratic takes n from 1 to 1023 here, not 0");
     bad = good;
     bad.f0 = 1.5f;
     expect_refusal(&real, &bad, "f0");
