@@ -16,8 +16,10 @@
 #include "abuse.h"
 
 typedef struct victim {
-    const char *line; /* D: the directory to write to, S: the test's own with what is read */
-    bool wrong, endless_in;
+    const char *line;  /* D: the directory to write to, S: the test's own with what is read */
+    const char *wrong; /* the command with a wrong circuit that this is tried with, in the build
+                        * directory; NULL: the command */
+    bool endless_in;
     int status;       /* of one that was interrupted */
     const char *said; /* by it; "": it may be done before */
 } victim;
@@ -29,34 +31,37 @@ typedef struct moment {
 } moment;
 
 static const victim victims[] = {
-    {"render --size 5000x5000 --backend both --threads 2 --out D/a.png", false, false, 1,
+    {"render --size 5000x5000 --backend both --threads 2 --out D/a.png", NULL, false, 1,
      "interrupted"},
-    {"render --model S/endless.ply --out D/a.png", false, false, 1, "interrupted"},
-    {"verify --clocks 1000000000000 --out D/p", false, false, 1, "(interrupted)"},
-    {"verify --clocks 1000000000000 --json --out D/p", false, false, 1, "\"interrupted\":\ttrue"},
-    {"verify --exhaustive --gate all --pipeline all --out D/p", false, false, 1, "(interrupted)"},
-    {"verify --clocks 300000 --lanes 1 --gate cosine --circuit specular --out D/p", true, false, 1,
-     ""},
-    {"bench --seconds 5", false, false, 1, "interrupted"},
-    {"report --out D/r", false, false, 1, "interrupted"},
-    {"report divider --out D/r", false, false, 1, "interrupted"},
-    {"study --size 1920x1080 --frames 1000 --out D/s", false, false, 1, "interrupted"},
-    {"energy --method both", false, false, 1, "interrupted"},
-    {"energy --json", false, false, 1, "interrupted"},
-    {"eval", false, true, 1, "interrupted"},
-    {"divide --json", false, true, 1, "interrupted"},
-    {"compare S/large.png S/large.png --diff D/d.png", false, false, 1, "interrupted"},
-    {"wave --out D/w", false, false, 1, ""},
-    {"wave --format vcd --out D/w", false, false, 1, ""},
+    {"render --model S/endless.ply --out D/a.png", NULL, false, 1, "interrupted"},
+    {"verify --clocks 1000000000000 --out D/p", NULL, false, 1, "(interrupted)"},
+    {"verify --clocks 1000000000000 --json --out D/p", NULL, false, 1, "\"interrupted\":\ttrue"},
+    {"verify --exhaustive --gate all --pipeline all --out D/p", NULL, false, 1, "(interrupted)"},
+    {"verify --clocks 300000 --lanes 1 --gate cosine --circuit specular --out D/p", "wrong/glint",
+     false, 1, ""},
+    {"verify --clocks 500100 --circuit specular --seed 2 --out D/p", "late/glint", false, 1, ""},
+    {"replay S/far", NULL, false, 2, "interrupted"},
+    {"replay S/far --json --out D/p", NULL, false, 2, "interrupted"},
+    {"bench --seconds 5", NULL, false, 1, "interrupted"},
+    {"report --out D/r", NULL, false, 1, "interrupted"},
+    {"report divider --out D/r", NULL, false, 1, "interrupted"},
+    {"study --size 1920x1080 --frames 1000 --out D/s", NULL, false, 1, "interrupted"},
+    {"energy --method both", NULL, false, 1, "interrupted"},
+    {"energy --json", NULL, false, 1, "interrupted"},
+    {"eval", NULL, true, 1, "interrupted"},
+    {"divide --json", NULL, true, 1, "interrupted"},
+    {"compare S/large.png S/large.png --diff D/d.png", NULL, false, 1, "interrupted"},
+    {"wave --out D/w", NULL, false, 1, ""},
+    {"wave --format vcd --out D/w", NULL, false, 1, ""},
 };
 
 static char own[1024], out[1024];
 
-static const char *wrong_program(void)
+static const char *wrong_program(const victim *v)
 {
     static char path[1024];
     const char *build = getenv("GLINT_BUILD");
-    (void)snprintf(path, sizeof path, "%s/wrong/glint", build != NULL ? build : "build");
+    (void)snprintf(path, sizeof path, "%s/%s", build != NULL ? build : "build", v->wrong);
     return path;
 }
 
@@ -78,7 +83,7 @@ static void try_signal(const victim *v, int signal, moment when)
     char line[4096];
     line_of(v, line);
     assert_int_equal(mkdir(out, 0777), 0);
-    const abuse how = {.program = v->wrong ? wrong_program() : NULL,
+    const abuse how = {.program = v->wrong != NULL ? wrong_program(v) : NULL,
                        .endless_in = v->endless_in,
                        .signal = signal,
                        .milliseconds = when.milliseconds,
@@ -86,7 +91,7 @@ static void try_signal(const victim *v, int signal, moment when)
                        .seconds = 10.0};
     outcome done = abuse_run(signal == SIGKILL ? "kill" : "Ctrl-C, SIGTERM and SIGHUP", line, &how);
     const bool killed = done.status == 128 + signal;
-    const bool finished = done.status == 0 || (v->wrong && done.status == 1);
+    const bool finished = done.status == 0 || (v->wrong != NULL && done.status == 1);
     const bool answered = done.status == v->status &&
                           (strstr(done.err, v->said) != NULL || strstr(done.out, v->said) != NULL);
     /* Until it has a handler, the signal just ends it. */
@@ -149,10 +154,27 @@ static void ignore_no_signal(void)
     (void)signal(SIGHUP, SIG_DFL);
 }
 
+/* A packet whose mismatch is days away. */
+static int write_far_packet(void)
+{
+    static const char text[] =
+        "{\"format\":\"glint failure\",\"version\":1,\"kind\":\"random\",\"command\":\"\","
+        "\"circuit\":\"specular\",\"gate\":\"cosine\",\"pipeline\":\"pipelined\",\"lanes\":1,"
+        "\"seed\":\"2\",\"found\":{\"lockstep_differs\":true,\"clock\":1000000000000,"
+        "\"mismatches\":[]}}";
+    if (mkdir(scratch_path("far"), 0777) != 0) {
+        return -1;
+    }
+    scratch_write(scratch_path("far/failure.json"), text, sizeof text - 1);
+    return 0;
+}
+
 static int set_up(void **state)
 {
     ignore_no_signal();
-    if (scratch_make(state) != 0) {
+    /* The late circuit's mismatch: the run up to it and the packet take some tenths of a second. */
+    if (scratch_make(state) != 0 || write_far_packet() != 0 ||
+        setenv("GLINT_LATE", "500000", 1) != 0) {
         return -1;
     }
     (void)snprintf(out, sizeof out, "%s", scratch_path("out"));
