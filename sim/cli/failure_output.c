@@ -56,6 +56,8 @@ bool glint_failure_output(const char *command, const glint_failure *failure,
         glint_failure_report(out, failure, failure->capture, written ? directory : NULL);
     if (written)
         fprintf(out, "packet: %s\n", directory);
+    else if (detail == GLINT_FAILURE_BRIEFLY) /* it ends a line */
+        fprintf(out, "no packet\n");
     return written;
 }
 
