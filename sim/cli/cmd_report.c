@@ -58,7 +58,7 @@ static int parse(int argc, char **argv, report_options *chosen)
             "leaves\n"
             "those of an earlier run as they were, beside data, plots and pictures, each of them\n"
             "whole, that were ready. --json prints nothing but the JSON, and nothing at all when\n"
-            "interrupted.\n"
+            "interrupted. gnuplot is given a minute for each picture.\n"
             "\n"
             "Exit status: 0 all written, 1 failed or interrupted, or no gnuplot and so all but the "
             "figures,\n"
