@@ -9,7 +9,7 @@ $(BUILD)/late/rtl.o: sim/rtl/rtl.c $(BUILD)/late/rtl_models.h
 	$(CC) -I$(BUILD)/late $(CFLAGS_ALL) -c $< -o $@
 
 $(BUILD)/late/glint: $(CLI_OBJECTS) $(BUILD)/late/rtl.o \
-    $(BUILD)/tests/failure/late/late_circuit.o $(LIBRARIES)
+    $(BUILD)/tests/failure/late_circuit.o $(LIBRARIES)
 	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 build-tests: $(BUILD)/late/glint

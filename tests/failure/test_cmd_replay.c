@@ -326,7 +326,7 @@ static void what_is_no_regular_file_is_refused(void **state)
     assert_int_equal(unlink(data), 0);
 }
 
-/* The command with late/late_circuit.c in it: right, but for the clock that GLINT_LATE names. */
+/* The command with late_circuit.c in it: right, but for the clock that GLINT_LATE names. */
 static const char *late_program(void)
 {
     static char path[1024];
