@@ -14,6 +14,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "file/json_text.h"
+
 /* The one variable of the process: a signal handler can reach nothing else. One byte, written only
  * with true, so that a reader in any thread sees the old value or the new one. */
 static volatile bool stop_requested;
@@ -104,13 +106,13 @@ int glint_complain_error(const char *command, const glint_error *err)
 
 bool glint_output_json(cJSON *json)
 {
-    char *text = json != NULL ? cJSON_Print(json) : NULL;
+    char *text = glint_json_text(json);
     cJSON_Delete(json);
     if (text == NULL) {
         return false;
     }
     puts(text);
-    cJSON_free(text);
+    free(text);
     return true;
 }
 

@@ -7,6 +7,7 @@
 #include "failure/json.h"
 #include "failure/json_names.h"
 #include "failure/pins.h"
+#include "file/json_text.h"
 
 /* A JSON number would lose the low bits of a large one. */
 static void add_exact(cJSON *json, const char *name, const char *format, uint64_t value)
@@ -153,7 +154,7 @@ char *glint_failure_to_json(const glint_failure *failure)
         add_answer(json, &failure->answer);
     if (failure->kind == GLINT_FAILURE_FRAME)
         add_frame(json, &failure->frame);
-    char *text = cJSON_Print(json);
+    char *text = glint_json_text(json);
     cJSON_Delete(json);
     return text;
 }

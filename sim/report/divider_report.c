@@ -1,7 +1,10 @@
 /* Measures, then writes; see divider_report.h. */
 #include "report/divider_report.h"
 
+#include <stdlib.h>
+
 #include "file/directory.h"
+#include "file/json_text.h"
 #include "file/new_file.h"
 #include "report/divider_parts.h"
 #include "report/place.h"
@@ -64,12 +67,12 @@ static glint_status write_json(const char *directory, const glint_divider_report
                                glint_error *err)
 {
     cJSON *json = glint_divider_report_json(report);
-    char *text = json != NULL ? cJSON_Print(json) : NULL;
+    char *text = glint_json_text(json);
     cJSON_Delete(json);
     if (text == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for divider.json");
     const glint_status status = write_json_text(directory, text, err);
-    cJSON_free(text);
+    free(text);
     return status;
 }
 

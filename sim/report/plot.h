@@ -18,7 +18,8 @@ typedef struct glint_plot_limits {
  * and once for NAME.png. The script sets no terminal and no output. *plotted: false, with GLINT_OK,
  * when there is no gnuplot. A gnuplot that fails, or takes longer than the limit, is
  * GLINT_IO_ERROR; GLINT_INTERRUPTED when *stop becomes true while it draws. In each of these cases
- * gnuplot and all it has started is ended, and the picture is what it was before. */
+ * the picture is what it was before; a gnuplot that has not ended by itself is ended, and all that
+ * it has started. */
 glint_status glint_plot(const char *directory, const char *name, const glint_plot_limits *limits,
                         bool *plotted, glint_error *err);
 

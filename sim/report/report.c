@@ -8,6 +8,7 @@
 #include <time.h>
 
 #include "file/directory.h"
+#include "file/json_text.h"
 #include "report/page.h"
 #include "report/place.h"
 #include "report/sections.h"
@@ -80,7 +81,7 @@ static glint_status write_json(const glint_report *report, cJSON *json, glint_er
 {
     cJSON *claims = glint_findings_json(report->findings);
     char *text =
-        claims != NULL && cJSON_AddItemToObject(json, "claims", claims) ? cJSON_Print(json) : NULL;
+        claims != NULL && cJSON_AddItemToObject(json, "claims", claims) ? glint_json_text(json) : NULL;
     glint_new_file *file;
     if (text == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for index.json");
@@ -89,7 +90,7 @@ static glint_status write_json(const glint_report *report, cJSON *json, glint_er
         fprintf(glint_new_file_stream(file), "%s\n", text);
         status = glint_new_file_commit(file, err);
     }
-    cJSON_free(text);
+    free(text);
     return status;
 }
 

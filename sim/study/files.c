@@ -127,31 +127,34 @@ static glint_status remove_file(const glint_study_files *files, const char *name
                       strerror(errno));
 }
 
-static glint_status remove_earlier(const glint_study_files *files, glint_error *err)
+static glint_status remove_earlier(const glint_study_files *files, DIR *directory, glint_error *err)
 {
     glint_status status = GLINT_OK;
-    DIR *directory = opendir(files->directory);
-    if (directory == NULL) {
-        return glint_fail(err, GLINT_IO_ERROR, "cannot read %.400s: %s", files->directory,
-                          strerror(errno));
-    }
     const struct dirent *found;
     while (status == GLINT_OK && (found = readdir(directory)) != NULL) {
         if (is_of_some_studies(found->d_name) && !is_of_this_study(files, found->d_name)) {
             status = remove_file(files, found->d_name, err);
         }
     }
-    closedir(directory);
     return status;
 }
 
 glint_status glint_study_files_commit(glint_study_files *files, glint_error *err)
 {
     glint_status status = GLINT_OK;
+    DIR *directory = opendir(files->directory); /* that it can be read is sure before a rename */
+    if (directory == NULL) {
+        return glint_fail(err, GLINT_IO_ERROR, "cannot read %.400s: %s", files->directory,
+                          strerror(errno));
+    }
     for (int i = 0; i < files->count && status == GLINT_OK; i++) {
         glint_new_file *file = files->entry[i].file;
         files->entry[i].file = NULL; /* gone, well or not */
         status = glint_new_file_commit(file, err);
     }
-    return status == GLINT_OK ? remove_earlier(files, err) : status;
+    if (status == GLINT_OK) {
+        status = remove_earlier(files, directory, err);
+    }
+    closedir(directory);
+    return status;
 }

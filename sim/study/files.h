@@ -31,7 +31,9 @@ glint_status glint_study_files_add(glint_study_files *files, const char *name, F
 glint_status glint_study_files_end(glint_study_files *files, glint_error *err);
 
 /* Gives all files their names, and removes those an earlier study wrote and this one did not:
- * n-NNNN.png and times.csv, no others. */
+ * n-NNNN.png and times.csv, no others. Where the system refuses a name or a removal on the way,
+ * which it does not where it let the files be begun and the directory be read, but for someone
+ * else's files in a sticky directory, what is done by then stays. */
 glint_status glint_study_files_commit(glint_study_files *files, glint_error *err);
 
 #endif

@@ -17,8 +17,8 @@ typedef struct glint_study_options {
     void *context;
 } glint_study_options;
 
-/* All files take their names at the end, together: until then, and when it fails or is interrupted,
- * the directory holds what it held. Then n-NNNN.png and times.csv of an earlier study that this one
+/* All files take their names at the end, together: until then, and when it fails or is interrupted
+ * before, the directory holds what it held (see glint_study_files_commit()). Then n-NNNN.png and times.csv of an earlier study that this one
  * did not write are removed.
  *
  * Fills rows[0] … rows[count − 1] and writes

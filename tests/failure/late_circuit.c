@@ -26,6 +26,10 @@ static void *create_late(void)
         return NULL;
     made->wrong_at = clock != NULL ? strtoull(clock, NULL, 10) : 0;
     made->sound = sound->create();
+    if (made->sound == NULL) {
+        free(made);
+        return NULL;
+    }
     return made;
 }
 

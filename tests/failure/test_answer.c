@@ -284,6 +284,34 @@ static void a_difference_of_the_fast_build_alone_is_told(void **state)
     glint_failure_destroy(read);
 }
 
+static size_t batch_lying_in_company(void *instance, const glint_material *material,
+                                     const glint_rtl_batch_io *io)
+{
+    const size_t done = batch_lying(instance, material, io);
+    return io->count <= 2 ? 0 : done; /* the second of two lanes, alone */
+}
+
+/* A packet is no worse for that: the line that asks alone is left out. */
+static void a_circuit_that_keeps_a_lone_answer_back_has_a_packet(void **state)
+{
+    (void)state;
+    glint_error err;
+    glint_rtl_model lying = glint_rtl_model_cosine_pipelined_4;
+    lying.batch = batch_lying_in_company;
+    const uint32_t cos_code[6] = {GLINT_COS_ONE, GLINT_COS_ONE, 0, 0, 0, GLINT_COS_ONE};
+    const glint_material material = {50, 255, 190, 110};
+    const glint_setting setting = {.specular = lying.config, .specular_model = &lying};
+    glint_answer answer = {.value = GLINT_ANSWER_G, .model = 190, .rtl = 191};
+    glint_answer_keep_points(&answer, 4, &material, cos_code, 6, 5);
+    make_failure(&setting, &answer);
+    assert_true(failure->finding.answer_differs && !failure->finding.alone_differs);
+    assert_done(glint_packet_write(failure, NULL, scratch_path("company"), &err), &err);
+    char *report = scratch_read(scratch_path("company/" GLINT_PACKET_REPORT), NULL);
+    assert_non_null(strstr(report, "green: model 190, rtl 191"));
+    assert_null(strstr(report, "alone:"));
+    free(report);
+}
+
 /* ---- What went before ---------------------------------------------------------------------------
  */
 
@@ -672,6 +700,7 @@ int main(void)
         cmocka_unit_test(a_mismatch_of_the_exhaustive_run_is_found_in_its_block),
         cmocka_unit_test(the_points_about_it_stay_on_their_lanes),
         cmocka_unit_test(a_difference_of_the_fast_build_alone_is_told),
+        cmocka_unit_test(a_circuit_that_keeps_a_lone_answer_back_has_a_packet),
         cmocka_unit_test(what_went_before_is_played),
         cmocka_unit_test(where_the_answer_is_right_the_first_difference_is_marked),
         cmocka_unit_test(a_circuit_that_keeps_an_answer_back_is_found_out),

@@ -449,18 +449,18 @@ static void interrupt_after(const char *const *argv, const char *progress, int s
     terminal_close(&screen);
 }
 
-/* A fault after a million clocks, which no part of the run shows. */
+/* A fault after four million clocks, which no part of the run shows. */
 static void the_making_of_a_packet_shows_progress_and_can_be_interrupted(void **state)
 {
     (void)state;
-    assert_int_equal(setenv("GLINT_LATE", "1000000", 1), 0);
+    assert_int_equal(setenv("GLINT_LATE", "4000000", 1), 0);
     const char *const argv[] = {
-        late_program(), "verify", "--circuit", "specular",           "--clocks", "1000100",
+        late_program(), "verify", "--circuit", "specular",           "--clocks", "4000100",
         "--seed",       "2",      "--out",     scratch_path("late"), NULL};
     interrupt_after(argv, "clocks played again", 1);
     char *said = scratch_read(scratch_path("child.out"), NULL);
     assert_says(said, "gate cosine, pipeline pipelined, lanes 1: ");
-    assert_says(said, "\n  clock 1000000: out_valid, an output is valid: model 0x");
+    assert_says(said, "\n  clock 4000000: out_valid, an output is valid: model 0x");
     assert_says(said, "\ninterrupted before it was played again: there is no packet\n");
     assert_says(said, "\nwhole:  ");
     assert_says(said, " clocks, 1 settings, seed 2, ");
@@ -475,13 +475,13 @@ static void a_late_fault_is_played_from_the_beginning(void **state)
     (void)state;
     char packet[1100];
     const char *const find[] = {
-        late_program(), "verify", "--circuit", "specular",           "--clocks", "1000100",
+        late_program(), "verify", "--circuit", "specular",           "--clocks", "4000100",
         "--seed",       "2",      "--out",     scratch_path("late"), NULL};
     (void)snprintf(packet, sizeof packet, "%s/specular_cosine_pipelined_1", scratch_path("late"));
-    assert_int_equal(setenv("GLINT_LATE", "1000000", 1), 0);
+    assert_int_equal(setenv("GLINT_LATE", "4000000", 1), 0);
     assert_int_equal(child_run(find, 120), 1);
     char *said = scratch_read(scratch_path("child.out"), NULL);
-    assert_says(said, "\n>    1000000 ");
+    assert_says(said, "\n>    4000000 ");
     assert_says(said, "\nplayed from clock 1: no part of the run shows the mismatch by itself\n");
     free(said);
     const char *const again[] = {late_program(), "replay", packet, NULL};
