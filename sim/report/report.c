@@ -80,8 +80,9 @@ static glint_status write_markdown(const glint_report *report, const char *secti
 static glint_status write_json(const glint_report *report, cJSON *json, glint_error *err)
 {
     cJSON *claims = glint_findings_json(report->findings);
-    char *text =
-        claims != NULL && cJSON_AddItemToObject(json, "claims", claims) ? glint_json_text(json) : NULL;
+    char *text = claims != NULL && cJSON_AddItemToObject(json, "claims", claims)
+                     ? glint_json_text(json)
+                     : NULL;
     glint_new_file *file;
     if (text == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for index.json");

@@ -18,8 +18,8 @@ typedef struct glint_study_options {
 } glint_study_options;
 
 /* All files take their names at the end, together: until then, and when it fails or is interrupted
- * before, the directory holds what it held (see glint_study_files_commit()). Then n-NNNN.png and times.csv of an earlier study that this one
- * did not write are removed.
+ * before, the directory holds what it held (see glint_study_files_commit()). Then n-NNNN.png and
+ * times.csv of an earlier study that this one did not write are removed.
  *
  * Fills rows[0] … rows[count − 1] and writes
  *   n-0050.png   A, B and their difference (docs/frames.md has its colours), for each n
