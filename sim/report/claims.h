@@ -22,8 +22,8 @@ typedef struct glint_claim {
     int decimals; /* that the thesis prints: the claim holds when the measured number rounds so */
     bool at_most; /* instead: the claim holds when the measured number is no larger */
     double measured;
-    bool undecided; /* what was measured rests on the stated number itself */
-    bool holds;     /* false where it is undecided */
+    bool undecided;   /* what was measured rests on the stated number itself */
+    bool holds;       /* false where it is undecided */
     const char *note; /* under what conditions, or why not */
 } glint_claim;
 

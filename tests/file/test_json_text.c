@@ -32,9 +32,9 @@ static void utf_8_stays(void **state)
     static const char *const texts[] = {
         "",
         "plain ~ text",
-        "\xd1\x87\xd0\xb0\xd0\xb9\xd0\xbd\xd0\xb8\xd0\xba", /* two bytes each */
-        "\xe0\xa0\x80 \xed\x9f\xbf \xee\x80\x80 " U,        /* U+0800, U+D7FF, U+E000 */
-        "\xf0\x90\x80\x80 \xf4\x8f\xbf\xbf",                /* U+10000, U+10FFFF */
+        "\xd1\x87\xd0\xb0\xd0\xb9\xd0\xbd\xd0\xb8\xd0\xba",    /* two bytes each */
+        "\xe0\xa0\x80 \xed\x9f\xbf \xee\x80\x80 \xef\xbf\xbd", /* U+0800, U+D7FF, U+E000, U+FFFD */
+        "\xf0\x90\x80\x80 \xf4\x8f\xbf\xbf",                   /* U+10000, U+10FFFF */
     };
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
         assert_text(texts[i], texts[i]);
