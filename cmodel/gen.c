@@ -222,7 +222,7 @@ int main(int argc, char **argv)
     }
     if (write_file(argv[1], write) != 0) {
         perror(argv[1]);
-        return 1;
+        return 2;
     }
     return 0;
 }

@@ -2,9 +2,10 @@
 # Sees that the Debian packages a goal needs are there, and installs the missing ones.
 #
 #   sim/deps.sh GOAL...     goals: the names in the table below
-#   NO_INSTALL=1 sim/deps.sh GOAL...     only says what to install; exit status 1
+#   NO_INSTALL=1 sim/deps.sh GOAL...     only says what to install
 #
-# Silent when nothing is missing. Installs with apt-get, through sudo when not root.
+# Exit status 0: all is there; 1: something is missing (NO_INSTALL=1); 2: trouble, such as a package that
+# cannot be installed. Silent when nothing is missing. Installs with apt-get, through sudo when not root.
 set -u
 
 build='gcc g++ make pkg-config verilator zlib1g-dev libpng-dev libfreetype-dev fonts-dejavu-core libassimp-dev libcjson-dev libcmark-gfm-dev libcmark-gfm-extensions-dev nettle-dev'
@@ -31,7 +32,7 @@ packages_of() {
 
 fail() {
     echo "sim/deps.sh: $*" >&2
-    exit 1
+    exit 2
 }
 
 # Prints the packages of the list that are not installed. dpkg-query fails for names it has never
@@ -69,8 +70,9 @@ missing=${missing% }
 as_root=
 [ "$(id -u)" -eq 0 ] || as_root='sudo '
 if [ "${NO_INSTALL:-}" = 1 ]; then
-    fail "missing packages; run: ${as_root}apt-get update &&" \
-        "${as_root}apt-get install --no-install-recommends $missing"
+    echo "sim/deps.sh: missing packages; run: ${as_root}apt-get update &&" \
+        "${as_root}apt-get install --no-install-recommends $missing" >&2
+    exit 1
 fi
 if [ -n "$as_root" ] && ! command -v sudo >/dev/null 2>&1; then
     fail "missing packages and no sudo; as root run:" \

@@ -20,7 +20,7 @@ set -eu
 
 fail() {
     echo "tests/circuit.sh: $*" >&2
-    exit 1
+    exit 2
 }
 
 number_of() { # NAME CHOICE...: the place of NAME among the choices, from 0

@@ -33,6 +33,7 @@ static int parse(int argc, char **argv, bench_options *chosen)
          .kind = GLINT_OPTION_REAL,
          .real = {&chosen->seconds, 0.01, 60.0}},
         {.name = "threads",
+         .usually = "one a processor",
          .help = "for the frames; the kernels run on one",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, GLINT_THREADS_MAX}},
@@ -41,12 +42,18 @@ static int parse(int argc, char **argv, bench_options *chosen)
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
+    static const glint_example examples[] = {
+        {"a quick look", "glint bench --seconds 0.05"},
+        {"for a script, frames by one thread", "glint bench --threads 1 --json"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "bench",
         .summary = "Measures the C model, the Verilated circuit at each lane count, powf, pow and "
                    "Schlick's formula side by side; each formula that stands for cos^n, scalar and "
                    "vectorised; the divider in C and in both forms of its circuit "
                    "beside the machine's own division; then whole frames by each backend.",
+        .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
     };
@@ -245,7 +252,7 @@ static int bench(const bench_options *chosen)
     if (measure(chosen, &results, &err) != GLINT_OK)
         return glint_complain_error("bench", &err);
     if (chosen->json && !print_json(&results, (int)chosen->threads))
-        return glint_complain("bench", GLINT_EXIT_FAILURE, "out of memory");
+        return glint_complain("bench", GLINT_EXIT_TROUBLE, "out of memory");
     return GLINT_EXIT_OK;
 }
 

@@ -30,12 +30,19 @@ static int parse(int argc, char **argv, compare_options *chosen)
     };
     const glint_positional positionals[] = {{.name = "A.png", .value = &chosen->a},
                                             {.name = "B.png", .value = &chosen->b}};
+    static const glint_example examples[] = {
+        {"two pictures in numbers", "glint compare a.png b.png"},
+        {"and where they differ", "glint compare a.png b.png --diff d.png"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "compare",
         .summary = "Compares two pictures of one size, A the reference: pixels that differ, the "
                    "largest difference of a component, and NMSE and PSNR over the object (where "
                    "alpha is above 0 in either).",
-        .details = "Exit status: 0 equal, 1 differing or not comparable, 2 malformed command line.",
+        .done = "the pictures are equal",
+        .different = "they differ",
+        .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
         .positionals = positionals,
@@ -99,9 +106,9 @@ static int report(const compare_options *chosen, const glint_image_difference *d
     if (!chosen->json) {
         print_text(difference);
     } else if (!print_json(difference)) {
-        return glint_complain("compare", GLINT_EXIT_FAILURE, "no memory");
+        return glint_complain("compare", GLINT_EXIT_TROUBLE, "no memory");
     }
-    return glint_output_finish("compare", equal(difference) ? GLINT_EXIT_OK : GLINT_EXIT_FAILURE);
+    return glint_output_finish("compare", equal(difference) ? GLINT_EXIT_OK : GLINT_EXIT_DIFFERENT);
 }
 
 int glint_cmd_compare(int argc, char **argv)
@@ -112,12 +119,12 @@ int glint_cmd_compare(int argc, char **argv)
         return parsed;
     }
     if (chosen.diff != NULL && !glint_is_png_name(chosen.diff)) {
-        return glint_complain("compare", GLINT_EXIT_USAGE,
+        return glint_complain("compare", GLINT_EXIT_TROUBLE,
                               "--diff: %s: pictures are written as PNG: name it .png", chosen.diff);
     }
     if (chosen.diff != NULL &&
         (glint_file_same(chosen.diff, chosen.a) || glint_file_same(chosen.diff, chosen.b))) {
-        return glint_complain("compare", GLINT_EXIT_USAGE,
+        return glint_complain("compare", GLINT_EXIT_TROUBLE,
                               "--diff: %s is one of the pictures compared", chosen.diff);
     }
     glint_error err;

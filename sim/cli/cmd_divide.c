@@ -61,6 +61,13 @@ static int parse(int argc, char **argv, divide_options *chosen)
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
+    static const glint_example examples[] = {
+        {"255/7 with six shifts, by the Verilog",
+         "echo '255 7' | glint divide --shifts 6 --backend rtl"},
+        {"what divide printed, divided again with more shifts",
+         "echo '255 7' | glint divide | glint divide --shifts 16"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "divide",
         .summary = "Reads divisions from standard input, one a line, and prints what the "
@@ -74,6 +81,7 @@ static int parse(int argc, char **argv, divide_options *chosen)
             "The columns printed are difference,k,shifts,quotient_code,quotient,exact,error:\n"
             "quotient is quotient_code/2^shifts, exact is difference/k, error is their\n"
             "difference, each with the fewest decimals that read back as the same number.",
+        .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
     };
@@ -119,7 +127,7 @@ static void print_row(const run *all, const row *r)
 static int refuse_row(const row *r)
 {
     fflush(stdout);
-    return glint_complain("divide", GLINT_EXIT_USAGE,
+    return glint_complain("divide", GLINT_EXIT_TROUBLE,
                           "line %" PRIu64 ": k = %" PRId32 " is not in the table (1 to %d)",
                           r->line, r->k, GLINT_DIVIDER_K_MAX);
 }
@@ -149,7 +157,7 @@ static int flush_run(run *all)
         return status;
     if (all->limit == 1)
         fflush(stdout);
-    return ferror(stdout) ? glint_output_finish("divide", GLINT_EXIT_FAILURE) : GLINT_EXIT_OK;
+    return ferror(stdout) ? glint_output_finish("divide", GLINT_EXIT_TROUBLE) : GLINT_EXIT_OK;
 }
 
 /* Whether the row can be one more component of the division of the row before it. */
@@ -211,7 +219,7 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
     if (status != GLINT_EXIT_OK)
         return status;
     fflush(stdout);
-    return glint_complain("divide", GLINT_EXIT_USAGE, "line %" PRIu64 ": %s", number, err.text);
+    return glint_complain("divide", GLINT_EXIT_TROUBLE, "line %" PRIu64 ": %s", number, err.text);
 }
 
 static int divide(run *all)
@@ -238,7 +246,7 @@ int glint_cmd_divide(int argc, char **argv)
                                          .shifts = (int)chosen.shifts};
     run *all = calloc(1, sizeof *all);
     if (all == NULL)
-        return glint_complain("divide", GLINT_EXIT_FAILURE, "no memory");
+        return glint_complain("divide", GLINT_EXIT_TROUBLE, "no memory");
     /* Whoever types the divisions wants each answer at once. */
     all->limit = isatty(STDIN_FILENO) == 1 ? 1 : RUN_MAX;
     all->json = chosen.json;

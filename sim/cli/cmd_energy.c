@@ -59,15 +59,15 @@ static int64_t online_cores(void)
 static int check(const energy_options *chosen)
 {
     if (chosen->method == METHOD_QUADRATURE && (chosen->samples_given || chosen->seed_given))
-        return glint_complain("energy", GLINT_EXIT_USAGE,
+        return glint_complain("energy", GLINT_EXIT_TROUBLE,
                               "--samples and --seed go with --method monte-carlo or both");
     if (chosen->furnace && chosen->method == METHOD_MONTE_CARLO)
-        return glint_complain("energy", GLINT_EXIT_USAGE,
+        return glint_complain("energy", GLINT_EXIT_TROUBLE,
                               "--furnace is drawn by quadrature, not by monte-carlo");
     if (chosen->furnace && chosen->out == NULL)
-        return glint_complain("energy", GLINT_EXIT_USAGE, "--furnace needs --out");
+        return glint_complain("energy", GLINT_EXIT_TROUBLE, "--furnace needs --out");
     if (chosen->width_given && !chosen->furnace)
-        return glint_complain("energy", GLINT_EXIT_USAGE, "--width goes with --furnace");
+        return glint_complain("energy", GLINT_EXIT_TROUBLE, "--width goes with --furnace");
     return GLINT_OPTIONS_RUN;
 }
 
@@ -123,6 +123,7 @@ static int parse(int argc, char **argv, energy_options *chosen)
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->width, 8, 2048}},
         {.name = "threads",
+         .usually = "one a processor",
          .help = "the results are the same",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, THREADS_MAX}},
@@ -130,6 +131,13 @@ static int parse(int argc, char **argv, energy_options *chosen)
          .help = "the summary as JSON",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
+    };
+    static const glint_example examples[] = {
+        {"three models, fifty exponents",
+         "glint energy --model blinn,phong,energy-conserving --n 1..50"},
+        {"tables, and the picture of the furnace",
+         "glint energy --model all --n 1,10,100 --furnace --out energy"},
+        {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "energy",
@@ -148,9 +156,8 @@ static int parse(int argc, char **argv, energy_options *chosen)
             "furnace.png has a row for each model, from the first on, and a column for each n:\n"
             "a sphere in light of 1 from everywhere, each pixel the albedo at the angle it is\n"
             "seen at, on white. Grey gives less than it gets; yellow (just above 1) over red\n"
-            "(1.5) to black (3 and more) gives more.\n"
-            "\n"
-            "Exit status: 0 done, 1 failed or interrupted, 2 malformed command line.",
+            "(1.5) to black (3 and more) gives more.",
+        .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
     };
@@ -183,11 +190,11 @@ static int find_models(run *all)
         glint_quoted quoted;
         glint_reflectance_model model;
         if (!glint_reflectance_find(name, &model))
-            return glint_complain("energy", GLINT_EXIT_USAGE,
+            return glint_complain("energy", GLINT_EXIT_TROUBLE,
                                   "--model: there is no model %s (docs/models.md has them)",
                                   glint_quote(name, &quoted));
         if (is_there(all, model))
-            return glint_complain("energy", GLINT_EXIT_USAGE, "--model: %s is there twice", name);
+            return glint_complain("energy", GLINT_EXIT_TROUBLE, "--model: %s is there twice", name);
         all->model[(*count)++] = model;
         more = text[length] != '\0';
         text += length;
@@ -201,7 +208,7 @@ static int find_numbers(const char *option, const char *text, double max, const 
     glint_quoted quoted;
     return glint_number_list_parse(text, 0.0, max, list)
                ? GLINT_OPTIONS_RUN
-               : glint_complain("energy", GLINT_EXIT_USAGE,
+               : glint_complain("energy", GLINT_EXIT_TROUBLE,
                                 "--%s: %s is not a list of %s from 0 to %.7g that ascend, as %s",
                                 option, glint_quote(text, &quoted), what, max, example);
 }
@@ -213,7 +220,7 @@ static int check_picture(const run *all)
     const int most = GLINT_IMAGE_SIDE_MAX / (int)(all->chosen->width + all->chosen->width / 8 + 1);
     return !all->chosen->furnace || longest < most
                ? GLINT_OPTIONS_RUN
-               : glint_complain("energy", GLINT_EXIT_USAGE,
+               : glint_complain("energy", GLINT_EXIT_TROUBLE,
                                 "--furnace: %d spheres side by side are too many (below %d)",
                                 longest, most);
 }
@@ -227,7 +234,7 @@ static int check_exponents(const run *all)
             const double n = all->n.value[j];
             if (n < info->n_min || n > info->n_max || (info->whole_n && floor(n) != n))
                 return glint_complain(
-                    "energy", GLINT_EXIT_USAGE, "--n: model %s takes %s from %g to %g, not %g",
+                    "energy", GLINT_EXIT_TROUBLE, "--n: model %s takes %s from %g to %g, not %g",
                     glint_reflectance_names[all->model[i]], info->whole_n ? "integers" : "numbers",
                     info->n_min, info->n_max, n);
         }
@@ -376,7 +383,7 @@ static int print_models(const run *all, const glint_energy_table *table)
         if (!all->chosen->json)
             print_summary(name, &summary);
         else if (!add_summary(all->json, name, &summary))
-            return glint_complain("energy", GLINT_EXIT_FAILURE, "out of memory");
+            return glint_complain("energy", GLINT_EXIT_TROUBLE, "out of memory");
     }
     return GLINT_EXIT_OK;
 }
@@ -386,7 +393,7 @@ static int print_json(run *all)
     cJSON *object = cJSON_CreateObject();
     if (object == NULL || !cJSON_AddItemToObject(object, "models", all->json)) {
         cJSON_Delete(object);
-        return glint_complain("energy", GLINT_EXIT_FAILURE, "out of memory");
+        return glint_complain("energy", GLINT_EXIT_TROUBLE, "out of memory");
     }
     all->json = NULL;
     bool whole = add_number(object, "exponents", all->n.count) &&
@@ -398,9 +405,9 @@ static int print_json(run *all)
     if (whole)
         return glint_output_json(object)
                    ? GLINT_EXIT_OK
-                   : glint_complain("energy", GLINT_EXIT_FAILURE, "out of memory");
+                   : glint_complain("energy", GLINT_EXIT_TROUBLE, "out of memory");
     cJSON_Delete(object);
-    return glint_complain("energy", GLINT_EXIT_FAILURE, "out of memory");
+    return glint_complain("energy", GLINT_EXIT_TROUBLE, "out of memory");
 }
 
 /* ---- Work --------------------------------------------------------------------------------------
@@ -475,7 +482,7 @@ static int start(run *all)
         return glint_complain_error("energy", &err);
     all->json = cJSON_CreateArray();
     return all->json != NULL ? glint_output_finish("energy", do_all(all))
-                             : glint_complain("energy", GLINT_EXIT_FAILURE, "out of memory");
+                             : glint_complain("energy", GLINT_EXIT_TROUBLE, "out of memory");
 }
 
 int glint_cmd_energy(int argc, char **argv)

@@ -57,6 +57,12 @@ static int parse(int argc, char **argv, eval_options *chosen)
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
+    static const glint_example examples[] = {
+        {"one point by the Verilog", "echo '80 0.99 255 190 110' | glint eval --backend rtl"},
+        {"a code of register 1, as eval prints it",
+         "echo '80 code:259523 255 190 110' | glint eval --json"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "eval",
         .summary = "Reads points from standard input, one a line, and prints what the device "
@@ -69,12 +75,13 @@ static int parse(int argc, char **argv, eval_options *chosen)
             "\n"
             "The columns printed are n,cos_code,w_code,r,g,b: cos_code is what register 1\n"
             "holds and w_code the output of the key block, both in units of 2^-18.",
+        .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
     };
     const int status = glint_options_parse(&line, argc, argv);
     if (status == GLINT_OPTIONS_RUN && (chosen->lanes & (chosen->lanes - 1)) != 0) {
-        return glint_complain("eval", GLINT_EXIT_USAGE, "--lanes: %d is not 1, 2, 4, 8, 16 or 0",
+        return glint_complain("eval", GLINT_EXIT_TROUBLE, "--lanes: %d is not 1, 2, 4, 8, 16 or 0",
                               (int)chosen->lanes);
     }
     return status;
@@ -115,7 +122,7 @@ static int flush_run(run *points)
     if (points->limit == 1) {
         fflush(stdout);
     }
-    return ferror(stdout) ? glint_output_finish("eval", GLINT_EXIT_FAILURE) : GLINT_EXIT_OK;
+    return ferror(stdout) ? glint_output_finish("eval", GLINT_EXIT_TROUBLE) : GLINT_EXIT_OK;
 }
 
 static bool same_material(const glint_material *a, const glint_material *b)
@@ -157,7 +164,7 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
         return status;
     }
     fflush(stdout);
-    return glint_complain("eval", GLINT_EXIT_USAGE, "line %" PRIu64 ": %s", number, err.text);
+    return glint_complain("eval", GLINT_EXIT_TROUBLE, "line %" PRIu64 ": %s", number, err.text);
 }
 
 static int eval(run *points)
@@ -189,7 +196,7 @@ int glint_cmd_eval(int argc, char **argv)
     glint_error err;
     run *points = calloc(1, sizeof *points);
     if (points == NULL) {
-        return glint_complain("eval", GLINT_EXIT_FAILURE, "no memory");
+        return glint_complain("eval", GLINT_EXIT_TROUBLE, "no memory");
     }
     /* Whoever types the points wants each answer at once. */
     points->limit = isatty(STDIN_FILENO) == 1 ? 1 : RUN_MAX;

@@ -148,10 +148,16 @@ int glint_cmd_info(int argc, char **argv)
     const glint_option options[] = {
         {.name = "json", .help = "as JSON", .kind = GLINT_OPTION_FLAG, .flag = &as_json},
     };
+    static const glint_example examples[] = {
+        {"what this build is", "glint info"},
+        {"the same for a script", "glint info --json"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "info",
         .summary = "Prints the circuits' settings, number formats, latency, ROM checksums, and the "
                    "Verilator that the circuits were built with.",
+        .examples = examples,
         .options = options,
         .option_count = 1,
     };
@@ -162,6 +168,6 @@ int glint_cmd_info(int argc, char **argv)
     if (!as_json)
         print_text();
     else if (!print_json())
-        status = glint_complain("info", GLINT_EXIT_FAILURE, "out of memory");
+        status = glint_complain("info", GLINT_EXIT_TROUBLE, "out of memory");
     return glint_output_finish("info", status);
 }

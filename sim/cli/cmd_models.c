@@ -111,12 +111,12 @@ static int run(const choices *chosen)
     if (chosen->coefficients) {
         print_coefficients();
         return glint_stop_requested()
-                   ? glint_complain("models", GLINT_EXIT_FAILURE, "interrupted: the table is cut")
+                   ? glint_complain("models", GLINT_EXIT_TROUBLE, "interrupted: the table is cut")
                    : GLINT_EXIT_OK;
     }
     if (chosen->as_json) {
         return print_json(chosen) ? GLINT_EXIT_OK
-                                  : glint_complain("models", GLINT_EXIT_FAILURE, "out of memory");
+                                  : glint_complain("models", GLINT_EXIT_TROUBLE, "out of memory");
     }
     print_text(chosen);
     return GLINT_EXIT_OK;
@@ -140,10 +140,16 @@ int glint_cmd_models(int argc, char **argv)
          .flag = &chosen.coefficients},
         {.name = "json", .help = "as JSON", .kind = GLINT_OPTION_FLAG, .flag = &chosen.as_json},
     };
+    static const glint_example examples[] = {
+        {"the models, and their errors with n = 20", "glint models --n 20"},
+        {"coefficients for every n, as CSV", "glint models --coefficients > coefficients.csv"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "models",
         .summary = "Lists the reflectance models: name, equation of the thesis, formula, what "
                    "happens at the ends of the domain, and how far each is from cos^n.",
+        .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
     };
@@ -152,7 +158,7 @@ int glint_cmd_models(int argc, char **argv)
         return status;
     }
     if (chosen.coefficients && chosen.as_json) {
-        return glint_complain("models", GLINT_EXIT_USAGE,
+        return glint_complain("models", GLINT_EXIT_TROUBLE,
                               "--coefficients is CSV: leave out --json");
     }
     return glint_output_finish("models", run(&chosen));

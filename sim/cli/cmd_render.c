@@ -218,17 +218,17 @@ static int report(const glint_render_options *chosen, const char *command, const
     }
     if (chosen->json &&
         !glint_render_report_json(chosen, result, explained ? files->failure : NULL)) {
-        return glint_complain("render", GLINT_EXIT_FAILURE, "no memory");
+        return glint_complain("render", GLINT_EXIT_TROUBLE, "no memory");
     }
     const int status = glint_output_finish("render", GLINT_EXIT_OK);
     if (status != GLINT_EXIT_OK || !differs) {
         return status;
     }
     if (!explained) {
-        return glint_complain("render", GLINT_EXIT_FAILURE, "c and rtl differ: see %s, %s and %s",
+        return glint_complain("render", GLINT_EXIT_DIFFERENT, "c and rtl differ: see %s, %s and %s",
                               files->frame, files->frame_c, files->diff);
     }
-    return glint_complain("render", GLINT_EXIT_FAILURE, "c and rtl differ: see %s, %s, %s and %s",
+    return glint_complain("render", GLINT_EXIT_DIFFERENT, "c and rtl differ: see %s, %s, %s and %s",
                           files->frame, files->frame_c, files->diff, files->failure);
 }
 
@@ -257,17 +257,17 @@ int glint_cmd_render(int argc, char **argv)
     if (status == GLINT_OK) {
         status = run(&chosen, &files, &mesh, &result, &err);
     }
-    int exit_status;
-    if (status == GLINT_DEVICE_FAULT && chosen.both && result.frame[1].image != NULL) {
+    /* The C model has answered where the circuit did not: a difference as well. */
+    const bool silent =
+        status == GLINT_DEVICE_FAULT && chosen.both && result.frame[1].image != NULL;
+    if (silent) {
         (void)explain(&chosen, command, mesh, &files, &result);
     }
-    if (status == GLINT_OK) {
-        exit_status = report(&chosen, command, mesh, &files, &result);
-    } else {
-        exit_status = glint_complain(
-            "render", status == GLINT_BAD_ARGUMENT ? GLINT_EXIT_USAGE : GLINT_EXIT_FAILURE, "%s",
-            err.text);
-    }
+    const int exit_status =
+        status == GLINT_OK
+            ? report(&chosen, command, mesh, &files, &result)
+            : glint_complain("render", silent ? GLINT_EXIT_DIFFERENT : GLINT_EXIT_TROUBLE, "%s",
+                             err.text);
     free_result(&result);
     glint_mesh_destroy(mesh);
     free_outputs(&files);

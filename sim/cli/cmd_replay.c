@@ -11,9 +11,6 @@
 #include "failure/report.h"
 #include "file/same.h"
 
-/* Not a failure: the packet could not be tried, which says nothing of the circuit. */
-#define EXIT_NOT_TRIED GLINT_EXIT_USAGE
-
 typedef struct replay_options {
     const char *directory, *out;
     bool json;
@@ -50,19 +47,23 @@ static int parse(int argc, char **argv, replay_options *chosen)
          .flag = &chosen->json},
     };
     const glint_positional positionals[] = {{.name = "DIR", .value = &chosen->directory}};
+    static const glint_example examples[] = {
+        {"a packet that glint verify has left",
+         "glint replay glint-failure/specular_cosine_pipelined_1"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "replay",
         .summary = "Plays the inputs of a failure packet, which verify and render leave where C "
                    "and Verilog differ, through the C model and the Verilog of this build.",
-        .details =
-            "Exit status: 0 they do not differ any more, 1 they differ, whether --out could\n"
-            "be written or not, 2 it could not be tried, or not told: malformed command line,\n"
-            "no packet, no such circuit, interrupted, standard output not writable. Hence, to\n"
-            "find the change that brought or removed a fault:\n"
-            "\n"
-            "  git bisect run sh -c 'make -j2 build/glint || exit 125\n"
-            "                        build/glint replay DIR; s=$?\n"
-            "                        [ $s -le 1 ] && exit $s; exit 125'",
+        .details = "To find the change that brought or removed a fault:\n"
+                   "\n"
+                   "  git bisect run sh -c 'make -j2 build/glint || exit 125\n"
+                   "                        build/glint replay DIR; s=$?\n"
+                   "                        [ $s -le 1 ] && exit $s; exit 125'",
+        .done = "C model and Verilog do not differ any more",
+        .different = "they differ, whether --out could be written or not",
+        .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
         .positionals = positionals,
@@ -71,7 +72,7 @@ static int parse(int argc, char **argv, replay_options *chosen)
     const int status = glint_options_parse(&line, argc, argv);
     if (status == GLINT_OPTIONS_RUN && chosen->out != NULL &&
         is_same_packet(chosen->directory, chosen->out))
-        return glint_complain("replay", GLINT_EXIT_USAGE, "--out: %s is the packet itself",
+        return glint_complain("replay", GLINT_EXIT_TROUBLE, "--out: %s is the packet itself",
                               chosen->out);
     return status;
 }
@@ -166,14 +167,14 @@ static int report(const replay_options *chosen, replay *of)
     if (!chosen->json)
         print_text(of);
     else if (!print_json(chosen, of))
-        return glint_complain("replay", EXIT_NOT_TRIED, "out of memory");
+        return glint_complain("replay", GLINT_EXIT_TROUBLE, "out of memory");
     if (!glint_failure_differs(&of->now))
         return GLINT_EXIT_OK;
     if (chosen->out != NULL && write_packet(chosen, of, &err) != GLINT_OK)
-        return glint_complain_error("replay", &err);
-    if (chosen->out != NULL && !chosen->json)
+        (void)glint_complain_error("replay", &err);
+    else if (chosen->out != NULL && !chosen->json)
         printf("packet: %s\n", chosen->out);
-    return GLINT_EXIT_FAILURE;
+    return GLINT_EXIT_DIFFERENT;
 }
 
 static void show(void *context, uint64_t done, uint64_t total)
@@ -200,7 +201,7 @@ static int run(const replay_options *chosen, replay *of)
     if (status == GLINT_OK)
         status = play(of, &err);
     if (status != GLINT_OK)
-        return glint_complain("replay", EXIT_NOT_TRIED, "%s", err.text);
+        return glint_complain("replay", GLINT_EXIT_TROUBLE, "%s", err.text);
     of->same = glint_failure_same(&of->now, &of->packet->finding);
     return report(chosen, of);
 }
@@ -215,5 +216,5 @@ int glint_cmd_replay(int argc, char **argv)
     const int status = run(&chosen, &of);
     free(of.capture);
     glint_failure_destroy(of.packet);
-    return glint_output_finish("replay", status) == status ? status : EXIT_NOT_TRIED;
+    return glint_output_finish("replay", status);
 }

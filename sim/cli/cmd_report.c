@@ -30,6 +30,7 @@ static int parse(int argc, char **argv, report_options *chosen)
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
         {.name = "threads",
+         .usually = "one a processor",
          .help = "the files are the same, but for what is timed",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, GLINT_THREADS_MAX}},
@@ -44,6 +45,11 @@ static int parse(int argc, char **argv, report_options *chosen)
     };
     const glint_positional positionals[] = {
         {.name = "divider", .value = &chosen->subject, .optional = true}};
+    static const glint_example examples[] = {
+        {"everything, with coarser grids", "glint report --quick --out report"},
+        {"the divider alone", "glint report divider --out divider"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "report",
         .summary = "Measures what the thesis claims: each of its figures and tables that can be "
@@ -54,15 +60,14 @@ static int parse(int argc, char **argv, report_options *chosen)
             "gnuplot) and pictures they are made of; of the divider alone divider.md,\n"
             "divider.json, figure-2.12.svg and .png, and the frames.\n"
             "\n"
-            "The index.* files (divider.*) are written last. Ctrl-C or a failure before that "
-            "leaves\n"
-            "those of an earlier run as they were, beside data, plots and pictures, each of them\n"
+            "The index.* files (divider.*) are written last. Ctrl-C or a failure before that\n"
+            "leaves those of an earlier run as they were, beside data, plots and pictures, each of "
+            "them\n"
             "whole, that were ready. --json prints nothing but the JSON, and nothing at all when\n"
-            "interrupted. gnuplot is given a minute for each picture.\n"
-            "\n"
-            "Exit status: 0 all written, 1 failed or interrupted, or no gnuplot and so all but the "
-            "figures,\n"
-            "2 malformed command line. A claim that does not hold is no failure.",
+            "interrupted. gnuplot is given a minute for each picture;\n"
+            "without gnuplot all but the figures are written, and the exit status is 2.",
+        .done = "all written; a claim that does not hold is no failure",
+        .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
         .positionals = positionals,
@@ -73,10 +78,11 @@ static int parse(int argc, char **argv, report_options *chosen)
     if (status != GLINT_OPTIONS_RUN || chosen->subject == NULL)
         return status;
     if (strcmp(chosen->subject, "divider") != 0)
-        return glint_complain("report", GLINT_EXIT_USAGE, "there is no report on %s: only divider",
+        return glint_complain("report", GLINT_EXIT_TROUBLE,
+                              "there is no report on %s: only divider",
                               glint_quote(chosen->subject, &quoted));
     if (chosen->quick)
-        return glint_complain("report", GLINT_EXIT_USAGE,
+        return glint_complain("report", GLINT_EXIT_TROUBLE,
                               "--quick goes with the whole report, not with divider");
     return status;
 }
@@ -119,7 +125,7 @@ static int finish(bool plotted, const char *missing)
     const int status = glint_output_finish("report", GLINT_EXIT_OK);
     if (status != GLINT_EXIT_OK || plotted)
         return status;
-    return glint_complain("report", GLINT_EXIT_FAILURE,
+    return glint_complain("report", GLINT_EXIT_TROUBLE,
                           "there is no gnuplot (package gnuplot-nox), so %s were not made",
                           missing);
 }
@@ -133,7 +139,7 @@ static int report_divider(const report_options *chosen, glint_divider_report *re
     if (!chosen->json)
         print_divider_summary(chosen, report);
     else if (!glint_output_json(glint_divider_report_json(report)))
-        return glint_complain("report", GLINT_EXIT_FAILURE, "out of memory");
+        return glint_complain("report", GLINT_EXIT_TROUBLE, "out of memory");
     return finish(report->plotted, "figure-2.12.svg and figure-2.12.png");
 }
 
@@ -141,7 +147,7 @@ static int on_divider(const report_options *chosen)
 {
     glint_divider_report *report = calloc(1, sizeof *report);
     if (report == NULL)
-        return glint_complain("report", GLINT_EXIT_FAILURE, "no memory");
+        return glint_complain("report", GLINT_EXIT_TROUBLE, "no memory");
     const int status = report_divider(chosen, report);
     free(report);
     return status;
@@ -196,7 +202,7 @@ static int on_everything(const report_options *chosen)
     if (!chosen->json)
         print_summary(chosen, &result);
     else if (!print_json_file(chosen->out))
-        return glint_complain("report", GLINT_EXIT_FAILURE, "cannot read %s/index.json again",
+        return glint_complain("report", GLINT_EXIT_TROUBLE, "cannot read %s/index.json again",
                               chosen->out);
     glint_findings_destroy(result.findings);
     return finish(result.plotted, "the figures");

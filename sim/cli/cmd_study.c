@@ -74,16 +74,27 @@ static int parse(int argc, char **argv, study_options *chosen)
          .flag = &chosen->json},
     };
     glint_scene_options_add(&chosen->scene, options + OWN_ROWS);
+    static const glint_example examples[] = {
+        {"Blinn's highlight against the device, three exponents",
+         "glint study --a blinn --b rtl --n 10,100,1000 --out study"},
+        {"shadings, without timing", "glint study --a c --b c:gouraud --frames 0 --out shadings"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "study",
         .summary = "Renders one scene by two methods for each of a list of exponents: how their "
                    "pictures differ, how long a frame takes, how many triangles the highlight "
                    "touches.",
         .details = details,
+        .examples = examples,
         .options = options,
         .option_count = TABLE_ROWS,
+        .positionals = &(glint_positional)GLINT_SCENE_POSITIONAL(chosen->scene),
+        .positional_count = 1,
     };
-    return glint_options_parse(&line, argc, argv);
+    const int status = glint_options_parse(&line, argc, argv);
+    return status == GLINT_OPTIONS_RUN ? glint_scene_options_settle("study", &chosen->scene)
+                                       : status;
 }
 
 static bool is_among(int n, const glint_study_options *study)
@@ -107,21 +118,21 @@ static int read_exponents(const char *chosen_text, glint_study_options *study)
         int64_t n;
         text = glint_next_part(text, ',', part);
         if (part[0] == '\0' && study->count > 0) {
-            return glint_complain("study", GLINT_EXIT_USAGE,
+            return glint_complain("study", GLINT_EXIT_TROUBLE,
                                   "--n: nothing follows a comma in %s, where an integer from 0 to "
                                   "%u should",
                                   glint_quote(chosen_text, &quoted), GLINT_N_MAX);
         }
-        if (!glint_parse_integer(part, 0, GLINT_N_MAX, &n)) {
-            return glint_complain("study", GLINT_EXIT_USAGE,
+        if (!glint_parse_count(part, 0, GLINT_N_MAX, &n)) {
+            return glint_complain("study", GLINT_EXIT_TROUBLE,
                                   "--n: %s is not an integer from 0 to %u",
                                   glint_quote(part, &quoted), GLINT_N_MAX);
         }
         if (is_among((int)n, study)) {
-            return glint_complain("study", GLINT_EXIT_USAGE, "--n: %d is there twice", (int)n);
+            return glint_complain("study", GLINT_EXIT_TROUBLE, "--n: %d is there twice", (int)n);
         }
         if (study->count == GLINT_STUDY_ROWS_MAX) {
-            return glint_complain("study", GLINT_EXIT_USAGE, "--n: more than %d exponents",
+            return glint_complain("study", GLINT_EXIT_TROUBLE, "--n: more than %d exponents",
                                   GLINT_STUDY_ROWS_MAX);
         }
         study->n[study->count++] = (int)n;
@@ -135,14 +146,14 @@ static int read_methods(const study_options *chosen, glint_study_setup *setup)
     bool microfacets = false;
     for (int i = 0; i < 2; i++) {
         if (glint_study_method_parse(chosen->method[i], &setup->method[i], &err) != GLINT_OK) {
-            return glint_complain("study", GLINT_EXIT_USAGE, "--%c: %s (see glint study --help)",
+            return glint_complain("study", GLINT_EXIT_TROUBLE, "--%c: %s (see glint study --help)",
                                   "ab"[i], err.text);
         }
         microfacets = microfacets || (setup->method[i].by_model &&
                                       glint_specular_takes_f0(setup->method[i].model));
     }
     if (chosen->scene.f0_given && !microfacets) {
-        return glint_complain("study", GLINT_EXIT_USAGE,
+        return glint_complain("study", GLINT_EXIT_TROUBLE,
                               "--f0 is for cook-torrance and torrance-sparrow");
     }
     return GLINT_OPTIONS_RUN;
@@ -264,16 +275,13 @@ int glint_cmd_study(int argc, char **argv)
     glint_error err;
     glint_study_row rows[GLINT_STUDY_ROWS_MAX];
     bool words = true;
-    const glint_status made = work(&chosen, &study, rows, &words, &err);
-    if (made != GLINT_OK) {
-        return glint_complain("study",
-                              made == GLINT_BAD_ARGUMENT ? GLINT_EXIT_USAGE : GLINT_EXIT_FAILURE,
-                              "%s", err.text);
+    if (work(&chosen, &study, rows, &words, &err) != GLINT_OK) {
+        return glint_complain_error("study", &err);
     }
     if (!chosen.json) {
         print_text(&study, rows, words);
     } else if (!print_json(&study, rows)) {
-        return glint_complain("study", GLINT_EXIT_FAILURE, "no memory");
+        return glint_complain("study", GLINT_EXIT_TROUBLE, "no memory");
     }
     return glint_output_finish("study", GLINT_EXIT_OK);
 }

@@ -60,11 +60,12 @@ static int parse(int argc, char **argv, verify_options *chosen)
 {
     const glint_option options[] = {
         {.name = "clocks",
-         .help = "how many for each setting",
+         .help = "how many for each setting: 100000, 1e6, 10M",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->clocks, 1, INT64_C(1000000000000)}},
         {.name = "seed",
-         .help = "of the random inputs; without it one is taken from the time",
+         .help = "of the random inputs",
+         .usually = "taken from the time",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->seed, 0, INT64_MAX}},
         {.name = "circuit",
@@ -97,6 +98,7 @@ static int parse(int argc, char **argv, verify_options *chosen)
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->shifts, 0, GLINT_DIVIDER_SHIFTS_MAX}},
         {.name = "threads",
+         .usually = "one a processor",
          .help = "settings verified at a time",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, THREADS_MAX}},
@@ -110,15 +112,22 @@ static int parse(int argc, char **argv, verify_options *chosen)
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
+    static const glint_example examples[] = {
+        {"every setting, a million clocks each", "glint verify --clocks 1M"},
+        {"one setting again, with the inputs of a seed",
+         "glint verify --gate sign --lanes 4 --clocks 1e5 --seed 7"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "verify",
         .summary = "Drives the C model and the Verilog with the same random inputs and compares "
                    "every register and every named internal value after every clock. A mismatch "
                    "leaves a packet: a report, a waveform of both, and what glint replay needs.",
         .details = "With --exhaustive: every n and every cosine code instead of random ones; see\n"
-                   "glint verify --exhaustive --help.\n"
-                   "\n"
-                   "Exit status: 0 no mismatch, 1 mismatch or failure, 2 malformed command line.",
+                   "glint verify --exhaustive --help.",
+        .done = "no mismatch",
+        .different = "a mismatch was found, whatever else went wrong",
+        .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
     };
@@ -127,10 +136,10 @@ static int parse(int argc, char **argv, verify_options *chosen)
         return status;
     /* Refused whatever the circuit: with all of them the others would be verified and pass. */
     if ((chosen->lanes & (chosen->lanes - 1)) != 0)
-        return glint_complain("verify", GLINT_EXIT_USAGE, "--lanes: %d is not 1, 2, 4, 8, 16 or 0",
-                              (int)chosen->lanes);
+        return glint_complain("verify", GLINT_EXIT_TROUBLE,
+                              "--lanes: %d is not 1, 2, 4, 8, 16 or 0", (int)chosen->lanes);
     if (chosen->shifts != 0 && chosen->shifts < GLINT_DIVIDER_SHIFTS_MIN)
-        return glint_complain("verify", GLINT_EXIT_USAGE, "--shifts: %d is not 6 to 16 or 0",
+        return glint_complain("verify", GLINT_EXIT_TROUBLE, "--shifts: %d is not 6 to 16 or 0",
                               (int)chosen->shifts);
     return GLINT_OPTIONS_RUN;
 }
@@ -140,7 +149,7 @@ static int narrow_circuit(verify_options *chosen)
 {
     if ((chosen->of_specular && (chosen->of_divider || chosen->circuit == DIVIDER)) ||
         (chosen->of_divider && chosen->circuit == SPECULAR))
-        return glint_complain("verify", GLINT_EXIT_USAGE,
+        return glint_complain("verify", GLINT_EXIT_TROUBLE,
                               "--gate, --pipeline, --lanes are for the specular device, --form, "
                               "--shifts for the divider");
     if (chosen->circuit == ALL_CIRCUITS && chosen->of_specular)
@@ -310,9 +319,10 @@ static int report_all(const verify_options *chosen, verification *all, FILE *out
             report_failure(chosen, task, detail, out);
             /* A fault that all settings share would be told over and over. */
             detail = GLINT_FAILURE_BRIEFLY;
-            status = GLINT_EXIT_FAILURE;
+            status = GLINT_EXIT_DIFFERENT;
         } else if (task->status != GLINT_OK && task->status != GLINT_INTERRUPTED) {
-            status = glint_complain_error("verify", &task->err);
+            const int trouble = glint_complain_error("verify", &task->err);
+            status = status != GLINT_EXIT_DIFFERENT ? trouble : status;
         }
     }
     return status;
@@ -391,11 +401,11 @@ static int verify(const verify_options *chosen)
 {
     verification *all = calloc(1, sizeof *all);
     if (all == NULL)
-        return glint_complain("verify", GLINT_EXIT_FAILURE, "out of memory");
+        return glint_complain("verify", GLINT_EXIT_TROUBLE, "out of memory");
     choose_settings(chosen, all);
     if (all->count == 0) {
         free(all);
-        return glint_complain("verify", GLINT_EXIT_USAGE,
+        return glint_complain("verify", GLINT_EXIT_TROUBLE,
                               "no such circuit: --lanes is 1, 2, 4, 8, 16 or 0, "
                               "--shifts is 6 to 16 or 0");
     }
@@ -408,9 +418,9 @@ static int verify(const verify_options *chosen)
     if (!chosen->json)
         print_text(chosen, &sums, seconds);
     else if (!print_json(chosen, all, &sums, seconds))
-        status = glint_complain("verify", GLINT_EXIT_FAILURE, "out of memory");
-    if (sums.interrupted || sums.comparisons == 0)
-        status = GLINT_EXIT_FAILURE;
+        status = glint_complain("verify", GLINT_EXIT_TROUBLE, "out of memory");
+    if (sums.mismatches == 0 && (sums.interrupted || sums.comparisons == 0))
+        status = GLINT_EXIT_TROUBLE;
     free(all);
     return status;
 }

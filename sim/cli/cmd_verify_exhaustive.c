@@ -41,7 +41,7 @@ static const char *const pipeline_choices[] = {"drawn", "pipelined", "all", NULL
 static int refuse_shard(const char *text)
 {
     glint_quoted quoted;
-    return glint_complain("verify", GLINT_EXIT_USAGE,
+    return glint_complain("verify", GLINT_EXIT_TROUBLE,
                           "--shard: %s is not I/N with I from 1 to N and N from 1 to %u",
                           glint_quote(text, &quoted), GLINT_N_COUNT);
 }
@@ -62,10 +62,10 @@ static int parse_shard(exhaustive_options *chosen)
 static int check(exhaustive_options *chosen)
 {
     if ((chosen->lanes & (chosen->lanes - 1)) != 0)
-        return glint_complain("verify", GLINT_EXIT_USAGE, "--lanes: %d is not 1, 2, 4, 8, 16 or 0",
-                              (int)chosen->lanes);
+        return glint_complain("verify", GLINT_EXIT_TROUBLE,
+                              "--lanes: %d is not 1, 2, 4, 8, 16 or 0", (int)chosen->lanes);
     if (chosen->seed_given && chosen->stride == 1)
-        return glint_complain("verify", GLINT_EXIT_USAGE,
+        return glint_complain("verify", GLINT_EXIT_TROUBLE,
                               "--seed says where --stride begins; without it, nothing is random");
     return parse_shard(chosen);
 }
@@ -104,10 +104,12 @@ static int parse(int argc, char **argv, exhaustive_options *chosen)
          .integer = {&chosen->stride, 1, GLINT_EXHAUSTIVE_CODES}},
         {.name = "seed",
          .given = &chosen->seed_given,
-         .help = "of where the stride begins; without it one is taken from the time",
+         .help = "of where the stride begins",
+         .usually = "taken from the time",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->seed, 0, INT64_MAX}},
         {.name = "threads",
+         .usually = "one a processor",
          .given = &chosen->threads_given,
          .help = "each with circuits of its own",
          .kind = GLINT_OPTION_INTEGER,
@@ -123,11 +125,19 @@ static int parse(int argc, char **argv, exhaustive_options *chosen)
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
+    static const glint_example examples[] = {
+        {"the default circuit, all of it", "glint verify --exhaustive"},
+        {"every 64th code only, every gate", "glint verify --exhaustive --stride 64 --gate all"},
+        {"the first of eight parts", "glint verify --exhaustive --shard 1/8"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "verify",
         .summary = "Compares the Verilog's W and colours with the C model's for every n and every "
                    "cosine code, and for every W code that occurs with every colour.",
-        .details = "Exit status: 0 no mismatch, 1 mismatch or failure, 2 malformed command line.",
+        .done = "no mismatch",
+        .different = "a mismatch was found, or a circuit kept an answer back",
+        .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
     };
@@ -417,16 +427,19 @@ static int report(const exhaustive_options *chosen, run *run)
         print_mismatches(chosen, run, stderr);
         print_resume(chosen, run, stderr);
         if (!print_json(chosen, run))
-            return glint_complain("verify", GLINT_EXIT_FAILURE, "out of memory");
+            return glint_complain("verify", GLINT_EXIT_TROUBLE, "out of memory");
     }
+    /* An answer that a circuit kept back is a difference: the C model has it. */
+    const bool differs = sum.mismatches != 0 || run->status == GLINT_DEVICE_FAULT;
     if (run->status != GLINT_OK && run->status != GLINT_INTERRUPTED)
-        return glint_complain_error("verify", &run->err);
+        (void)glint_complain_error("verify", &run->err);
+    if (differs)
+        return GLINT_EXIT_DIFFERENT;
     if (sum.w_untried != 0)
         return glint_complain(
-            "verify", GLINT_EXIT_FAILURE,
+            "verify", GLINT_EXIT_TROUBLE,
             "%" PRIu32 " W codes occurred that the multipliers were not tried with", sum.w_untried);
-    return run->status == GLINT_OK && sum.mismatches == 0 && sum.points != 0 ? GLINT_EXIT_OK
-                                                                             : GLINT_EXIT_FAILURE;
+    return run->status == GLINT_OK && sum.points != 0 ? GLINT_EXIT_OK : GLINT_EXIT_TROUBLE;
 }
 
 /* What was found before a failure is still told; of options that fit nothing there is nothing to

@@ -82,6 +82,12 @@ static int parse(int argc, char **argv, wave_options *chosen)
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
+    static const glint_example examples[] = {
+        {"waveforms of everything, as FST", "glint wave --out wave"},
+        {"16 lanes of the specular device, as VCD",
+         "glint wave --lanes 16 --format vcd --out wave16"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "wave",
         .summary = "Writes waveforms of a short scene on each circuit, with a GTKWave save file "
@@ -89,6 +95,7 @@ static int parse(int argc, char **argv, wave_options *chosen)
                    "middle, then a new material with a point, a gap, a code above 1.0, and a new "
                    "material between points. Divider: five divisions, one stalled, one beyond "
                    "the table. docs/waveforms.md reads them clock by clock.",
+        .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
     };
@@ -96,10 +103,10 @@ static int parse(int argc, char **argv, wave_options *chosen)
     if (status != GLINT_OPTIONS_RUN)
         return status;
     if ((chosen->lanes & (chosen->lanes - 1)) != 0)
-        return glint_complain("wave", GLINT_EXIT_USAGE, "--lanes: %d is not 1, 2, 4, 8 or 16",
+        return glint_complain("wave", GLINT_EXIT_TROUBLE, "--lanes: %d is not 1, 2, 4, 8 or 16",
                               (int)chosen->lanes);
     if (chosen->from > chosen->to)
-        return glint_complain("wave", GLINT_EXIT_USAGE, "--from %d is after --to %d",
+        return glint_complain("wave", GLINT_EXIT_TROUBLE, "--from %d is after --to %d",
                               (int)chosen->from, (int)chosen->to);
     return GLINT_OPTIONS_RUN;
 }
@@ -109,7 +116,7 @@ static int narrow_circuit(wave_options *chosen)
 {
     if ((chosen->of_specular && (chosen->of_divider || chosen->circuit == DIVIDER)) ||
         (chosen->of_divider && chosen->circuit == SPECULAR))
-        return glint_complain("wave", GLINT_EXIT_USAGE,
+        return glint_complain("wave", GLINT_EXIT_TROUBLE,
                               "--gate, --pipeline, --lanes, --from, --to are for the specular "
                               "device, --shifts for the divider");
     if (chosen->circuit == ALL_CIRCUITS && chosen->of_specular)
@@ -152,7 +159,7 @@ static int name_files(const wave_options *chosen, const char *name, wave_files *
 {
     if (!name_file(files->waveform, chosen->out, name, format_choices[chosen->format]) ||
         !name_file(files->save_file, chosen->out, name, "gtkw"))
-        return glint_complain("wave", GLINT_EXIT_FAILURE, "--out: the path is too long");
+        return glint_complain("wave", GLINT_EXIT_TROUBLE, "--out: the path is too long");
     return GLINT_EXIT_OK;
 }
 
@@ -181,7 +188,7 @@ static int write_specular(const wave_options *chosen, glint_pipeline pipeline, c
     (void)snprintf(name, sizeof name, "specular_%s_%s", glint_gate_name(config.gate),
                    glint_pipeline_name(pipeline));
     if (name_files(chosen, name, &files) != GLINT_EXIT_OK)
-        return GLINT_EXIT_FAILURE;
+        return GLINT_EXIT_TROUBLE;
     glint_status status =
         glint_wave_record(&config, (glint_wave_format)chosen->format, (int)chosen->from,
                           (int)chosen->to, files.waveform, &err);
@@ -201,7 +208,7 @@ static int write_divider(const wave_options *chosen, glint_divider_form form, cJ
     glint_error err;
     (void)snprintf(name, sizeof name, "divider_%s_%d", glint_divider_form_name(form), shifts);
     if (name_files(chosen, name, &files) != GLINT_EXIT_OK)
-        return GLINT_EXIT_FAILURE;
+        return GLINT_EXIT_TROUBLE;
     const int clocks = glint_divider_scene_clocks(form, shifts);
     const glint_gtkw_window window = {.waveform = files.waveform,
                                       .first_time = GLINT_RTL_TRACE_PERIOD,
@@ -258,6 +265,6 @@ int glint_cmd_wave(int argc, char **argv)
     if (!chosen.json)
         return glint_output_finish("wave", status);
     if (!glint_output_json(json))
-        status = glint_complain("wave", GLINT_EXIT_FAILURE, "out of memory");
+        status = glint_complain("wave", GLINT_EXIT_TROUBLE, "out of memory");
     return glint_output_finish("wave", status);
 }

@@ -37,7 +37,7 @@ static bool write_packet(const char *command, const glint_failure *failure,
 {
     glint_error err;
     if (failure->interrupted) {
-        (void)glint_complain(command, GLINT_EXIT_FAILURE, "interrupted: %s is not written",
+        (void)glint_complain(command, GLINT_EXIT_TROUBLE, "interrupted: %s is not written",
                              directory);
         return false;
     }

@@ -161,12 +161,12 @@ static size_t read_line(reader *in)
 static int check_input(const char *command, const reader *in, int reason)
 {
     if (glint_stop_requested()) {
-        return glint_complain(command, GLINT_EXIT_FAILURE, "interrupted");
+        return glint_complain(command, GLINT_EXIT_TROUBLE, "interrupted");
     }
     if (in->ended) {
         return GLINT_EXIT_OK;
     }
-    return glint_complain(command, GLINT_EXIT_FAILURE, "cannot read standard input: %s",
+    return glint_complain(command, GLINT_EXIT_TROUBLE, "cannot read standard input: %s",
                           strerror(reason));
 }
 
@@ -174,7 +174,7 @@ int glint_input_lines(const char *command, glint_line_taker *take, void *context
 {
     reader *in = calloc(1, sizeof *in);
     if (in == NULL) {
-        return glint_complain(command, GLINT_EXIT_FAILURE, "no memory to read standard input");
+        return glint_complain(command, GLINT_EXIT_TROUBLE, "no memory to read standard input");
     }
     int status = GLINT_EXIT_OK;
     uint64_t number = 0;

@@ -1,10 +1,12 @@
 /* `glint SUBCOMMAND …`: finds the subcommand and hands over to it. */
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/parse.h"
+#include "cli/suggest.h"
 #include "cli/version.h"
 
 static const struct {
@@ -32,18 +34,29 @@ static const struct {
 static int print_help(void)
 {
     printf("Usage: glint SUBCOMMAND [OPTION]...\n"
-           "The specular-colour device and the divider of spans, in C and in Verilog: evaluated,\n"
-           "rendered, verified.\n"
+           "The specular-colour device and the divider of spans, in C and in Verilog:\n"
+           "evaluated, rendered, verified.\n"
            "\n"
            "Subcommands:\n");
     for (size_t i = 0; i < SUBCOMMAND_COUNT; i++) {
         printf("  %-10s%s\n", subcommands[i].name, subcommands[i].help);
     }
     printf("\n"
-           "glint SUBCOMMAND --help   its options and their defaults\n"
-           "glint --version           the version\n"
+           "glint SUBCOMMAND --help   its options, their defaults, examples;\n"
+           "                          also: glint help SUBCOMMAND\n"
+           "glint --version, -V       the version\n"
            "\n"
-           "Exit status: 0 done, 1 failed or differing, 2 malformed command line or input.\n");
+           "Exit status:\n"
+           "  0  done, and equal where something is compared\n"
+           "  1  compared, and different\n"
+           "  2  trouble: a malformed command line or input, a file that cannot be read or\n"
+           "     written, interrupted\n"
+           "\n"
+           "Examples:\n"
+           "  # a teapot, every highlight by the Verilog\n"
+           "  glint render --backend rtl --out a.png\n"
+           "  # C model and Verilog in lockstep, every setting\n"
+           "  glint verify --clocks 10k\n");
     return glint_output_finish(NULL, GLINT_EXIT_OK);
 }
 
@@ -53,26 +66,64 @@ static int print_version(void)
     return glint_output_finish(NULL, GLINT_EXIT_OK);
 }
 
+static int refuse(const char *word)
+{
+    const char *names[SUBCOMMAND_COUNT + 3] = {NULL};
+    const bool is_option = word[0] == '-';
+    size_t count = 0;
+    if (is_option) {
+        names[count++] = "--help";
+        names[count++] = "--version";
+    }
+    for (size_t i = 0; i < SUBCOMMAND_COUNT && !is_option; i++) {
+        names[count++] = subcommands[i].name;
+    }
+    glint_quoted quoted;
+    const char *meant = glint_suggest(word, names);
+    return glint_complain(NULL, GLINT_EXIT_TROUBLE, "unknown %s %s (%s%s%ssee glint --help)",
+                          is_option ? "option" : "subcommand", glint_quote(word, &quoted),
+                          meant != NULL ? "did you mean " : "", meant != NULL ? meant : "",
+                          meant != NULL ? "? " : "");
+}
+
+/* argv[0] is the subcommand's name. */
+static int run(int argc, char **argv)
+{
+    for (size_t i = 0; i < SUBCOMMAND_COUNT; i++) {
+        if (strcmp(argv[0], subcommands[i].name) == 0) {
+            return subcommands[i].run(argc, argv);
+        }
+    }
+    return refuse(argv[0]);
+}
+
+/* `help SUBCOMMAND …` is `SUBCOMMAND … --help`: argv, with the word help before it, has the room.
+ */
+static int help_on(int argc, char **argv)
+{
+    static char help[] = "--help";
+    for (int i = 0; i + 1 < argc; i++) {
+        argv[i] = argv[i + 1];
+    }
+    argv[argc - 1] = help;
+    return run(argc, argv);
+}
+
 int main(int argc, char **argv)
 {
     glint_output_init();
     if (argc < 2) {
-        return glint_complain(NULL, GLINT_EXIT_USAGE, "no subcommand (see glint --help)");
+        return glint_complain(NULL, GLINT_EXIT_TROUBLE, "no subcommand (see glint --help)");
     }
-    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
-        strcmp(argv[1], "help") == 0) {
+    const bool is_help = strcmp(argv[1], "help") == 0;
+    if (is_help && argc > 2 && argv[2][0] != '-') {
+        return help_on(argc - 1, argv + 1);
+    }
+    if (is_help || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
         return print_help();
     }
-    if (strcmp(argv[1], "--version") == 0) {
+    if (strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0) {
         return print_version();
     }
-    for (size_t i = 0; i < SUBCOMMAND_COUNT; i++) {
-        if (strcmp(argv[1], subcommands[i].name) == 0) {
-            return subcommands[i].run(argc - 1, argv + 1);
-        }
-    }
-    glint_quoted quoted;
-    return glint_complain(NULL, GLINT_EXIT_USAGE, "unknown %s %s (see glint --help)",
-                          argv[1][0] == '-' ? "option" : "subcommand",
-                          glint_quote(argv[1], &quoted));
+    return run(argc - 1, argv + 1);
 }

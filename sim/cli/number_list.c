@@ -26,10 +26,10 @@ static bool append_range(char *first_text, char *rest, double min, double max,
     char *colon = strchr(rest, ':');
     if (colon != NULL)
         *colon++ = '\0';
-    if (!glint_parse_integer(first_text, INT32_MIN, INT32_MAX, &first) ||
-        !glint_parse_integer(rest, first, INT32_MAX, &last) ||
-        (colon != NULL && !glint_parse_integer(colon, 1, INT32_MAX, &step)) ||
-        (double)first < min || (double)last > max)
+    if (!glint_parse_count(first_text, INT32_MIN, INT32_MAX, &first) ||
+        !glint_parse_count(rest, first, INT32_MAX, &last) ||
+        (colon != NULL && !glint_parse_count(colon, 1, INT32_MAX, &step)) || (double)first < min ||
+        (double)last > max)
         return false;
     for (int64_t i = first; i <= last; i += step)
         if (!append(list, (double)i))

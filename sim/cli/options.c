@@ -8,6 +8,7 @@
 #include "cli/options_help.h"
 #include "cli/output.h"
 #include "cli/parse.h"
+#include "cli/suggest.h"
 
 const char *const glint_gate_names[] = {
     [GLINT_GATE_COSINE] = "cosine",
@@ -98,8 +99,8 @@ static bool store(const glint_option *option, const char *text)
         *option->flag = true;
         return true;
     case GLINT_OPTION_INTEGER:
-        return glint_parse_integer(text, option->integer.min, option->integer.max,
-                                   option->integer.value);
+        return glint_parse_count(text, option->integer.min, option->integer.max,
+                                 option->integer.value);
     case GLINT_OPTION_REAL:
         return glint_parse_real(text, option->real.min, option->real.max, option->real.value);
     case GLINT_OPTION_CHOICE:
@@ -121,9 +122,13 @@ static int refuse_value(const glint_command_line *line, const glint_option *opti
 {
     char expected[160];
     glint_quoted quoted;
+    glint_suggestion suggestion = {""};
     glint_option_expectation(option, expected, sizeof expected);
-    return glint_complain(line->command, GLINT_EXIT_USAGE, "--%s: %s is not %s", option->name,
-                          glint_quote(text, &quoted), expected);
+    if (option->kind == GLINT_OPTION_CHOICE) {
+        (void)glint_did_you_mean(text, option->choice.names, "", &suggestion);
+    }
+    return glint_complain(line->command, GLINT_EXIT_TROUBLE, "--%s: %s is not %s%s", option->name,
+                          glint_quote(text, &quoted), expected, suggestion.text);
 }
 
 /* getopt_long also takes the beginning of a name for the name; a script must not. */
@@ -135,18 +140,25 @@ static bool is_abbreviation(const glint_option *option, const char *token)
 static int refuse_unknown(const glint_command_line *line, const char *token)
 {
     char name[64];
+    const char *names[GLINT_OPTIONS_MAX + 2] = {NULL};
     glint_quoted quoted;
     glint_next_part(token, '=', name);
-    return glint_complain(line->command, GLINT_EXIT_USAGE,
-                          "unknown option %s (see glint %s --help)",
-                          glint_quote(*name != '\0' ? name : token, &quoted), line->command);
+    for (size_t i = 0; i < line->option_count; i++) {
+        names[i] = line->options[i].name;
+    }
+    names[line->option_count] = "help";
+    const char *meant = glint_suggest(name + strspn(name, "-"), names);
+    return glint_complain(
+        line->command, GLINT_EXIT_TROUBLE, "unknown option %s (%s%s%ssee glint %s --help)",
+        glint_quote(*name != '\0' ? name : token, &quoted), meant != NULL ? "did you mean --" : "",
+        meant != NULL ? meant : "", meant != NULL ? "? " : "", line->command);
 }
 
 /* What getopt_long refused with '?' or ':', by the token it stood at. */
 static int refuse_token(const glint_command_line *line, int result, const char *token)
 {
     if (optopt == HELP_OPTION) {
-        return glint_complain(line->command, GLINT_EXIT_USAGE, "--help takes no value");
+        return glint_complain(line->command, GLINT_EXIT_TROUBLE, "--help takes no value");
     }
     if (optopt < FIRST_OPTION) {
         return refuse_unknown(line, token);
@@ -156,11 +168,12 @@ static int refuse_token(const glint_command_line *line, int result, const char *
         return refuse_unknown(line, token);
     }
     if (result == '?') {
-        return glint_complain(line->command, GLINT_EXIT_USAGE, "--%s takes no value", option->name);
+        return glint_complain(line->command, GLINT_EXIT_TROUBLE, "--%s takes no value",
+                              option->name);
     }
     char expected[160];
     glint_option_expectation(option, expected, sizeof expected);
-    return glint_complain(line->command, GLINT_EXIT_USAGE, "--%s needs a value: %s", option->name,
+    return glint_complain(line->command, GLINT_EXIT_TROUBLE, "--%s needs a value: %s", option->name,
                           expected);
 }
 
@@ -168,7 +181,7 @@ static int take_positional(const glint_command_line *line, size_t *taken, const 
 {
     if (*taken == line->positional_count) {
         glint_quoted quoted;
-        return glint_complain(line->command, GLINT_EXIT_USAGE, "unexpected argument %s",
+        return glint_complain(line->command, GLINT_EXIT_TROUBLE, "unexpected argument %s",
                               glint_quote(text, &quoted));
     }
     *line->positionals[*taken].value = text;
@@ -183,7 +196,8 @@ static int take_option(const glint_command_line *line, int index, bool *given, c
         return refuse_unknown(line, token);
     }
     if (given[index]) {
-        return glint_complain(line->command, GLINT_EXIT_USAGE, "--%s is given twice", option->name);
+        return glint_complain(line->command, GLINT_EXIT_TROUBLE, "--%s is given twice",
+                              option->name);
     }
     given[index] = true;
     if (option->given != NULL) {
@@ -204,13 +218,13 @@ static int take_help(const glint_command_line *line, const char *token)
 static int check_complete(const glint_command_line *line, const bool *given, size_t taken)
 {
     if (taken < line->positional_count && !line->positionals[taken].optional) {
-        return glint_complain(line->command, GLINT_EXIT_USAGE,
+        return glint_complain(line->command, GLINT_EXIT_TROUBLE,
                               "%s is missing (see glint %s --help)", line->positionals[taken].name,
                               line->command);
     }
     for (size_t i = 0; i < line->option_count; i++) {
         if (line->options[i].required && !given[i]) {
-            return glint_complain(line->command, GLINT_EXIT_USAGE,
+            return glint_complain(line->command, GLINT_EXIT_TROUBLE,
                                   "--%s is required (see glint %s --help)", line->options[i].name,
                                   line->command);
         }

@@ -16,12 +16,14 @@
  *     }
  *
  * What the variables hold beforehand is the default, and --help shows it: there is no second copy
- * of it. --help (or -h) is made from the table, and goes to standard output.
+ * of it. --help (or -h) is made from the table, and goes to standard output: usage, summary,
+ * options, details, exit status, examples, within 80 columns.
  *
  * Refused, each with one line on standard error and exit status 2: an unknown option (names may not
  * be abbreviated), an option given twice, a missing or a superfluous value, a value that is not of
  * the stated kind and range as a whole, a positional argument too many or too few, a required
- * option left out. Values follow as --n 50 or --n=50; "--" ends the options. */
+ * option left out. What is near to a name is suggested. Values follow as --n 50 or --n=50, integers
+ * as 1000000, 1e6 or 1M; "--" ends the options. */
 #ifndef GLINT_SIM_CLI_OPTIONS_H
 #define GLINT_SIM_CLI_OPTIONS_H
 
@@ -44,6 +46,7 @@ typedef struct glint_option {
     const char *name;        /* without the dashes */
     const char *placeholder; /* of the value in --help; NULL: the kind's own (N, X, a|b|c, WxH …) */
     const char *help;        /* one sentence; the default is added to it */
+    const char *usually;     /* a default that is no value: "one a processor"; else NULL */
     glint_option_kind kind;
     bool required;
     bool *given; /* set to true when the option is there; may be NULL */
@@ -80,10 +83,20 @@ typedef struct glint_positional {
     bool optional;      /* may be left out; those after it are optional too */
 } glint_positional;
 
+/* A line to try, for the end of --help. */
+typedef struct glint_example {
+    const char *what;    /* what it does; NULL ends a list of them */
+    const char *command; /* "glint render --out a.png" */
+} glint_example;
+
 typedef struct glint_command_line {
-    const char *command; /* the subcommand's name */
-    const char *summary; /* what it does, a sentence or a few */
-    const char *details; /* more text below the options, already broken into lines; may be NULL */
+    const char *command;   /* the subcommand's name */
+    const char *summary;   /* what it does, a sentence or a few */
+    const char *details;   /* more text below the options, in paragraphs; indented lines are not
+                              broken   anew; may be NULL */
+    const char *done;      /* exit status 0, if more is to be said than "done" */
+    const char *different; /* exit status 1, of a command that compares; else NULL */
+    const glint_example *examples;
     const glint_option *options;
     size_t option_count; /* at most GLINT_OPTIONS_MAX */
     const glint_positional *positionals;
@@ -93,7 +106,7 @@ typedef struct glint_command_line {
 #define GLINT_OPTIONS_MAX 64
 
 /* glint_options_parse() returns this when the subcommand is to do its work, else the exit status
- * to leave with: 0 after --help, 2 after a refusal, 1 when --help could not be written. */
+ * to leave with: 0 after --help, 2 after a refusal and when --help could not be written. */
 #define GLINT_OPTIONS_RUN (-1)
 
 /* argv[0] is the subcommand's name, as main() passes it. */

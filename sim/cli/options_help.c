@@ -105,6 +105,16 @@ static void current_value(const glint_option *option, char *text, size_t size)
     }
 }
 
+/* The columns of UTF-8 text: its bytes but for those that continue a character. */
+static int columns_of(const char *text, int length)
+{
+    int columns = 0;
+    for (int i = 0; i < length; i++) {
+        columns += ((unsigned char)text[i] & 0xc0) != 0x80;
+    }
+    return columns;
+}
+
 /* Prints text from column on, broken at spaces so that it stays within the page, each further line
  * indented by indent. */
 static void print_wrapped(const char *text, int column, int indent)
@@ -112,16 +122,48 @@ static void print_wrapped(const char *text, int column, int indent)
     const char *gap = "";
     while (*text != '\0') {
         const int length = (int)strcspn(text, " ");
-        if (*gap != '\0' && column + 1 + length > PAGE_WIDTH) {
+        const int columns = columns_of(text, length);
+        if (*gap != '\0' && column + 1 + columns > PAGE_WIDTH) {
             printf("\n%*s", indent, "");
             column = indent;
             gap = "";
         }
-        column += printf("%s%.*s", gap, length, text);
+        printf("%s%.*s", gap, length, text);
+        column += (*gap != '\0') + columns;
         gap = " ";
         text += length + (text[length] == ' ');
     }
     putchar('\n');
+}
+
+/* Where a paragraph ends: before an empty line, an indented one, or the end of the text. */
+static size_t paragraph_length(const char *text)
+{
+    size_t length = strcspn(text, "\n");
+    while (strchr(" \n", *text) == NULL && text[length] == '\n' &&
+           strchr(" \n", text[length + 1]) == NULL) {
+        length += 1 + strcspn(text + length + 1, "\n");
+    }
+    return length;
+}
+
+/* Paragraphs are broken anew; indented lines stay as they are. */
+static void print_details(const char *text)
+{
+    char paragraph[2048];
+    while (*text != '\0') {
+        const size_t length = paragraph_length(text);
+        (void)snprintf(paragraph, sizeof paragraph, "%.*s", (int)length, text);
+        for (char *c = paragraph; *text != ' ' && *c != '\0'; c++) {
+            *c = *c == '\n' ? ' ' : *c;
+        }
+        if (*text == ' ') {
+            puts(paragraph);
+        } else {
+            print_wrapped(paragraph, 0, 0);
+        }
+        text += length + (text[length] == '\n');
+    }
 }
 
 static void print_option(const glint_option *option)
@@ -132,7 +174,11 @@ static void print_option(const glint_option *option)
     placeholder(option, value, sizeof value);
     const int length =
         snprintf(name, sizeof name, "  --%s%s%s", option->name, *value != '\0' ? " " : "", value);
-    current_value(option, value, sizeof value);
+    if (option->usually != NULL) {
+        snprintf(value, sizeof value, "%s", option->usually);
+    } else {
+        current_value(option, value, sizeof value);
+    }
     snprintf(help, sizeof help, *value != '\0' ? "%s (default %s)" : "%s", option->help, value);
     if (length + 2 > HELP_COLUMN) {
         printf("%s\n%*s", name, HELP_COLUMN, "");
@@ -160,6 +206,30 @@ static void print_usage(const glint_command_line *line)
     putchar('\n');
 }
 
+static void print_status(int status, const char *meaning)
+{
+    print_wrapped(meaning, printf("  %d  ", status), 5);
+}
+
+static void print_statuses(const glint_command_line *line)
+{
+    printf("\nExit status:\n");
+    print_status(0, line->done != NULL ? line->done : "done");
+    if (line->different != NULL) {
+        print_status(1, line->different);
+    }
+    print_status(2, "trouble: a malformed command line or input, a file that cannot be read or "
+                    "written, interrupted");
+}
+
+static void print_examples(const glint_example *example)
+{
+    printf("\nExamples:\n");
+    for (; example->what != NULL; example++) {
+        printf("  # %s\n  %s\n", example->what, example->command);
+    }
+}
+
 void glint_options_print_help(const glint_command_line *line)
 {
     print_usage(line);
@@ -170,6 +240,9 @@ void glint_options_print_help(const glint_command_line *line)
     }
     printf("%-*s%s\n", HELP_COLUMN, "  --help", "show this and leave");
     if (line->details != NULL) {
-        printf("\n%s\n", line->details);
+        putchar('\n');
+        print_details(line->details);
     }
+    print_statuses(line);
+    print_examples(line->examples);
 }

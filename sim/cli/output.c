@@ -33,7 +33,7 @@ static const int stop_signals[] = {SIGINT, SIGTERM, SIGHUP};
 static void hold_descriptor(int fd, int flags)
 {
     if (fcntl(fd, F_GETFD) == -1 && errno == EBADF && open("/dev/null", flags) != fd) {
-        _Exit(GLINT_EXIT_FAILURE);
+        _Exit(GLINT_EXIT_TROUBLE);
     }
 }
 
@@ -75,9 +75,9 @@ int glint_output_finish(const char *command, int status)
     }
     const int why = errno != 0 ? errno : earlier;
     if (why == EINTR && stop_requested) {
-        return glint_complain(command, GLINT_EXIT_FAILURE, "interrupted");
+        return glint_complain(command, GLINT_EXIT_TROUBLE, "interrupted");
     }
-    return glint_complain(command, GLINT_EXIT_FAILURE, "cannot write to standard output: %s",
+    return glint_complain(command, GLINT_EXIT_TROUBLE, "cannot write to standard output: %s",
                           why != 0 ? strerror(why) : "an earlier write failed");
 }
 
@@ -101,7 +101,7 @@ int glint_complain(const char *command, int exit_status, const char *format, ...
 
 int glint_complain_error(const char *command, const glint_error *err)
 {
-    return glint_complain(command, GLINT_EXIT_FAILURE, "%s", err->text);
+    return glint_complain(command, GLINT_EXIT_TROUBLE, "%s", err->text);
 }
 
 bool glint_output_json(cJSON *json)

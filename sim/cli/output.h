@@ -11,11 +11,11 @@
 
 #include "glint_status.h"
 
-/* What every subcommand returns. */
+/* What every subcommand returns, as cmp does. */
 enum {
-    GLINT_EXIT_OK = 0,
-    GLINT_EXIT_FAILURE = 1, /* the work was done and failed, or could not be done */
-    GLINT_EXIT_USAGE = 2,   /* the command line or a line of input is malformed */
+    GLINT_EXIT_OK = 0,        /* done, and equal where it compares */
+    GLINT_EXIT_DIFFERENT = 1, /* a comparison found a difference; only commands that compare */
+    GLINT_EXIT_TROUBLE = 2,   /* malformed, unreadable, unwritable, interrupted: nothing is known */
 };
 
 /* Called once, first thing in main(): a closed standard stream is held by /dev/null, opened so
@@ -25,15 +25,16 @@ enum {
 void glint_output_init(void);
 
 /* Flushes and checks standard output: the last thing a subcommand does. Returns status, or
- * GLINT_EXIT_FAILURE after saying so when anything that was printed did not arrive. */
+ * GLINT_EXIT_TROUBLE after saying so when anything that was printed did not arrive. */
 int glint_output_finish(const char *command, int status);
 
 /* Prints "glint COMMAND: message" as one line on standard error ("glint: message" when command is
- * NULL) and returns the exit status given: `return glint_complain("eval", GLINT_EXIT_USAGE, …);` */
+ * NULL) and returns the exit status given: `return glint_complain("eval", GLINT_EXIT_TROUBLE, …);`
+ */
 int glint_complain(const char *command, int exit_status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Says why a library call failed and returns the exit status for it: 1. */
+/* Says why a library call failed and returns the exit status for it: 2. */
 int glint_complain_error(const char *command, const glint_error *err);
 
 /* Prints a JSON object on standard output, a newline after it, and deletes it. json may be NULL

@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -20,6 +21,45 @@ bool glint_parse_integer(const char *token, int64_t min, int64_t max, int64_t *v
     }
     *value = number;
     return true;
+}
+
+/* The power of ten that ends a number: "e6", "M"; -1 for anything else. */
+static int power_of(const char *text)
+{
+    static const struct {
+        char letter;
+        int power;
+    } suffixes[] = {{'k', 3}, {'K', 3}, {'M', 6}, {'G', 9}, {'T', 12}};
+    int64_t power;
+    if ((*text == 'e' || *text == 'E') && glint_parse_integer(text + 1, 0, 18, &power)) {
+        return (int)power;
+    }
+    for (size_t i = 0; i < sizeof suffixes / sizeof suffixes[0]; i++) {
+        if (text[0] == suffixes[i].letter && text[1] == '\0') {
+            return suffixes[i].power;
+        }
+    }
+    return -1;
+}
+
+/* The token without its point and with as many zeros as the power asks for is the number. */
+bool glint_parse_count(const char *token, int64_t min, int64_t max, int64_t *value)
+{
+    char digits[64];
+    const size_t whole = strcspn(token, ".eEkKMGT");
+    const char *fraction = token[whole] == '.' ? token + whole + 1 : token + whole;
+    const size_t places = strspn(fraction, "0123456789");
+    if (token[whole] == '\0') {
+        return glint_parse_integer(token, min, max, value);
+    }
+    const int power = power_of(fraction + places);
+    if (whole + 20 > sizeof digits || power < 0 || places > (size_t)power ||
+        (token[whole] == '.' && places == 0) || strcspn(token, "0123456789") >= whole) {
+        return false;
+    }
+    (void)snprintf(digits, sizeof digits, "%.*s%.*s%.*s", (int)whole, token, (int)places, fraction,
+                   power - (int)places, "000000000000000000");
+    return glint_parse_integer(digits, min, max, value);
 }
 
 bool glint_parse_hex(const char *token, uint64_t max, uint64_t *value)

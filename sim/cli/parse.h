@@ -14,6 +14,10 @@
 /* Decimal digits, with or without a sign. */
 bool glint_parse_integer(const char *token, int64_t min, int64_t max, int64_t *value);
 
+/* The same, or a whole number as people write large ones: 1e6, 2.5e6, 100k, 10M, 2.5G, 1T (powers
+ * of 1000). */
+bool glint_parse_count(const char *token, int64_t min, int64_t max, int64_t *value);
+
 /* 0x or 0X and at least one hexadecimal digit. */
 bool glint_parse_hex(const char *token, uint64_t max, uint64_t *value);
 

@@ -51,7 +51,7 @@ static const char details[] =
     "\n" GLINT_COLOR_DETAILS "\n"
     "--backend both renders by c and by rtl and compares. Where they differ, FILE.png\n"
     "is the frame of rtl, FILE-c.png that of c, FILE-diff.png shows the difference,\n"
-    "FILE-failure is a packet for glint replay, and the exit status is 1.";
+    "FILE-failure is a packet for glint replay.";
 
 #define OWN_ROWS   10
 #define TABLE_ROWS (OWN_ROWS + GLINT_SCENE_OPTIONS)
@@ -112,12 +112,23 @@ static int parse_raw(int argc, char **argv, raw_options *raw)
 {
     glint_option options[TABLE_ROWS];
     fill_table(raw, options);
+    static const glint_example examples[] = {
+        {"a teapot, every highlight by the Verilog", "glint render --backend rtl --out a.png"},
+        {"by C and by Verilog, compared", "glint render --backend both --n 50 --out b.png"},
+        {"a mesh of one's own", "glint render mesh.obj --color '#3060a0' --out c.png"},
+        {"straight into another program", "glint render --size 320x240 --out - | file -"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "render",
         .summary = "Renders a lit mesh into a PNG; every highlight is computed by the backend.",
         .details = details,
+        .different = "--backend both: c and rtl differ",
+        .examples = examples,
         .options = options,
         .option_count = TABLE_ROWS,
+        .positionals = &(glint_positional)GLINT_SCENE_POSITIONAL(raw->scene),
+        .positional_count = 1,
     };
     return glint_options_parse(&line, argc, argv);
 }
@@ -130,20 +141,20 @@ static int choose_specular(const raw_options *raw, glint_render_options *chosen)
     glint_quoted quoted;
     if (raw->specular != NULL) {
         if (!glint_reflectance_find(raw->specular, &scene->specular)) {
-            return glint_complain("render", GLINT_EXIT_USAGE,
+            return glint_complain("render", GLINT_EXIT_TROUBLE,
                                   "--specular: %s is no reflectance model (see glint render "
                                   "--help)",
                                   glint_quote(raw->specular, &quoted));
         }
         if (chosen->backend.kind != GLINT_BACKEND_REAL) {
-            return glint_complain("render", GLINT_EXIT_USAGE,
+            return glint_complain("render", GLINT_EXIT_TROUBLE,
                                   "--specular needs --backend real: the other backends are the "
                                   "device");
         }
         scene->by_model = true;
     }
     if (raw->scene.f0_given && !(scene->by_model && glint_specular_takes_f0(scene->specular))) {
-        return glint_complain("render", GLINT_EXIT_USAGE,
+        return glint_complain("render", GLINT_EXIT_TROUBLE,
                               "--f0 is for --specular cook-torrance and torrance-sparrow");
     }
     return GLINT_OPTIONS_RUN;
@@ -153,11 +164,14 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
 {
     raw_options raw = defaults();
     int status = parse_raw(argc, argv, &raw);
+    if (status == GLINT_OPTIONS_RUN) {
+        status = glint_scene_options_settle("render", &raw.scene);
+    }
     if (status != GLINT_OPTIONS_RUN) {
         return status;
     }
     if (!glint_is_png_name(raw.out)) {
-        return glint_complain("render", GLINT_EXIT_USAGE,
+        return glint_complain("render", GLINT_EXIT_TROUBLE,
                               "--out: %s: pictures are written as PNG: name it .png", raw.out);
     }
     const bool both = raw.backend == BACKEND_BOTH;

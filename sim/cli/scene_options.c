@@ -3,10 +3,14 @@
 
 #include "cli/scene_options.h"
 
+#include <errno.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "cli/output.h"
+#include "cli/parse.h"
+#include "cli/suggest.h"
 
 const char *const glint_shading_names[] = {
     [GLINT_SHADING_FLAT] = "flat",
@@ -78,7 +82,9 @@ void glint_scene_options_add(glint_scene_options *chosen, glint_option rows[GLIN
     const glint_option options[] = {
         {.name = "model",
          .placeholder = "teapot|sphere|quad|FILE",
-         .help = "a built-in model, or a mesh file: .3ds, .obj, .ply, .stl and more",
+         .given = &chosen->model_given,
+         .help = "a built-in model, or a mesh file: .3ds, .obj, .ply, .stl and more; also without "
+                 "--model before it",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->model},
         INTEGER("density",
@@ -89,8 +95,11 @@ void glint_scene_options_add(glint_scene_options *chosen, glint_option rows[GLIN
          .help = "the frame, in pixels",
          .kind = GLINT_OPTION_SIZE,
          .size = {&chosen->width, &chosen->height, GLINT_IMAGE_SIDE_MAX}},
-        INTEGER("threads", "threads, each with a circuit of its own; the picture is the same",
-                threads, 1, GLINT_THREADS_MAX),
+        {.name = "threads",
+         .usually = "one a processor",
+         .help = "threads, each with a circuit of its own; the picture is the same",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->threads, 1, GLINT_THREADS_MAX}},
         COLOR("color", "C, the object's colour", color),
         COLOR("highlight", "S, the highlight's colour", highlight),
         {.name = "light",
@@ -123,6 +132,19 @@ void glint_scene_options_add(glint_scene_options *chosen, glint_option rows[GLIN
     memcpy(rows, options, sizeof options);
 }
 
+int glint_scene_options_settle(const char *command, glint_scene_options *chosen)
+{
+    if (chosen->mesh != NULL && chosen->model_given) {
+        glint_quoted quoted;
+        return glint_complain(command, GLINT_EXIT_TROUBLE, "--model and %s: one model can be drawn",
+                              glint_quote(chosen->mesh, &quoted));
+    }
+    if (chosen->mesh != NULL) {
+        chosen->model = chosen->mesh;
+    }
+    return GLINT_OPTIONS_RUN;
+}
+
 glint_scene glint_scene_options_scene(const glint_scene_options *chosen)
 {
     glint_scene scene = {0};
@@ -153,6 +175,16 @@ int glint_scene_options_density(const glint_scene_options *chosen)
                                                   : 0;
 }
 
+static glint_status no_such_model(const char *name, glint_error *err)
+{
+    static const char *const built_in[] = {"teapot", "sphere", "quad", NULL};
+    glint_suggestion suggestion;
+    return glint_fail(err, GLINT_BAD_ARGUMENT,
+                      "%.300s: No such file or directory; built-in models are teapot, sphere and "
+                      "quad%s",
+                      name, glint_did_you_mean(name, built_in, "", &suggestion));
+}
+
 glint_status glint_scene_options_mesh(const glint_scene_options *chosen, glint_mesh **mesh,
                                       glint_error *err)
 {
@@ -168,6 +200,10 @@ glint_status glint_scene_options_mesh(const glint_scene_options *chosen, glint_m
     }
     if (strcmp(chosen->model, "quad") == 0) {
         return glint_mesh_quad(mesh, err);
+    }
+    struct stat found;
+    if (stat(chosen->model, &found) != 0 && errno == ENOENT) {
+        return no_such_model(chosen->model, err);
     }
     return glint_mesh_load(chosen->model, glint_stop_flag(), mesh, err);
 }

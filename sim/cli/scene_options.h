@@ -9,7 +9,9 @@
 /* What the options fill; wider than the fields they end up in. */
 typedef struct glint_scene_options {
     const char *model; /* "teapot", "sphere", "quad", or a path */
-    int64_t density;   /* of teapot or sphere; 0: its own default */
+    const char *mesh;  /* the same without --model before it; NULL: not given so */
+    bool model_given;
+    int64_t density; /* of teapot or sphere; 0: its own default */
     int64_t threads;
     int width, height;
     double light[3];
@@ -30,6 +32,16 @@ glint_scene_options glint_scene_options_default(void);
 /* Rows of a subcommand's option table. */
 #define GLINT_SCENE_OPTIONS 17
 void glint_scene_options_add(glint_scene_options *chosen, glint_option rows[GLINT_SCENE_OPTIONS]);
+
+/* The argument that stands for --model: render mesh.obj. */
+#define GLINT_SCENE_POSITIONAL(chosen)                                                             \
+    {                                                                                              \
+        .name = "MODEL", .value = &(chosen).mesh, .optional = true                                 \
+    }
+
+/* After the command line is read: the model, however it was given. Returns GLINT_OPTIONS_RUN, or
+ * the exit status when it was given both ways. */
+int glint_scene_options_settle(const char *command, glint_scene_options *chosen);
 
 /* The scene without its mesh; n, shading and what computes the highlights are its defaults. */
 glint_scene glint_scene_options_scene(const glint_scene_options *chosen);

@@ -162,13 +162,13 @@ static void what_cannot_be_compared_is_a_failure(void **state)
     };
     for (size_t i = 0; i < sizeof failures / sizeof failures[0]; i++) {
         outcome done = compare("a.png", failures[i].b, "");
-        assert_outcome(&done, 1, NULL);
+        assert_outcome(&done, 2, NULL);
         assert_string_equal(done.out, "");
         assert_says(done.err, failures[i].reason);
         forget(&done);
     }
     outcome done = compare("a.png", "a.png", "--diff /dev/full");
-    assert_outcome(&done, 1, "glint compare: cannot write /dev/full: No space left on device\n");
+    assert_outcome(&done, 2, "glint compare: cannot write /dev/full: No space left on device\n");
     forget(&done);
 }
 

@@ -236,7 +236,7 @@ static void an_unreadable_input_is_a_failure(void **state)
     (void)state;
     const plumbing directory = {.in = "."};
     outcome done = run_plumbed("divide", "", &directory);
-    assert_outcome(&done, 1, "glint divide: cannot read standard input: Is a directory\n");
+    assert_outcome(&done, 2, "glint divide: cannot read standard input: Is a directory\n");
     forget(&done);
 }
 
@@ -245,7 +245,7 @@ static void output_that_is_not_taken_is_a_failure(void **state)
     (void)state;
     const plumbing full = {.out = "/dev/full"};
     outcome done = run_plumbed("divide", "8 4\n", &full);
-    assert_outcome(&done, 1,
+    assert_outcome(&done, 2,
                    "glint divide: cannot write to standard output: No space left on device\n");
     forget(&done);
 }

@@ -230,10 +230,10 @@ static void an_unreadable_input_is_a_failure(void **state)
     const plumbing directory = {.in = "."};
     const plumbing closed = {.close_in = true};
     outcome done = run_plumbed("eval", "", &directory);
-    assert_outcome(&done, 1, "glint eval: cannot read standard input: Is a directory\n");
+    assert_outcome(&done, 2, "glint eval: cannot read standard input: Is a directory\n");
     forget(&done);
     done = run_plumbed("eval", "", &closed);
-    assert_outcome(&done, 1, "glint eval: cannot read standard input: Bad file descriptor\n");
+    assert_outcome(&done, 2, "glint eval: cannot read standard input: Bad file descriptor\n");
     forget(&done);
 }
 
@@ -452,7 +452,7 @@ static void an_interrupt_ends_the_wait_for_input(void **state)
     }
     assert_int_equal(read(output, line, 2), 2);
     assert_int_equal(kill(child, SIGINT), 0);
-    assert_int_equal(wait_for(child), 1);
+    assert_int_equal(wait_for(child), 2);
     close(input);
     close(output);
     char *err = scratch_read(scratch_path("stderr"), NULL);
@@ -483,7 +483,7 @@ static void an_interrupt_leaves_whole_json(void **state)
     while ((got = read(output, out + count, sizeof out - 1 - count)) > 0) {
         count += (size_t)got;
     }
-    assert_int_equal(wait_for(child), 1);
+    assert_int_equal(wait_for(child), 2);
     close(input);
     close(output);
     cJSON *json = cJSON_Parse(out);

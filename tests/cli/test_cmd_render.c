@@ -356,7 +356,7 @@ static void comparing_nothing_is_a_failure(void **state)
     (void)state;
     /* From inside the sphere only back faces are seen. */
     outcome done = render("empty.png", "--backend both --model sphere --distance 0.1 --size 9x9");
-    assert_outcome(&done, 1,
+    assert_outcome(&done, 2,
                    "glint render: nothing to compare: no pixel of the object is in the frame\n");
     forget(&done);
     assert_int_equal(access(scratch_path("empty.png"), F_OK), -1);
@@ -375,8 +375,8 @@ static void what_cannot_be_rendered_is_named(void **state)
         {"--light 0,0,0", 2, "light 0,0,0 has no direction\n"},
         {"--density 257", 2, "257"},
         {"--model sphere --density 5", 2, "5"},
-        {"--model no-such-file.obj", 1, "no-such-file.obj"},
-        {"--model Makefile", 1, "Makefile"},
+        {"--model no-such-file.obj", 2, "no-such-file.obj"},
+        {"--model Makefile", 2, "Makefile"},
         {"--model no-such-file.obj --density 4", 2, "--density is for teapot and sphere"},
         {"--model quad --density 4", 2, "--density is for teapot and sphere"},
         {"--shading", 2, "flat, gouraud, gouraud-perspective, phong"},
@@ -405,16 +405,16 @@ static void an_unwritable_target_is_found_before_the_work(void **state)
     clock_gettime(CLOCK_MONOTONIC, &begin);
     outcome done = render("no/such/a.png", "--model sphere --density 4096 --size 9000x9000");
     clock_gettime(CLOCK_MONOTONIC, &end);
-    assert_outcome(&done, 1, NULL);
+    assert_outcome(&done, 2, NULL);
     assert_says(done.err, "no/such/a.png: No such file or directory\n");
     assert_true(end.tv_sec - begin.tv_sec <= 1);
     forget(&done);
     done = render("", "");
-    assert_outcome(&done, 1, NULL);
+    assert_outcome(&done, 2, NULL);
     assert_says(done.err, ": Is a directory\n");
     forget(&done);
     done = run("render --size 100x100 --out /dev/full", "");
-    assert_outcome(&done, 1, "glint render: cannot write /dev/full: No space left on device\n");
+    assert_outcome(&done, 2, "glint render: cannot write /dev/full: No space left on device\n");
     forget(&done);
 }
 
@@ -447,7 +447,7 @@ static void an_interrupt_leaves_no_file(void **state)
     /* Long enough to be at work, far too short to be done. */
     nanosleep(&(struct timespec){.tv_nsec = 300000000}, NULL);
     assert_int_equal(kill(child, SIGINT), 0);
-    assert_int_equal(wait_for(child), 1);
+    assert_int_equal(wait_for(child), 2);
     char *err = scratch_read(scratch_path("stderr"), NULL);
     assert_says(err, "interrupted\n");
     free(err);

@@ -237,7 +237,7 @@ static void without_gnuplot_all_but_the_figure_is_made(void **state)
     outcome done = report("");
     setenv("PATH", path, 1);
     free(path);
-    assert_outcome(&done, 1,
+    assert_outcome(&done, 2,
                    "glint report: there is no gnuplot (package gnuplot-nox), so figure-2.12.svg "
                    "and figure-2.12.png were not made\n");
     assert_says(done.out, "/divider.md, divider.json and the frames\n");
@@ -262,7 +262,7 @@ static void a_failing_gnuplot_is_a_failure(void **state)
     outcome done = report("");
     setenv("PATH", path, 1);
     free(path);
-    assert_int_equal(done.status, 1);
+    assert_int_equal(done.status, 2);
     assert_says(done.err, "glint report: gnuplot failed; run it in ");
     forget(&done);
     assert_int_equal(access(in_report("figure-2.12.svg"), F_OK), -1);
@@ -284,7 +284,7 @@ static void a_figure_that_does_not_fit_is_a_failure(void **state)
     outcome done = report("");
     setrlimit(RLIMIT_FSIZE, &before);
     signal(SIGXFSZ, handler);
-    assert_int_equal(done.status, 1);
+    assert_int_equal(done.status, 2);
     assert_says(done.err, "/figure-2.12.gnuplot: File too large\n");
     forget(&done);
     assert_int_equal(access(in_report("figure-2.12.svg"), F_OK), -1);
@@ -301,7 +301,7 @@ static void a_directory_that_cannot_be_is_a_failure(void **state)
              "glint report: %s: cannot make this directory: Not a directory\n",
              scratch_path("file/x"));
     outcome done = run(command_line, "");
-    assert_outcome(&done, 1, expected);
+    assert_outcome(&done, 2, expected);
     assert_string_equal(done.out, "");
     forget(&done);
 }

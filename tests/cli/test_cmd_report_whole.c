@@ -429,7 +429,7 @@ static void a_page_that_cannot_be_is_said_before_the_work(void **state)
     snprintf(expected, sizeof expected, "glint report: cannot write %s: Is a directory\n",
              scratch_path("early/index.html"));
     outcome done = run(command_line, "");
-    assert_outcome(&done, 1, expected);
+    assert_outcome(&done, 2, expected);
     forget(&done);
     assert_int_equal(remove(scratch_path("early/index.html")), 0);
     assert_int_equal(remove(scratch_path("early")), 0); /* nothing else is in it */
@@ -466,7 +466,7 @@ static void an_interrupt_ends_a_gnuplot_that_does_not_end(void **state)
     while (access(scratch_path("plotting"), F_OK) != 0 && child_seconds() < limit)
         child_pause();
     kill(-child, SIGINT);
-    assert_int_equal(child_wait(child, 20), 1);
+    assert_int_equal(child_wait(child, 20), 2);
     char *said = scratch_read(scratch_path("child.err"), NULL);
     assert_string_equal(said, "glint report: interrupted\n");
     free(said);

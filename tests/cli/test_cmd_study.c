@@ -269,7 +269,7 @@ static void an_interrupted_study_leaves_the_one_before(void **state)
     }
     assert_true(entries_of("mixed") >= OF_A_STUDY + 2);
     kill(child, SIGINT);
-    assert_int_equal(child_wait(child, 60), 1);
+    assert_int_equal(child_wait(child, 60), 2);
     assert_int_equal(entries_of("mixed"), OF_A_STUDY);
     for (int i = 0; i < OF_A_STUDY; i++) {
         size_t count;
@@ -324,8 +324,8 @@ static void what_cannot_be_studied_is_named(void **state)
         {"--f0 0.5", 2, "--f0 is for cook-torrance and torrance-sparrow"},
         {"--b quadratic --n 5,0 --frames 0", 2,
          "model quadratic takes n from 1 to 1023 here, not 0"},
-        {"--model /nonexistent.obj", 1, "/nonexistent.obj"},
-        {"--model sphere --distance 0.5", 1, "nothing to compare"},
+        {"--model /nonexistent.obj", 2, "/nonexistent.obj"},
+        {"--model sphere --distance 0.5", 2, "nothing to compare"},
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         outcome done = study("refused", refused[i].options);
@@ -339,7 +339,7 @@ static void what_cannot_be_studied_is_named(void **state)
     }
     scratch_write(scratch_path("file"), "x", 1);
     outcome done = study("file", "--frames 0");
-    assert_outcome(&done, 1, NULL);
+    assert_outcome(&done, 2, NULL);
     assert_says(done.err, "glint study: ");
     forget(&done);
 }

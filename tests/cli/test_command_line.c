@@ -12,8 +12,9 @@
 #include "../scratch.h"
 #include "run.h"
 
-static const char *const subcommands[] = {"info",  "models", "eval", "divide", "render", "compare",
-                                          "study", "verify", "wave", "report", "bench"};
+static const char *const subcommands[] = {"info",    "models", "eval",   "divide", "render",
+                                          "compare", "study",  "verify", "replay", "wave",
+                                          "energy",  "report", "bench"};
 #define SUBCOMMAND_COUNT (sizeof subcommands / sizeof subcommands[0])
 
 static void help_lists_every_subcommand(void **state)
@@ -47,6 +48,56 @@ static void every_subcommand_has_help(void **state)
     }
 }
 
+/* `glint help SUBCOMMAND` is `glint SUBCOMMAND --help`, in which every line fits a terminal, each
+ * status has its meaning, and there are examples. */
+static void help_fits_and_is_regular(void **state)
+{
+    (void)state;
+    static const char *const others[] = {"verify --exhaustive", ""};
+    for (size_t i = 0; i < SUBCOMMAND_COUNT + 2; i++) {
+        const char *name = i < SUBCOMMAND_COUNT ? subcommands[i] : others[i - SUBCOMMAND_COUNT];
+        char command_line[64];
+        snprintf(command_line, sizeof command_line, *name != '\0' ? "help %s" : "help", name);
+        outcome done = run(command_line, "");
+        snprintf(command_line, sizeof command_line, *name != '\0' ? "%s --help" : "--help", name);
+        outcome same = run(command_line, "");
+        assert_outcome(&done, 0, "");
+        assert_string_equal(done.out, same.out);
+        assert_says(done.out, "\nExit status:\n  0  ");
+        assert_says(done.out, "\n  2  trouble: ");
+        assert_says(done.out, "\nExamples:\n  # ");
+        assert_null(strstr(done.out, "\n\n\n"));
+        for (char *line = strtok(done.out, "\n"); line != NULL; line = strtok(NULL, "\n")) {
+            size_t columns = 0;
+            for (const char *c = line; *c != '\0'; c++) {
+                columns += ((unsigned char)*c & 0xc0) != 0x80;
+            }
+            if (columns > 80) {
+                fail_msg("%s: %zu columns: %s", command_line, columns, line);
+            }
+        }
+        forget(&done);
+        forget(&same);
+    }
+}
+
+/* The same exponent, each time: what is drawn does not depend on how it is written. */
+static void large_numbers_are_written_as_people_do(void **state)
+{
+    (void)state;
+    static const char *const written[] = {"2000", "2e3", "2E3", "2e+3", "2k", "2K", "0.002M"};
+    for (size_t i = 0; i < sizeof written / sizeof written[0]; i++) {
+        char command_line[256];
+        snprintf(command_line, sizeof command_line,
+                 "verify --circuit divider --form pipelined --shifts 12 --seed 1 --clocks %s",
+                 written[i]);
+        outcome done = run(command_line, "");
+        assert_outcome(&done, 0, "");
+        assert_says(done.out, ", 2000 clocks, ");
+        forget(&done);
+    }
+}
+
 static void every_subcommand_refuses_what_it_does_not_know(void **state)
 {
     (void)state;
@@ -58,8 +109,8 @@ static void every_subcommand_refuses_what_it_does_not_know(void **state)
             char expected[128];
             snprintf(command_line, sizeof command_line, "%s %s", subcommands[i], unknown[j]);
             snprintf(expected, sizeof expected,
-                     "glint %s: unknown option \"%s\" (see glint %s --help)\n", subcommands[i],
-                     shown[j], subcommands[i]);
+                     "glint %s: unknown option \"%s\" (%ssee glint %s --help)\n", subcommands[i],
+                     shown[j], j == 3 ? "did you mean --help? " : "", subcommands[i]);
             outcome done = run(command_line, "");
             assert_outcome(&done, 2, expected);
             assert_string_equal(done.out, "");
@@ -71,8 +122,12 @@ static void every_subcommand_refuses_what_it_does_not_know(void **state)
 static void the_version_is_printed(void **state)
 {
     (void)state;
+    outcome brief = run("-V", "");
     outcome done = run("--version", "");
     assert_outcome(&done, 0, "");
+    assert_outcome(&brief, 0, "");
+    assert_string_equal(brief.out, done.out);
+    forget(&brief);
     int major;
     int minor;
     int patch;
@@ -103,7 +158,11 @@ static void a_wrong_subcommand_is_refused(void **state)
     static const refusal refusals[] = {
         {"", "glint: no subcommand (see glint --help)\n"},
         {"draw", "glint: unknown subcommand \"draw\" (see glint --help)\n"},
-        {"rende", "glint: unknown subcommand \"rende\" (see glint --help)\n"},
+        {"rende", "glint: unknown subcommand \"rende\" (did you mean render? see glint --help)\n"},
+        {"help rnder",
+         "glint: unknown subcommand \"rnder\" (did you mean render? see glint --help)\n"},
+        {"--verson",
+         "glint: unknown option \"--verson\" (did you mean --version? see glint --help)\n"},
         {"--json", "glint: unknown option \"--json\" (see glint --help)\n"},
     };
     assert_refused(refusals, sizeof refusals / sizeof refusals[0]);
@@ -121,9 +180,38 @@ static void options_are_read_strictly(void **state)
         {"render", "glint render: --out is required (see glint render --help)\n"},
         {"render --out", "glint render: --out needs a value: a non-empty FILE.png\n"},
         {"render --out=", "glint render: --out: \"\" is not a non-empty FILE.png\n"},
-        {"render --out x.png stray", "glint render: unexpected argument \"stray\"\n"},
-        {"render --out x.png -- --n", "glint render: unexpected argument \"--n\"\n"},
-        {"render --ou x.png", "glint render: unknown option \"--ou\" (see glint render --help)\n"},
+        {"render --out x.png teapot stray", "glint render: unexpected argument \"stray\"\n"},
+        {"render --out x.png teapot -- --n", "glint render: unexpected argument \"--n\"\n"},
+        {"render --out x.png --model quad teapot",
+         "glint render: --model and \"teapot\": one model can be drawn\n"},
+        {"study --out x teapot --model quad",
+         "glint study: --model and \"teapot\": one model can be drawn\n"},
+        {"render --out x.png Teapto",
+         "glint render: Teapto: No such file or directory; built-in models are teapot, sphere and "
+         "quad (did you mean teapot?)\n"},
+        {"render --out x.png missing.obj",
+         "glint render: missing.obj: No such file or directory; built-in models are teapot, sphere "
+         "and quad\n"},
+        {"render --ou x.png",
+         "glint render: unknown option \"--ou\" (did you mean --out? see glint render --help)\n"},
+        {"render --shadnig flat", "glint render: unknown option \"--shadnig\" (did you mean "
+                                  "--shading? see glint render --help)\n"},
+        {"render --shading Goraud",
+         "glint render: --shading: \"Goraud\" is not one of flat, gouraud, gouraud-perspective, "
+         "phong (did you mean gouraud?)\n"},
+        {"render --n 1e4", "glint render: --n: \"1e4\" is not an integer from 0 to 1023\n"},
+        {"render --n 2k", "glint render: --n: \"2k\" is not an integer from 0 to 1023\n"},
+        {"render --n 1.5", "glint render: --n: \"1.5\" is not an integer from 0 to 1023\n"},
+        {"render --n 1e-1", "glint render: --n: \"1e-1\" is not an integer from 0 to 1023\n"},
+        {"render --n k", "glint render: --n: \"k\" is not an integer from 0 to 1023\n"},
+        {"render --n 1kk", "glint render: --n: \"1kk\" is not an integer from 0 to 1023\n"},
+        {"verify --clocks 0.0001k",
+         "glint verify: --clocks: \"0.0001k\" is not an integer from 1 to 1000000000000\n"},
+        {"verify --clocks 1e19",
+         "glint verify: --clocks: \"1e19\" is not an integer from 1 to 1000000000000\n"},
+        {"verify --clocks 99999999999999999999T",
+         "glint verify: --clocks: \"99999999999999999999T\" is not an integer from 1 to "
+         "1000000000000\n"},
         {"render --k 1", "glint render: unknown option \"--k\" (see glint render --help)\n"},
         {"render --n 1 --n 1", "glint render: --n is given twice\n"},
         {"render --json --json", "glint render: --json is given twice\n"},
@@ -147,7 +235,8 @@ static void options_are_read_strictly(void **state)
         {"render --backend gpu",
          "glint render: --backend: \"gpu\" is not one of c, rtl, real, both\n"},
         {"render --gate Sign",
-         "glint render: --gate: \"Sign\" is not one of cosine, sign, drawn\n"},
+         "glint render: --gate: \"Sign\" is not one of cosine, sign, drawn (did you mean "
+         "sign?)\n"},
         {"render --pipeline p", "glint render: --pipeline: \"p\" is not one of drawn, pipelined\n"},
         {"render --lanes 3", "glint render: --lanes: \"3\" is not one of auto, 1, 2, 4, 8, 16\n"},
         {"render --size 640",
@@ -219,11 +308,11 @@ static void output_that_is_not_taken_is_a_failure(void **state)
     const plumbing closed = {.close_out = true};
     for (size_t i = 0; i < sizeof printing / sizeof printing[0]; i++) {
         outcome done = run_plumbed(printing[i], "1 1 1 1 1\n", &full);
-        assert_int_equal(done.status, 1);
+        assert_int_equal(done.status, 2);
         assert_says(done.err, "cannot write to standard output: No space left on device\n");
         forget(&done);
         done = run_plumbed(printing[i], "1 1 1 1 1\n", &closed);
-        assert_int_equal(done.status, 1);
+        assert_int_equal(done.status, 2);
         assert_says(done.err, "cannot write to standard output: Bad file descriptor\n");
         forget(&done);
     }
@@ -234,6 +323,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(help_lists_every_subcommand),
         cmocka_unit_test(every_subcommand_has_help),
+        cmocka_unit_test(help_fits_and_is_regular),
+        cmocka_unit_test(large_numbers_are_written_as_people_do),
         cmocka_unit_test(every_subcommand_refuses_what_it_does_not_know),
         cmocka_unit_test(the_version_is_printed),
         cmocka_unit_test(a_wrong_subcommand_is_refused),

@@ -326,7 +326,7 @@ static void a_circuit_that_is_not_there_is_told(void **state)
 {
     (void)state;
     outcome done = run("eval --backend rtl --gate sign", "1 1 255 255 255\n");
-    assert_int_equal(done.status, 1);
+    assert_int_equal(done.status, 2);
     assert_says(done.err, "no circuit was built");
     forget(&done);
 }

@@ -10,7 +10,7 @@ set -eu
 
 fail() {
     echo "tests/coverage/c.sh: $*" >&2
-    exit 1
+    exit 2
 }
 
 dir=$1 seconds=$2

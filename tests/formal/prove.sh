@@ -14,7 +14,7 @@
 #   name, properties, method, seconds, covers reached of all ("-": none looked for), PROVED, FAULT FOUND
 #   or FAILED and why; separated by tabs.
 # A short form of it goes to standard output; where it is FAILED, the line itself to standard error.
-# Exit status 0, 1 (FAILED) or 2 (not called as above).
+# Exit status 0, 1 (FAILED) or 2 (not called as above, or a tool is missing).
 #
 # A proof with a clock is by induction over one clock: the assertions hold after a reset in any state
 # whatever, and after any clock before which they held. Each property needs a cover reached, or the proof
@@ -111,7 +111,7 @@ esac
 for tool in yosys yosys-smtbmc z3; do
     command -v $tool >/dev/null || {
         echo "tests/formal/prove.sh: no $tool; install the packages yosys and z3 (make formal does)" >&2
-        exit 1
+        exit 2
     }
 done
 

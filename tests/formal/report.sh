@@ -4,13 +4,13 @@
 #
 #   tests/formal/report.sh DIRECTORY...
 #
-# Exit status 1 when one failed, is missing, or none is given.
+# Exit status 1 when one failed or is missing, 2 when none is given.
 set -eu
 here=$(dirname "$0")
 
 [ $# -gt 0 ] || {
     echo "tests/formal/report.sh: no proofs" >&2
-    exit 1
+    exit 2
 }
 
 lines=$(

@@ -5,12 +5,12 @@
 #
 # Programs are BUILD/fuzzers/TARGET. They start from tests/fuzz/corpus/TARGET and what earlier runs
 # found (BUILD/corpus/TARGET, grows). An input that fails is kept as BUILD/failures/TARGET-…; the
-# exit status is 1 then, and when a target did nothing. GLINT_SEED= repeats a run's choices.
+# exit status is 1 then, and when a target did nothing; 2 when it is called otherwise. GLINT_SEED= repeats a run's choices.
 set -u
 
 fail() {
     echo "tests/fuzz/run.sh: $*" >&2
-    exit 1
+    exit 2
 }
 
 [ $# -ge 3 ] || fail "at least three arguments, not $#: BUILD SECONDS TARGET..."

@@ -187,7 +187,7 @@ static char *interrupt_verify(const char *last_argument)
         child_pause();
     }
     assert_int_equal(kill(child, SIGINT), 0);
-    assert_int_equal(child_wait(child, SECONDS), 1);
+    assert_int_equal(child_wait(child, SECONDS), 2);
     return scratch_read(scratch_path("verify.out"), NULL);
 }
 

@@ -118,7 +118,7 @@ static char *interrupt_run(const char *options, char *shown, size_t size)
         child_start((const char *const *)argv, scratch_path("interrupted.out"), terminal.name);
     terminal_wait_for(&terminal, " s left", SECONDS, shown, size);
     assert_int_equal(kill(child, SIGINT), 0);
-    assert_int_equal(child_wait(child, SECONDS), 1);
+    assert_int_equal(child_wait(child, SECONDS), 2);
     terminal_close(&terminal);
     return scratch_read(scratch_path("interrupted.out"), NULL);
 }

@@ -174,7 +174,7 @@ static void the_generator_refuses_what_it_does_not_know(void **state)
 static void the_generator_says_when_it_cannot_write(void **state)
 {
     (void)state;
-    assert_int_equal(generate(scratch_path("missing/file"), "formats"), 1);
+    assert_int_equal(generate(scratch_path("missing/file"), "formats"), 2);
     char *said = scratch_read(scratch_path("child.err"), NULL);
     assert_non_null(strstr(said, "missing/file: No such file or directory"));
     free(said);

@@ -14,13 +14,13 @@
 # them equivalent, must find one of them different at least, and where it says by which point, the
 # bench must see the fault at that point.
 #
-# Exit status 1 when a fault is missed or undecided, when the prover fails its own test, or when there
+# Exit status 1 when a fault is missed or undecided; 2 when the prover fails its own test, or when there
 # were no faults at all.
 set -eu
 
 fail() {
     echo "tests/mutation/judge.sh: $*" >&2
-    exit 1
+    exit 2
 }
 
 [ $# -eq 5 ] || fail "five arguments, not $#: CIRCUIT DIR VERDICTS RESULTS SECONDS"

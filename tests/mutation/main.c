@@ -62,7 +62,8 @@ static bool read_number(const char *token, int64_t min, int64_t max, int64_t *va
     glint_quoted quoted;
     if (glint_parse_integer(token, min, max, value))
         return true;
-    glint_complain(command, GLINT_EXIT_USAGE, "%s is no whole number from %" PRId64 " to %" PRId64,
+    glint_complain(command, GLINT_EXIT_TROUBLE,
+                   "%s is no whole number from %" PRId64 " to %" PRId64,
                    glint_quote(token, &quoted), min, max);
     return false;
 }
@@ -76,7 +77,7 @@ static bool read_point(const char *token, settings *settings)
     if (sscanf(token, "n=%4u,cos=%6u,rgb=%3u,%3u,%3u%n", &n, &cos, &r, &g, &b, &used) != 5 ||
         token[used] != '\0' || n >= GLINT_N_COUNT || cos > GLINT_COS_CODE_MAX ||
         r > GLINT_COLOR_MAX || g > GLINT_COLOR_MAX || b > GLINT_COLOR_MAX) {
-        glint_complain(command, GLINT_EXIT_USAGE,
+        glint_complain(command, GLINT_EXIT_TROUBLE,
                        "%s is no point like n=80,cos=260000,rgb=255,190,110",
                        glint_quote(token, &quoted));
         return false;
@@ -148,10 +149,10 @@ static int read_command_line(int argc, char **argv, settings *settings)
             return GLINT_EXIT_OK;
         }
         if (!take_option(option, settings))
-            return GLINT_EXIT_USAGE;
+            return GLINT_EXIT_TROUBLE;
     }
     if (optind < argc || settings->list == NULL)
-        return glint_complain(command, GLINT_EXIT_USAGE,
+        return glint_complain(command, GLINT_EXIT_TROUBLE,
                               "needs --list FILE and no other word; see --help");
     return -1;
 }
@@ -164,7 +165,7 @@ static char *read_text(const char *path)
     size_t size = 0;
     FILE *stream = fopen(path, "r");
     if (stream == NULL || getdelim(&text, &size, '\0', stream) < 0) {
-        glint_complain(command, GLINT_EXIT_FAILURE, "%s cannot be read or is empty", path);
+        glint_complain(command, GLINT_EXIT_TROUBLE, "%s cannot be read or is empty", path);
         free(text);
         text = NULL;
     }
@@ -183,7 +184,7 @@ static bool read_list(const char *path, fault_list *list)
     char *rest = list->text;
     for (char *line; (line = strtok_r(rest, "\n", &rest)) != NULL;) {
         if (list->count == MUTANTS_MAX) {
-            glint_complain(command, GLINT_EXIT_FAILURE, "%s: more than %d faults", path,
+            glint_complain(command, GLINT_EXIT_TROUBLE, "%s: more than %d faults", path,
                            MUTANTS_MAX);
             return false;
         }
@@ -220,7 +221,7 @@ static int check_healthy(const settings *settings)
     if (mutation_run(&mutation_netlist, 0, &settings->effort, &verdict, &err) != GLINT_OK)
         return glint_complain_error(command, &err);
     if (verdict.killed)
-        return glint_complain(command, GLINT_EXIT_FAILURE,
+        return glint_complain(command, GLINT_EXIT_TROUBLE,
                               "%s without a fault differs, %s, clock %" PRIu64
                               ": %s model 0x%" PRIx32 ", netlist 0x%" PRIx32,
                               mutation_netlist.circuit, verdict.test, verdict.clock, verdict.pin,
@@ -236,7 +237,7 @@ static int run_one(const settings *settings, const fault_list *list)
     glint_error err;
     const uint32_t mutant = (uint32_t)settings->mutant;
     if (mutant > list->count)
-        return glint_complain(command, GLINT_EXIT_USAGE, "%s has %" PRIu32 " faults only",
+        return glint_complain(command, GLINT_EXIT_TROUBLE, "%s has %" PRIu32 " faults only",
                               settings->list, list->count);
     if (mutation_run(&mutation_netlist, mutant, &settings->effort, &verdict, &err) != GLINT_OK)
         return glint_complain_error(command, &err);
@@ -307,7 +308,7 @@ int main(int argc, char **argv)
     int status = read_command_line(argc, argv, &settings);
     if (status >= 0)
         return glint_output_finish(command, status);
-    status = GLINT_EXIT_FAILURE;
+    status = GLINT_EXIT_TROUBLE;
     if (read_list(settings.list, &list)) {
         status = check_healthy(&settings);
         if (status == GLINT_EXIT_OK)

@@ -15,7 +15,7 @@ set -eu
 
 fail() {
     echo "tests/mutation/mutants.sh: $*" >&2
-    exit 1
+    exit 2
 }
 
 [ $# -eq 4 ] || fail "four arguments, not $#: CIRCUIT COUNT SEED DIR"

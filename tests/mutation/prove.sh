@@ -8,7 +8,7 @@
 #   different  -         the solver found inputs that show the fault; with a point, if there is one:
 #   different  n=…,cos=…,rgb=…,…,…       (bench --mutant N --point … shows it)
 #   open       -         neither, after SECONDS for each attempt
-# with a tab between. Exit status 0 for each of them, 1 when a tool failed.
+# with a tab between. Exit status 0 for each of them, 2 when a tool failed.
 #
 # What is proven: the netlist and the one with the fault, side by side, each with registers of any
 # content, one clock of reset, then any inputs at all, for ever: after every rising edge all outputs
@@ -23,7 +23,7 @@ set -eu
 
 fail() {
     echo "tests/mutation/prove.sh: $*" >&2
-    exit 1
+    exit 2
 }
 
 [ $# -eq 3 ] || fail "three arguments, not $#: DIR MUTANT SECONDS"

@@ -10,7 +10,7 @@ set -eu
 
 fail() {
     echo "tests/mutation/tables.sh: $*" >&2
-    exit 1
+    exit 2
 }
 
 [ $# -ge 2 ] || fail "DIR CIRCUIT..., not $# arguments"

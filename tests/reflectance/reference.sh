@@ -7,7 +7,7 @@ set -eu
 
 command -v bc >/dev/null 2>&1 || {
     echo "tests/reflectance/reference.sh: no bc: install it (apt-get install bc)" >&2
-    exit 1
+    exit 2
 }
 
 echo '/* Written by tests/reflectance/reference.sh. */'

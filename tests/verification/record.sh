@@ -9,13 +9,13 @@
 # CASES    how many, a whole number above 0, of UNIT (points, mutants, …); FAILED of them
 # SECONDS  elapsed; COMMAND what repeats it
 #
-# Written to the directory GLINT_RECORDS; without it nothing is noted. Exit status 1 when a field is
+# Written to the directory GLINT_RECORDS; without it nothing is noted. Exit status 2 when a field is
 # not as said here: a check over no cases is no check.
 set -eu
 
 fail() {
     echo "tests/verification/record.sh: $*" >&2
-    exit 1
+    exit 2
 }
 
 [ $# -eq 8 ] || fail "eight fields, not $#: NAME WHAT METHOD CASES UNIT FAILED SECONDS COMMAND"

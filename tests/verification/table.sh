@@ -5,13 +5,13 @@
 #
 #   tests/verification/table.sh RECORDS DOCUMENT
 #
-# Exit status 1, and the document as it was, when there are no notes or the two lines are not there
+# Exit status 2, and the document as it was, when there are no notes or the two lines are not there
 # once each.
 set -eu
 
 fail() {
     echo "tests/verification/table.sh: $*" >&2
-    exit 1
+    exit 2
 }
 
 [ $# -eq 2 ] || fail "usage: tests/verification/table.sh RECORDS DOCUMENT"

@@ -73,13 +73,13 @@ static void notes_become_the_table(void **state)
 static void a_check_over_nothing_is_no_check(void **state)
 {
     (void)state;
-    assert_int_equal(record("rtl-c what how 0 points 0 1 again"), 1);
+    assert_int_equal(record("rtl-c what how 0 points 0 1 again"), 2);
     assert_error_has("CASES \"0\"");
-    assert_int_equal(record("rtl-c what how '' points 0 1 again"), 1);
-    assert_int_equal(record("rtl-c what how 5 points -1 1 again"), 1);
-    assert_int_equal(record("rtl-c what how 5 points 0 1"), 1);
-    assert_int_equal(record("'rtl c' what how 5 points 0 1 again"), 1);
-    assert_int_equal(record("other what how 5 points 0 1 again"), 1);
+    assert_int_equal(record("rtl-c what how '' points 0 1 again"), 2);
+    assert_int_equal(record("rtl-c what how 5 points -1 1 again"), 2);
+    assert_int_equal(record("rtl-c what how 5 points 0 1"), 2);
+    assert_int_equal(record("'rtl c' what how 5 points 0 1 again"), 2);
+    assert_int_equal(record("other what how 5 points 0 1 again"), 2);
     assert_error_has("no kind of check");
     assert_int_equal(shell("[ ! -e \"$D/records/rtl-c.tsv\" ]"), 0);
 }
@@ -99,10 +99,10 @@ static void a_document_without_its_place_stays_as_it_is(void **state)
     (void)state;
     assert_int_equal(record("rtl-e what how 5 points 0 1 again"), 0);
     write_document("text\n" BEGIN "text\n");
-    assert_int_equal(shell("tests/verification/table.sh \"$D/records\" \"$D/document\""), 1);
+    assert_int_equal(shell("tests/verification/table.sh \"$D/records\" \"$D/document\""), 2);
     assert_error_has("verification table: end");
     write_document(BEGIN "old\n" END);
-    assert_int_equal(shell("tests/verification/table.sh \"$D/nowhere\" \"$D/document\""), 1);
+    assert_int_equal(shell("tests/verification/table.sh \"$D/nowhere\" \"$D/document\""), 2);
     assert_error_has("no notes in");
     char *text = scratch_read(scratch_path("document"), NULL);
     assert_string_equal(text, BEGIN "old\n" END);

@@ -142,7 +142,7 @@ static void a_directory_that_cannot_be_made_is_told(void **state)
     (void)state;
     scratch_write(scratch_path("plain"), "", 0);
     outcome done = run_wave("plain/below", "");
-    assert_outcome(&done, 1, NULL);
+    assert_outcome(&done, 2, NULL);
     assert_string_equal(done.out, "");
     assert_says(done.err, "glint wave: ");
     assert_says(done.err, "plain");
@@ -171,7 +171,7 @@ static void a_full_disk_is_told_and_leaves_nothing(void **state)
     static const char *const formats[] = {"--format fst", "--format vcd"};
     for (int i = 0; i < 6; i++) {
         outcome done = run_wave_within(limits[i / 2], formats[i % 2]);
-        assert_outcome(&done, 1, NULL);
+        assert_outcome(&done, 2, NULL);
         assert_says(done.err, "glint wave: cannot write ");
         assert_says(done.err, "/full/specular_cosine_pipelined.");
         assert_string_equal(done.out, "");
