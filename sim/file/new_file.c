@@ -9,7 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
+
+#define WAIT_MILLISECONDS 50
 
 struct glint_new_file {
     char *target;    /* the name it takes at the end */
@@ -31,11 +34,18 @@ static void free_file(glint_new_file *file)
     free(file);
 }
 
-/* Fills target, mode and whether the target is to be written directly. Returns 0 or an errno. */
-static int look_at_target(const char *path, glint_new_file *file, bool *direct)
+/* What stands at the path already. */
+typedef enum target_kind {
+    REPLACED, /* a regular file, or nothing */
+    DIRECT,   /* a device: written to as it is */
+    PIPE,     /* the same, once somebody reads it */
+} target_kind;
+
+/* Fills target, mode and how the target is to be written. Returns 0 or an errno. */
+static int look_at_target(const char *path, glint_new_file *file, target_kind *kind)
 {
     struct stat existing;
-    *direct = false;
+    *kind = REPLACED;
     if (stat(path, &existing) != 0) {
         if (errno != ENOENT) {
             return errno;
@@ -50,9 +60,9 @@ static int look_at_target(const char *path, glint_new_file *file, bool *direct)
     if (access(path, W_OK) != 0) {
         return errno;
     }
-    *direct = !S_ISREG(existing.st_mode);
+    *kind = S_ISREG(existing.st_mode) ? REPLACED : S_ISFIFO(existing.st_mode) ? PIPE : DIRECT;
     file->mode = existing.st_mode & 07777;
-    file->target = *direct ? strdup(path) : realpath(path, NULL);
+    file->target = *kind != REPLACED ? strdup(path) : realpath(path, NULL);
     return file->target != NULL ? 0 : errno;
 }
 
@@ -85,14 +95,37 @@ static int create_beside(glint_new_file *file)
     return fd;
 }
 
-/* Returns 0 or an errno. */
-static int open_stream(glint_new_file *file, bool direct)
+/* Opens a pipe once it has a reader; opening it the usual way would wait for one for ever. Returns
+ * the descriptor, or -1 with errno: ENXIO when nobody came, EINTR when *stop became true. */
+static int open_pipe(const char *path, const volatile bool *stop)
 {
-    const int fd = direct ? open(file->target, O_WRONLY | O_CLOEXEC) : create_beside(file);
+    const struct timespec pause = {0, WAIT_MILLISECONDS * 1000000L};
+    const int attempts = GLINT_NEW_FILE_PATIENCE * 1000 / WAIT_MILLISECONDS;
+    int fd = open(path, O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    for (int i = 0; fd < 0 && errno == ENXIO && i < attempts; i++) {
+        if (stop != NULL && *stop) {
+            errno = EINTR;
+            return -1;
+        }
+        (void)nanosleep(&pause, NULL);
+        fd = open(path, O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    }
+    if (fd >= 0) {
+        (void)fcntl(fd, F_SETFL, fcntl(fd, F_GETFL) & ~O_NONBLOCK);
+    }
+    return fd;
+}
+
+/* Returns 0 or an errno. */
+static int open_stream(glint_new_file *file, target_kind kind, const volatile bool *stop)
+{
+    const int fd = kind == PIPE     ? open_pipe(file->target, stop)
+                   : kind == DIRECT ? open(file->target, O_WRONLY | O_CLOEXEC)
+                                    : create_beside(file);
     if (fd < 0) {
         return errno;
     }
-    if (!direct && file->mode != 0 && fchmod(fd, file->mode) != 0) {
+    if (kind == REPLACED && file->mode != 0 && fchmod(fd, file->mode) != 0) {
         const int reason = errno;
         close(fd);
         return reason;
@@ -106,24 +139,44 @@ static int open_stream(glint_new_file *file, bool direct)
     return 0;
 }
 
-glint_status glint_new_file_open(const char *path, glint_new_file **file, glint_error *err)
+static glint_status cannot_open(const char *path, target_kind kind, int reason,
+                                const volatile bool *stop, glint_error *err)
+{
+    if (stop != NULL && *stop) {
+        return glint_fail(err, GLINT_INTERRUPTED, "interrupted");
+    }
+    if (kind == PIPE && reason == ENXIO) {
+        return glint_fail(err, GLINT_IO_ERROR,
+                          "cannot write %.400s: it is a pipe, and in %d s nobody came to read it",
+                          path, GLINT_NEW_FILE_PATIENCE);
+    }
+    return cannot_write(path, reason, err);
+}
+
+glint_status glint_new_file_open_until(const char *path, const volatile bool *stop,
+                                       glint_new_file **file, glint_error *err)
 {
     *file = NULL;
     glint_new_file *made = calloc(1, sizeof *made);
     if (made == NULL) {
         return cannot_write(path, ENOMEM, err);
     }
-    bool direct;
-    int reason = look_at_target(path, made, &direct);
+    target_kind kind;
+    int reason = look_at_target(path, made, &kind);
     if (reason == 0) {
-        reason = open_stream(made, direct);
+        reason = open_stream(made, kind, stop);
     }
     if (reason != 0) {
         glint_new_file_discard(made);
-        return cannot_write(path, reason, err);
+        return cannot_open(path, kind, reason, stop, err);
     }
     *file = made;
     return GLINT_OK;
+}
+
+glint_status glint_new_file_open(const char *path, glint_new_file **file, glint_error *err)
+{
+    return glint_new_file_open_until(path, NULL, file, err);
 }
 
 FILE *glint_new_file_stream(const glint_new_file *file)
@@ -192,14 +245,14 @@ void glint_new_file_discard(glint_new_file *file)
 glint_status glint_new_file_check(const char *path, glint_error *err)
 {
     glint_new_file probe = {0};
-    bool direct;
-    int reason = look_at_target(path, &probe, &direct);
+    target_kind kind;
+    int reason = look_at_target(path, &probe, &kind);
     free(probe.target);
     if (reason != 0) {
         return cannot_write(path, reason, err);
     }
-    if (direct) {
-        return GLINT_OK; /* opening a pipe would wait for its reader */
+    if (kind != REPLACED) {
+        return GLINT_OK; /* to a pipe's reader, opening and closing it would be the end */
     }
     glint_new_file *file;
     const glint_status status = glint_new_file_open(path, &file, err);

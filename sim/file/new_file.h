@@ -7,17 +7,26 @@
  *     return good ? glint_new_file_commit(file, err) : (glint_new_file_discard(file), status);
  *
  * An existing file keeps its permissions; a symbolic link keeps pointing to the file, which is
- * replaced. A path that names no regular file (a device, a pipe) is written to directly. */
+ * replaced. A path that names no regular file (a device, a pipe) is written to directly; a pipe
+ * once somebody reads it. */
 #ifndef GLINT_SIM_NEW_FILE_H
 #define GLINT_SIM_NEW_FILE_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
 #include "glint_status.h"
 
 typedef struct glint_new_file glint_new_file;
 
+/* How long a pipe may be without a reader before GLINT_IO_ERROR says so, seconds. */
+#define GLINT_NEW_FILE_PATIENCE 5
+
 glint_status glint_new_file_open(const char *path, glint_new_file **file, glint_error *err);
+
+/* The same, given up with GLINT_INTERRUPTED when *stop becomes true; stop may be NULL. */
+glint_status glint_new_file_open_until(const char *path, const volatile bool *stop,
+                                       glint_new_file **file, glint_error *err);
 
 /* Binary, fully buffered. Writers need not check each write: commit does. */
 FILE *glint_new_file_stream(const glint_new_file *file);

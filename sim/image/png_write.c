@@ -16,11 +16,19 @@ typedef struct writer {
     glint_error *err;
 } writer;
 
-/* libpng leaves the failing call through here and may not return. */
+static bool stopped(const volatile bool *stop)
+{
+    return stop != NULL && *stop;
+}
+
+/* libpng leaves the failing call through here and may not return. A write that waits for the reader
+ * of a pipe fails when a signal arrives. */
 static void give_up(png_structp png, png_const_charp message)
 {
     const writer *to = png_get_error_ptr(png);
-    glint_fail(to->err, GLINT_IO_ERROR, "cannot write %.400s: %s", to->path, message);
+    if (!stopped(to->stop)) {
+        glint_fail(to->err, GLINT_IO_ERROR, "cannot write %.400s: %s", to->path, message);
+    }
     png_longjmp(png, 1);
 }
 
@@ -61,14 +69,15 @@ static glint_status write_rows(const glint_image *image, const writer *to, png_s
                                png_infop info, png_bytep row)
 {
     if (setjmp(png_jmpbuf(png))) {
-        return GLINT_IO_ERROR;
+        return stopped(to->stop) ? glint_fail(to->err, GLINT_INTERRUPTED, "interrupted")
+                                 : GLINT_IO_ERROR;
     }
     png_set_IHDR(png, info, (png_uint_32)image->width, (png_uint_32)image->height, 8,
                  PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
     for (int y = 0; y < image->height; y++) {
-        if (to->stop != NULL && *to->stop) {
+        if (stopped(to->stop)) {
             return glint_fail(to->err, GLINT_INTERRUPTED, "interrupted");
         }
         join_row(image, (size_t)y, row);
@@ -111,7 +120,7 @@ glint_status glint_image_write_png_until(const glint_image *image, const char *p
                                          const volatile bool *stop, glint_error *err)
 {
     glint_new_file *file;
-    glint_status status = glint_new_file_open(path, &file, err);
+    glint_status status = glint_new_file_open_until(path, stop, &file, err);
     if (status != GLINT_OK) {
         return status;
     }
@@ -120,5 +129,8 @@ glint_status glint_image_write_png_until(const glint_image *image, const char *p
         glint_new_file_discard(file);
         return status;
     }
-    return glint_new_file_commit(file, err);
+    status = glint_new_file_commit(file, err);
+    return status == GLINT_IO_ERROR && stopped(stop)
+               ? glint_fail(err, GLINT_INTERRUPTED, "interrupted")
+               : status;
 }

@@ -261,6 +261,25 @@ static void other_streams_closed(void **state)
     }
 }
 
+/* Every command that writes to a path as it is. */
+static void pipes_that_nobody_reads(void **state)
+{
+    (void)state;
+    static const char *const commands[] = {"render --size 20x20 --out %s/unread.png",
+                                           "compare " PNG " " PNG " --diff %s/unread.png"};
+    char out[1024];
+    keep(out, scratch_path("pipes"));
+    assert_int_equal(mkdir(out, 0777), 0);
+    assert_int_equal(mkfifo(scratch_path("pipes/unread.png"), 0666), 0);
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
+        char line[2048];
+        line_of(&(writer){.line = commands[i]}, out, line);
+        outcome done = abuse_run("a pipe that nobody reads", line, &(abuse){0});
+        abuse_expect_failure(&done, line, 2, "unread.png: it is a pipe, and in 5 s nobody came");
+        abuse_forget(&done);
+    }
+}
+
 /* The last: all others have been counted. */
 static void the_counts_are_documented(void **state)
 {
@@ -278,6 +297,7 @@ int main(void)
         cmocka_unit_test(a_directory_of_someone_else),
         cmocka_unit_test(standard_output_that_is_not_taken),
         cmocka_unit_test(other_streams_closed),
+        cmocka_unit_test(pipes_that_nobody_reads),
         cmocka_unit_test(the_counts_are_documented),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);

@@ -34,6 +34,8 @@ static const victim victims[] = {
     {"render --size 5000x5000 --backend both --threads 2 --out D/a.png", NULL, false, 2,
      "interrupted"},
     {"render --model S/endless.ply --out D/a.png", NULL, false, 2, "interrupted"},
+    {"render --out S/unread.png", NULL, false, 2, "interrupted"},
+    {"render --size 3000x3000 --out S/stuck.png", NULL, false, 2, "interrupted"},
     {"verify --clocks 1000000000000 --out D/p", NULL, false, 2, "(interrupted)"},
     {"verify --clocks 1000000000000 --json --out D/p", NULL, false, 2, "\"interrupted\":\ttrue"},
     {"verify --exhaustive --gate all --pipeline all --out D/p", NULL, false, 2, "(interrupted)"},
@@ -169,11 +171,21 @@ static int write_far_packet(void)
     return 0;
 }
 
+/* A pipe that nobody reads, and one that is open for reading and never read. */
+static int make_pipes(void)
+{
+    return mkfifo(scratch_path("unread.png"), 0666) == 0 &&
+                   mkfifo(scratch_path("stuck.png"), 0666) == 0 &&
+                   open(scratch_path("stuck.png"), O_RDONLY | O_NONBLOCK | O_CLOEXEC) >= 0
+               ? 0
+               : -1;
+}
+
 static int set_up(void **state)
 {
     ignore_no_signal();
     /* The late circuit's mismatch: the run up to it and the packet take some tenths of a second. */
-    if (scratch_make(state) != 0 || write_far_packet() != 0 ||
+    if (scratch_make(state) != 0 || write_far_packet() != 0 || make_pipes() != 0 ||
         setenv("GLINT_LATE", "500000", 1) != 0) {
         return -1;
     }

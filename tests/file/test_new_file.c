@@ -3,12 +3,15 @@
 
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include <cmocka.h>
 
 #include "../scratch.h"
+
+#include "../child.h"
 #include "file/new_file.h"
 
 static void write_text(const char *path, const char *text)
@@ -119,6 +122,63 @@ static void a_full_disk_is_reported(void **state)
     assert_string_equal(err.text, "cannot write /dev/full: No space left on device");
 }
 
+static void a_pipe_that_nobody_reads_is_refused(void **state)
+{
+    (void)state;
+    glint_error err;
+    glint_new_file *file;
+    const char *path = scratch_path("unread");
+    assert_int_equal(mkfifo(path, 0666), 0);
+    assert_int_equal(glint_new_file_check(path, &err), GLINT_OK); /* a reader may come yet */
+    const double start = child_seconds();
+    assert_int_equal(glint_new_file_open(path, &file, &err), GLINT_IO_ERROR);
+    assert_true(child_seconds() - start >= GLINT_NEW_FILE_PATIENCE);
+    assert_null(file);
+    assert_non_null(strstr(err.text, path));
+    assert_non_null(strstr(err.text, "in 5 s nobody came to read it"));
+}
+
+static void waiting_for_a_reader_can_be_stopped(void **state)
+{
+    (void)state;
+    static const volatile bool stop = true;
+    glint_error err;
+    glint_new_file *file;
+    const char *path = scratch_path("stopped");
+    assert_int_equal(mkfifo(path, 0666), 0);
+    assert_int_equal(glint_new_file_open_until(path, &stop, &file, &err), GLINT_INTERRUPTED);
+    assert_null(file);
+    assert_string_equal(err.text, "interrupted");
+}
+
+/* Its reader comes late and gets everything, more than the pipe holds. */
+static void a_pipe_is_written_to(void **state)
+{
+    (void)state;
+    glint_error err;
+    glint_new_file *file;
+    char path[1024], copy[1024];
+    strcpy(path, scratch_path("pipe"));
+    strcpy(copy, scratch_path("copy"));
+    assert_int_equal(mkfifo(path, 0666), 0);
+    const char *const reader[] = {"sh", "-c", "sleep 0.3; exec cat \"$0\"", path, NULL};
+    const pid_t child = child_start(reader, copy, "/dev/null");
+    assert_int_equal(glint_new_file_check(path, &err), GLINT_OK);
+    assert_int_equal(glint_new_file_open(path, &file, &err), GLINT_OK);
+    for (int i = 0; i < 200000; i++) {
+        fputc('a' + i % 26, glint_new_file_stream(file));
+    }
+    assert_int_equal(glint_new_file_commit(file, &err), GLINT_OK);
+    assert_int_equal(child_wait(child, 20.0), 0);
+    size_t count;
+    char *got = scratch_read(copy, &count);
+    assert_int_equal(count, 200000);
+    for (int i = 0; i < 200000; i++) {
+        assert_int_equal(got[i], 'a' + i % 26);
+    }
+    free(got);
+}
+
 static void what_cannot_be_written_is_refused(void **state)
 {
     (void)state;
@@ -160,6 +220,9 @@ int main(void)
         cmocka_unit_test(a_link_stays_a_link),
         cmocka_unit_test(a_device_stays_a_device),
         cmocka_unit_test(a_full_disk_is_reported),
+        cmocka_unit_test(a_pipe_that_nobody_reads_is_refused),
+        cmocka_unit_test(waiting_for_a_reader_can_be_stopped),
+        cmocka_unit_test(a_pipe_is_written_to),
         cmocka_unit_test(what_cannot_be_written_is_refused),
         cmocka_unit_test(check_leaves_nothing),
     };
