@@ -15,6 +15,7 @@
 #include "failure/wave.h"
 #include "file/directory.h"
 #include "file/new_file.h"
+#include "file/temporary.h"
 
 #define PATH      4096
 #define DATA_MAX  (16L << 20) /* bytes of failure.json: some ten times the longest */
@@ -89,30 +90,46 @@ static glint_status check_old(const char *directory, glint_error *err)
     return status;
 }
 
-/* The directory that it is made in, in the one that it will be in. */
+/* Makes the directory that it is made in, in the one that it will be in. One of that name may be
+ * there: a process had this number before. */
+static glint_status make_beside(maker *m, const char *bare, glint_error *err)
+{
+    for (int attempt = GLINT_TEMPORARY_PACKET; attempt < GLINT_TEMPORARY_PACKET + 100; attempt++) {
+        char *beside = glint_temporary_name(bare, attempt);
+        if (beside == NULL)
+            return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+        const int written = snprintf(m->beside, sizeof m->beside, "%s", beside);
+        free(beside);
+        if (written < 0 || (size_t)written >= sizeof m->beside)
+            return glint_fail(err, GLINT_IO_ERROR, "the path is too long: %.200s…", m->directory);
+        if (mkdir(m->beside, 0777) == 0)
+            return GLINT_OK;
+        if (errno != EEXIST)
+            break;
+    }
+    return glint_fail(err, GLINT_IO_ERROR, "%s: cannot make this directory: %s", m->directory,
+                      strerror(errno));
+}
+
 static glint_status begin(maker *m, glint_error *err)
 {
-    char above[PATH];
-    size_t length = strlen(m->directory);
-    while (length > 1 && m->directory[length - 1] == '/')
-        length--;
-    size_t start = length;
-    while (start > 0 && m->directory[start - 1] != '/')
-        start--;
-    const int written =
-        snprintf(m->beside, sizeof m->beside, "%.*s.%.*s.%ld.tmp", (int)start, m->directory,
-                 (int)(length - start), m->directory + start, (long)getpid());
-    if (written < 0 || (size_t)written >= sizeof m->beside)
+    char bare[PATH], above[PATH];
+    const int written = snprintf(bare, sizeof bare, "%s", m->directory);
+    if (written < 0 || (size_t)written >= sizeof bare)
         return glint_fail(err, GLINT_IO_ERROR, "the path is too long: %.200s…", m->directory);
+    for (size_t length = strlen(bare); length > 1 && bare[length - 1] == '/'; length--)
+        bare[length - 1] = '\0';
+    const char *slash = strrchr(bare, '/');
     /* Without the slash, unless that is all there is. */
-    (void)snprintf(above, sizeof above, "%.*s", (int)(start > 1 ? start - 1 : start), m->directory);
+    const int start = slash == NULL ? 0 : slash == bare ? 1 : (int)(slash - bare);
+    (void)snprintf(above, sizeof above, "%.*s", start, bare);
     glint_status status = check_old(m->directory, err);
     if (status == GLINT_OK && start > 0)
         status = glint_directory_make(above, err);
-    if (status == GLINT_OK && mkdir(m->beside, 0777) != 0)
-        status = glint_fail(err, GLINT_IO_ERROR, "%s: cannot make this directory: %s", m->directory,
-                            strerror(errno));
-    return status;
+    if (status != GLINT_OK)
+        return status;
+    glint_temporary_sweep(bare);
+    return make_beside(m, bare, err);
 }
 
 static glint_status finish(const maker *m, glint_error *err)

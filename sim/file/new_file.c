@@ -1,5 +1,5 @@
 /* A file that appears whole or not at all; see new_file.h. */
-#define _XOPEN_SOURCE 700
+#define _GNU_SOURCE /* O_TMPFILE */
 
 #include "file/new_file.h"
 
@@ -12,11 +12,15 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "file/target.h"
+#include "file/temporary.h"
+
 #define WAIT_MILLISECONDS 50
 
 struct glint_new_file {
     char *target;    /* the name it takes at the end */
-    char *temporary; /* the name it is written under; NULL: the target itself */
+    char *temporary; /* the name it is written under; NULL: none, or the target itself */
+    int unnamed;     /* the descriptor of a file without a name; -1: it has one */
     FILE *stream;
     mode_t mode; /* permissions to keep; 0: a new file's */
 };
@@ -29,6 +33,9 @@ static glint_status cannot_write(const char *path, int reason, glint_error *err)
 
 static void free_file(glint_new_file *file)
 {
+    if (file->unnamed >= 0) {
+        close(file->unnamed);
+    }
     free(file->target);
     free(file->temporary);
     free(file);
@@ -50,8 +57,7 @@ static int look_at_target(const char *path, glint_new_file *file, target_kind *k
         if (errno != ENOENT) {
             return errno;
         }
-        file->target = strdup(path);
-        return file->target != NULL ? 0 : ENOMEM;
+        return glint_target_follow(path, &file->target); /* a link that leads to nothing yet */
     }
     if (S_ISDIR(existing.st_mode)) {
         return EISDIR;
@@ -62,37 +68,67 @@ static int look_at_target(const char *path, glint_new_file *file, target_kind *k
     }
     *kind = S_ISREG(existing.st_mode) ? REPLACED : S_ISFIFO(existing.st_mode) ? PIPE : DIRECT;
     file->mode = existing.st_mode & 07777;
-    file->target = *kind != REPLACED ? strdup(path) : realpath(path, NULL);
-    return file->target != NULL ? 0 : errno;
+    if (*kind == REPLACED) {
+        return glint_target_follow(path, &file->target);
+    }
+    file->target = strdup(path);
+    return file->target != NULL ? 0 : ENOMEM;
 }
 
 /* Creates a file of a name not yet taken in the target's directory. Not mkstemp(): that gives the
  * file permissions for its owner only. Returns the descriptor, or -1 with errno. */
 static int create_beside(glint_new_file *file)
 {
-    const char *slash = strrchr(file->target, '/');
-    const int directory_length = slash != NULL ? (int)(slash - file->target) + 1 : 0;
-    const size_t size = (size_t)directory_length + 64;
-    file->temporary = malloc(size);
-    if (file->temporary == NULL) {
-        return -1;
-    }
-    int fd = -1;
-    for (int attempt = 0; attempt < 1000; attempt++) {
-        snprintf(file->temporary, size, "%.*s.glint-%ld-%d.tmp", directory_length, file->target,
-                 (long)getpid(), attempt);
-        fd = open(file->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (fd >= 0 || errno != EEXIST) {
-            break;
+    for (int attempt = 0; attempt < GLINT_TEMPORARY_FILES; attempt++) {
+        file->temporary = glint_temporary_name(file->target, attempt);
+        const int fd = file->temporary != NULL
+                           ? open(file->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)
+                           : -1;
+        if (fd >= 0) {
+            return fd;
         }
-    }
-    if (fd < 0) {
         const int reason = errno;
         free(file->temporary);
         file->temporary = NULL; /* nothing to remove */
         errno = reason;
+        if (reason != EEXIST) {
+            break;
+        }
+    }
+    return -1;
+}
+
+/* How a file without a name is named for linkat(). */
+static void path_of_descriptor(int fd, char path[64])
+{
+    (void)snprintf(path, 64, "/proc/self/fd/%d", fd);
+}
+
+/* Creates a file without a name in the target's directory: killed, a process leaves nothing. Not
+ * every file system has them, and without /proc they could get no name later. Returns the
+ * descriptor, or -1. */
+static int create_unnamed(const glint_new_file *file)
+{
+    char path[64];
+    const char *slash = strrchr(file->target, '/');
+    char *directory =
+        slash != NULL ? strndup(file->target, (size_t)(slash - file->target) + 1) : strdup(".");
+    const int fd = directory != NULL ? open(directory, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666) : -1;
+    free(directory);
+    path_of_descriptor(fd, path);
+    if (fd >= 0 && access(path, F_OK) != 0) {
+        close(fd);
+        return -1;
     }
     return fd;
+}
+
+static int create(glint_new_file *file)
+{
+    glint_temporary_sweep(file->target);
+    file->unnamed = create_unnamed(file);
+    /* The stream's own descriptor, as the file has to outlive the stream. */
+    return file->unnamed >= 0 ? fcntl(file->unnamed, F_DUPFD_CLOEXEC, 0) : create_beside(file);
 }
 
 /* Opens a pipe once it has a reader; opening it the usual way would wait for one for ever. Returns
@@ -121,7 +157,7 @@ static int open_stream(glint_new_file *file, target_kind kind, const volatile bo
 {
     const int fd = kind == PIPE     ? open_pipe(file->target, stop)
                    : kind == DIRECT ? open(file->target, O_WRONLY | O_CLOEXEC)
-                                    : create_beside(file);
+                                    : create(file);
     if (fd < 0) {
         return errno;
     }
@@ -161,6 +197,7 @@ glint_status glint_new_file_open_until(const char *path, const volatile bool *st
     if (made == NULL) {
         return cannot_write(path, ENOMEM, err);
     }
+    made->unnamed = -1;
     target_kind kind;
     int reason = look_at_target(path, made, &kind);
     if (reason == 0) {
@@ -212,11 +249,48 @@ glint_status glint_new_file_close(glint_new_file *file, glint_error *err)
     return status;
 }
 
+/* Gives a file without a name a free one beside the target. Returns 0 or an errno. */
+static int name_beside(glint_new_file *file, const char *from)
+{
+    int reason = EEXIST;
+    for (int attempt = 0; attempt < GLINT_TEMPORARY_FILES && reason == EEXIST; attempt++) {
+        file->temporary = glint_temporary_name(file->target, attempt);
+        if (file->temporary == NULL) {
+            return ENOMEM;
+        }
+        reason =
+            linkat(AT_FDCWD, from, AT_FDCWD, file->temporary, AT_SYMLINK_FOLLOW) == 0 ? 0 : errno;
+        if (reason != 0) {
+            free(file->temporary);
+            file->temporary = NULL;
+        }
+    }
+    return reason;
+}
+
+/* Returns 0 or an errno. linkat() replaces nothing: where something has the name, the file gets
+ * another one first, for the moment until rename(). */
+static int take_name(glint_new_file *file)
+{
+    if (file->unnamed >= 0) {
+        char from[64];
+        path_of_descriptor(file->unnamed, from);
+        if (linkat(AT_FDCWD, from, AT_FDCWD, file->target, AT_SYMLINK_FOLLOW) == 0) {
+            return 0;
+        }
+        const int reason = errno == EEXIST ? name_beside(file, from) : errno;
+        if (reason != 0) {
+            return reason;
+        }
+    }
+    return file->temporary == NULL || rename(file->temporary, file->target) == 0 ? 0 : errno;
+}
+
 glint_status glint_new_file_commit(glint_new_file *file, glint_error *err)
 {
     int reason = close_stream(file);
-    if (reason == 0 && file->temporary != NULL && rename(file->temporary, file->target) != 0) {
-        reason = errno;
+    if (reason == 0) {
+        reason = take_name(file);
     }
     glint_status status = GLINT_OK;
     if (reason != 0) {

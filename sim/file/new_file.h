@@ -1,14 +1,16 @@
-/* A file that appears whole or not at all: it is written under another name in the same directory
- * and takes its own name only when everything has arrived.
+/* A file that appears whole or not at all: it is written without a name, where the file system has
+ * such files (O_TMPFILE), else under another name in the same directory, and takes its own name
+ * only when everything has arrived. What a killed process left in that directory goes when the next
+ * file is opened there (temporary.h).
  *
  *     glint_new_file *file;
  *     status = glint_new_file_open(path, &file, err);
  *     …fprintf(glint_new_file_stream(file), …) …
  *     return good ? glint_new_file_commit(file, err) : (glint_new_file_discard(file), status);
  *
- * An existing file keeps its permissions; a symbolic link keeps pointing to the file, which is
- * replaced. A path that names no regular file (a device, a pipe) is written to directly; a pipe
- * once somebody reads it. */
+ * An existing file keeps its permissions; a symbolic link is followed and stays: the file that it
+ * leads to is replaced, or made if missing. A path that names no regular file (a device, a pipe) is
+ * written to directly; a pipe once somebody reads it. */
 #ifndef GLINT_SIM_NEW_FILE_H
 #define GLINT_SIM_NEW_FILE_H
 

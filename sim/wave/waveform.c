@@ -12,6 +12,7 @@
 
 #include "file/new_file.h"
 #include "file/room.h"
+#include "file/temporary.h"
 #include "rtl/rtl.h"
 
 /* What record_scene() is to run. */
@@ -38,28 +39,61 @@ static glint_status record_scene(const void *context, const char *path, glint_er
     return status;
 }
 
-static glint_status rename_file(const char *from, const char *to, glint_error *err)
+/* The bytes of a file as a new one: a name that is a link, or there already, is treated as any
+ * output's is. */
+static glint_status copy_file(const char *from, const char *to, glint_error *err)
 {
-    if (rename(from, to) != 0)
-        return glint_fail(err, GLINT_IO_ERROR, "%s: %s", to, strerror(errno));
-    return GLINT_OK;
+    char bytes[1 << 16];
+    size_t count;
+    glint_new_file *file;
+    FILE *in = fopen(from, "rb");
+    if (in == NULL)
+        return glint_fail(err, GLINT_IO_ERROR, "%s: %s", from, strerror(errno));
+    glint_status status = glint_new_file_open(to, &file, err);
+    if (status == GLINT_OK) {
+        while ((count = fread(bytes, 1, sizeof bytes, in)) > 0)
+            (void)fwrite(bytes, 1, count, glint_new_file_stream(file));
+        if (!ferror(in))
+            status = glint_new_file_commit(file, err);
+        else {
+            status = glint_fail(err, GLINT_IO_ERROR, "%s: %s", from, strerror(errno));
+            glint_new_file_discard(file);
+        }
+    }
+    (void)fclose(in);
+    return status;
+}
+
+/* What went wrong with the file in the making is told of the one that was asked for. */
+static void name_target(const char *part, const char *path, glint_error *err)
+{
+    glint_error told;
+    const char *at = err != NULL ? strstr(err->text, part) : NULL;
+    if (at == NULL)
+        return;
+    (void)glint_fail(&told, GLINT_IO_ERROR, "%.*s%.400s%s", (int)(at - err->text), err->text, path,
+                     at + strlen(part));
+    *err = told;
 }
 
 glint_status glint_wave_write(const char *path, glint_wave_format format,
                               glint_wave_recorder *record, const void *context, glint_error *err)
 {
-    char part[4096];
-    int length = snprintf(part, sizeof part, "%s.part", path);
-    if (length < 0 || (size_t)length >= sizeof part)
-        return glint_fail(err, GLINT_IO_ERROR, "the name is too long: %s", path);
+    char *part = glint_temporary_name(path, GLINT_TEMPORARY_WAVE);
+    if (part == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+    glint_temporary_sweep(path);
     glint_status status = record(context, part, err);
     glint_wave_info info;
     if (status == GLINT_OK) /* a full disk shows here: Verilator's writer does not tell */
         status = glint_wave_read_info(part, &info, err);
     if (status == GLINT_OK)
         status = format == GLINT_WAVE_VCD ? glint_wave_fst_to_vcd(part, path, err)
-                                          : rename_file(part, path, err);
+                                          : copy_file(part, path, err);
+    if (status != GLINT_OK)
+        name_target(part, path, err);
     (void)remove(part);
+    free(part);
     return status;
 }
 

@@ -352,9 +352,7 @@ static struct {
 
 static int look_at(const char *path, const struct stat *info, int type, struct FTW *place)
 {
-    const bool making = strstr(path + place->base, ".tmp") != NULL ||
-                        strstr(path + place->base, ".part") != NULL ||
-                        strstr(path, ".tmp/") != NULL;
+    const bool making = strstr(path + place->base, ".tmp") != NULL || strstr(path, ".tmp/") != NULL;
     walk.count += type == FTW_F;
     if (making ? !walk.in_the_making : type == FTW_F && (info->st_size == 0 || !is_whole(path))) {
         (void)snprintf(walk.bad, sizeof walk.bad, "%s", path);

@@ -49,7 +49,7 @@ void abuse_expect_failure(const outcome *done, const char *command_line, int sta
                           const char *part);
 
 /* Everything in the directory and below is whole: pictures, waveforms and JSON can be read, no file
- * is empty. Names of files in the making (*.tmp, *.part, .glint-*) only if allowed. Returns how
+ * is empty. Names of files in the making (.glint-….tmp) only if allowed. Returns how
  * many files there are. */
 int abuse_expect_whole(const char *directory, bool in_the_making);
 
