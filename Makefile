@@ -209,10 +209,12 @@ TEST_PROGRAMS := $(TEST_SOURCES:%.c=$(BUILD)/%)
 
 # Circuits that are wrong on purpose, for the tests of the bench itself: gate cosine, pipelined, one
 # lane. tests/lockstep/wrong/<what>/<module>.sed is the fault, an edit of rtl/<module>.v; one that no
-# longer finds its line is an error. The test declares the table glint_wrong_<what>.
+# longer finds its line is an error. The test declares the table glint_wrong_<what>. Those of
+# tests/lockstep/deep need a long run, or a long stall, to show.
 FAULTS         := $(wildcard tests/lockstep/wrong/*/*.sed)
+DEEP_FAULTS    := $(wildcard tests/lockstep/deep/*/*.sed)
 wrong_name      = $(notdir $(patsubst %/,%,$(dir $1)))
-WRONG_OBJECTS  := $(foreach f,$(FAULTS),$(VERILATED)/wrong/$(call wrong_name,$f)/shim.o)
+WRONG_OBJECTS  := $(foreach f,$(FAULTS) $(DEEP_FAULTS),$(VERILATED)/wrong/$(call wrong_name,$f)/shim.o)
 
 # $1: what, $2: the file of the fault, $3: the module's file name
 define wrong_circuit
@@ -227,13 +229,14 @@ $(VERILATED)/wrong/$1/shim.o: $2 $(RTL) sim/rtl/specular_signals.vlt $(SHIM_SOUR
 	    -DGLINT_MODEL_GATE=GLINT_GATE_COSINE -DGLINT_MODEL_PIPELINE=GLINT_PIPELINE_PIPELINED \
 	    -DGLINT_MODEL_LANES=1 -DGLINT_MODEL_OBSERVED=true -c sim/rtl/model_shim.cpp -o $$@
 endef
-$(foreach f,$(FAULTS),$(eval $(call wrong_circuit,$(call wrong_name,$f),$f,$(notdir $(f:.sed=.v)))))
+$(foreach f,$(FAULTS) $(DEEP_FAULTS),$(eval $(call wrong_circuit,$(call wrong_name,$f),$f,$(notdir $(f:.sed=.v)))))
 
-# The same for the dividers, of twelve shifts: tests/divider/wrong/<form>/<what>/<module>.sed, and
+# The same for the dividers, of twelve shifts: tests/divider/{wrong,deep}/<form>/<what>/<module>.sed, and
 # the table glint_wrong_divider_<what>.
 DIVIDER_FAULTS  := $(wildcard tests/divider/wrong/*/*/*.sed)
+DEEP_DIVIDER_FAULTS := $(wildcard tests/divider/deep/*/*/*.sed)
 wrong_form       = $(call wrong_name,$(patsubst %/,%,$(dir $1)))
-WRONG_OBJECTS   += $(foreach f,$(DIVIDER_FAULTS),$(VERILATED)/wrong/divider_$(call wrong_name,$f)/shim.o)
+WRONG_OBJECTS   += $(foreach f,$(DIVIDER_FAULTS) $(DEEP_DIVIDER_FAULTS),$(VERILATED)/wrong/divider_$(call wrong_name,$f)/shim.o)
 
 # $1: divider_what, $2: the file of the fault, $3: the module's file name, $4: the form
 define wrong_divider
@@ -248,7 +251,7 @@ $(VERILATED)/wrong/$1/shim.o: $2 $(RTL) sim/rtl/divider_signals.vlt $(DIVIDER_SH
 	    -DGLINT_MODEL_SHIFTS=12 $(if $(filter pipelined,$4),-DGLINT_MODEL_PIPELINED) \
 	    -c sim/rtl/divider_shim.cpp -o $$@
 endef
-$(foreach f,$(DIVIDER_FAULTS),$(eval $(call wrong_divider,divider_$(call wrong_name,$f),$f,$(notdir \
+$(foreach f,$(DIVIDER_FAULTS) $(DEEP_DIVIDER_FAULTS),$(eval $(call wrong_divider,divider_$(call wrong_name,$f),$f,$(notdir \
     $(f:.sed=.v)),$(call wrong_form,$f))))
 
 WRONG_ARCHIVES  := $(foreach o,$(WRONG_OBJECTS),$(dir $o)Vwrong_$(call wrong_name,$o)__ALL.a)

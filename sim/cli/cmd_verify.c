@@ -13,6 +13,7 @@
 #include "cli/failure_output.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/verify_reach.h"
 #include "failure/shell.h"
 #include "lockstep/lockstep.h"
 
@@ -122,7 +123,9 @@ static int parse(int argc, char **argv, verify_options *chosen)
         .command = "verify",
         .summary = "Drives the C model and the Verilog with the same random inputs and compares "
                    "every register and every named internal value after every clock. A mismatch "
-                   "leaves a packet: a report, a waveform of both, and what glint replay needs.",
+                   "leaves a packet: a report, a waveform of both, and what glint replay needs. "
+                   "Says how deep it got: 100000 clocks hold 65536 enabled ones without a reset, "
+                   "1200000 hold 1048576.",
         .details = "With --exhaustive: every n and every cosine code instead of random ones; see\n"
                    "glint verify --exhaustive --help.",
         .done = "no mismatch",
@@ -257,6 +260,7 @@ typedef struct sums {
     uint64_t mismatches, comparisons, clocks;
     int settings; /* that compared anything */
     bool interrupted;
+    glint_reach_sum reach;
 } sums;
 
 static sums add_up(const verification *all)
@@ -268,6 +272,8 @@ static sums add_up(const verification *all)
         sums.comparisons += result->comparisons;
         sums.clocks += result->clocks;
         sums.settings += result->comparisons != 0;
+        if (result->clocks != 0)
+            glint_reach_sum_add(&sums.reach, &all->tasks[i].options.setting, &result->reach);
         sums.interrupted |= all->tasks[i].status == GLINT_INTERRUPTED;
     }
     return sums;
@@ -375,6 +381,7 @@ static bool print_json(const verify_options *chosen, const verification *all, co
     cJSON_AddStringToObject(json, "seed", seed);
     cJSON_AddBoolToObject(json, "interrupted", sums->interrupted);
     cJSON_AddNumberToObject(json, "seconds", seconds);
+    glint_reach_sum_json(json, &sums->reach);
     cJSON *list = cJSON_AddArrayToObject(json, "settings");
     for (int i = 0; i < all->count; i++) {
         const task *task = &all->tasks[i];
@@ -383,6 +390,7 @@ static bool print_json(const verify_options *chosen, const verification *all, co
         cJSON_AddNumberToObject(entry, "clocks", (double)task->result.clocks);
         cJSON_AddNumberToObject(entry, "comparisons", (double)task->result.comparisons);
         cJSON_AddNumberToObject(entry, "mismatches", (double)task->result.mismatches);
+        glint_reach_json(entry, &task->options.setting, &task->result.reach);
         add_failure(entry, task);
         cJSON_AddItemToArray(list, entry);
     }
@@ -395,6 +403,7 @@ static void print_text(const verify_options *chosen, const sums *sums, double se
            "%" PRIu64 " clocks, %d settings, seed %" PRId64 ", %.1f s%s\n",
            sums->mismatches, sums->comparisons, sums->clocks, sums->settings, chosen->seed, seconds,
            sums->interrupted ? " (interrupted)" : "");
+    glint_reach_sum_print(&sums->reach);
 }
 
 static int verify(const verify_options *chosen)

@@ -12,16 +12,13 @@ static uint32_t pick(glint_random *random, const uint32_t *choices, uint32_t cou
     return choices[glint_random_below(random, count)];
 }
 
-/* Time is cut into phases, each with its own mood, as for the specular device. */
+/* Each phase of the schedule has its own mood, as for the specular device. */
 static void begin_phase(glint_divider_stimulus *s)
 {
     static const uint32_t starts[] = {16, 64, 128, 255, 256};
     static const uint32_t rare_to_often[] = {0, 0, 16, 64, 160};
-    s->clocks_left = 32 + glint_random_below(&s->random, 224);
     s->start_chance = pick(&s->random, starts, 5);
-    s->stall_chance = pick(&s->random, rare_to_often, 5);
     s->miss_chance = pick(&s->random, rare_to_often, 5);
-    s->reset_chance = glint_random_chance(&s->random, 32) ? 8 : 0;
 }
 
 /* 0, the first beyond the table, or any other. */
@@ -54,13 +51,13 @@ static int16_t random_difference(glint_random *random)
 
 void glint_divider_stimulus_next(glint_divider_stimulus *s, glint_divider_inputs *in)
 {
-    if (s->clocks_left == 0)
+    bool reset, en;
+    if (glint_schedule_next(&s->schedule, &s->random, &reset, &en))
         begin_phase(s);
-    s->clocks_left--;
 
     memset(in, 0, sizeof *in);
-    in->reset = glint_random_chance(&s->random, s->reset_chance);
-    in->en = !glint_random_chance(&s->random, s->stall_chance);
+    in->reset = reset;
+    in->en = en;
     in->start = glint_random_chance(&s->random, s->start_chance);
     in->k = random_k(s);
     for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++)

@@ -1,18 +1,19 @@
 /* Random input pins for the dividers, the same for the same seed.
  *
- * What comes up: divisions back to back and with gaps, starts while a division is under way, stalls
- * by the clock enable, resets in mid-flow, every k of the table, 0 and beyond it, the largest
- * differences and all others. */
+ * What comes up: divisions back to back and with gaps, starts while a division is under way, every
+ * k of the table, 0 and beyond it, the largest differences and all others. When it resets and
+ * stalls: schedule.h. */
 #ifndef GLINT_SIM_DIVIDER_STIMULUS_H
 #define GLINT_SIM_DIVIDER_STIMULUS_H
 
 #include "glint_divider_device.h"
 #include "lockstep/random.h"
+#include "lockstep/schedule.h"
 
 typedef struct glint_divider_stimulus {
     glint_random random;
-    uint32_t clocks_left;                                           /* of the present phase */
-    uint32_t start_chance, stall_chance, reset_chance, miss_chance; /* of 256 */
+    glint_schedule schedule;
+    uint32_t start_chance, miss_chance; /* of 256, in the present phase */
 } glint_divider_stimulus;
 
 void glint_divider_stimulus_init(glint_divider_stimulus *stimulus, uint64_t seed);

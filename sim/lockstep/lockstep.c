@@ -4,6 +4,7 @@
 
 #include "lockstep/mismatch.h"
 #include "lockstep/random_pins.h"
+#include "lockstep/reach.h"
 #include "lockstep/twin.h"
 
 static bool stopped(const glint_lockstep_options *options)
@@ -15,11 +16,15 @@ static glint_status run_twin(const glint_lockstep_options *options, glint_twin *
                              glint_lockstep_result *result, glint_error *err)
 {
     glint_random_pins source;
+    glint_reach_count reach;
     glint_pins pins;
+    glint_reach_begin(&reach, &options->setting);
     glint_random_pins_begin(&source, &options->setting, options->seed);
     while (result->clocks < options->clocks) {
         glint_random_pins_next(&source, &pins);
         glint_twin_clock(twin, &pins);
+        glint_reach_clock(&reach, &pins);
+        result->reach = reach.reach;
         result->clocks++;
         glint_mismatch_compare(result, &options->setting, twin);
         if (result->clocks % 1024 == 0) {

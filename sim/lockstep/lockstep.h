@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 
+#include "lockstep/reach.h"
 #include "lockstep/setting.h"
 
 #define GLINT_MISMATCHES_KEPT 16
@@ -27,7 +28,7 @@ typedef struct glint_mismatch {
 
 typedef struct glint_lockstep_result {
     uint64_t clocks;      /* compared */
-    uint64_t comparisons; /* signals compared, all clocks together */
+    uint64_t comparisons; /* pairs of values compared, counted as each is */
     uint64_t mismatches;
     uint64_t first_clock; /* of the first mismatch */
     int kept;
@@ -38,6 +39,7 @@ typedef struct glint_lockstep_result {
         int block;
         uint64_t mismatches;
     } totals[64];
+    glint_reach reach; /* of the pins that both sides were given */
 } glint_lockstep_result;
 
 /* Runs it. GLINT_OK whatever it finds: the finding is in result. GLINT_INTERRUPTED when stopped:

@@ -42,12 +42,12 @@ void glint_mismatch_compare_values(glint_lockstep_result *result, const glint_se
 {
     const int count = glint_setting_signal_count(setting);
     for (int i = 0; i < count; i++) {
+        result->comparisons++;
         if (model[i] != rtl[i]) {
             const glint_signal_info signal = glint_setting_signal(setting, i);
             keep(result, &signal, model[i], rtl[i]);
         }
     }
-    result->comparisons += (uint64_t)count;
 }
 
 double glint_mismatch_number(const glint_signal_info *signal, uint64_t bits)

@@ -1,9 +1,10 @@
-/* Time is cut into phases of some dozen clocks, each with its own mood; so a long dense run, a
- * trickle and a storm of material changes all come up, which evenly random pins would never give.
- */
+/* Each phase of the schedule has its own mood; so a long dense run, a trickle and a storm of
+ * material changes all come up, which evenly random pins would never give. */
 #include "lockstep/stimulus.h"
 
 #include <string.h>
+
+enum { STEPS, STAYS }; /* glint_stimulus.turns */
 
 void glint_stimulus_init(glint_stimulus *stimulus, uint64_t seed, int lanes)
 {
@@ -19,12 +20,11 @@ static void begin_phase(glint_stimulus *s)
 {
     static const uint32_t rare_to_often[] = {0, 0, 16, 64, 160};
     static const uint32_t material[] = {0, 8, 64, 200, 255};
-    s->clocks_left = 16 + glint_random_below(&s->random, 112);
-    s->stall_chance = pick(&s->random, rare_to_often, 5);
     s->gap_chance = pick(&s->random, rare_to_often, 5);
     s->lane_gap_chance = pick(&s->random, rare_to_often, 5);
     s->material_chance = pick(&s->random, material, 5);
-    s->reset_chance = glint_random_chance(&s->random, 32) ? 16 : 0;
+    s->turn = glint_random_below(&s->random, (uint32_t)s->lanes);
+    s->turns = glint_random_below(&s->random, 8);
 }
 
 static uint16_t random_n(glint_random *random)
@@ -73,11 +73,22 @@ static void write_material(glint_stimulus *s, glint_specular_inputs *in)
     in->rgb_we = glint_random_chance(&s->random, s->material_chance);
 }
 
+/* Lanes one by one: each in its turn, or one for the whole phase. */
+static uint32_t next_alone(glint_stimulus *s)
+{
+    const uint32_t valid = 1u << s->turn;
+    if (s->turns == STEPS)
+        s->turn = (s->turn + 1) % (uint32_t)s->lanes;
+    return valid;
+}
+
 static uint32_t random_valid(glint_stimulus *s)
 {
     uint32_t valid = 0;
     if (glint_random_chance(&s->random, s->gap_chance))
         return 0;
+    if (s->turns == STEPS || s->turns == STAYS)
+        return next_alone(s);
     for (int i = 0; i < s->lanes; i++)
         if (!glint_random_chance(&s->random, s->lane_gap_chance))
             valid |= 1u << i;
@@ -86,13 +97,13 @@ static uint32_t random_valid(glint_stimulus *s)
 
 void glint_stimulus_next(glint_stimulus *s, glint_specular_inputs *in)
 {
-    if (s->clocks_left == 0)
+    bool reset, en;
+    if (glint_schedule_next(&s->schedule, &s->random, &reset, &en))
         begin_phase(s);
-    s->clocks_left--;
 
     memset(in, 0, sizeof *in);
-    in->reset = glint_random_chance(&s->random, s->reset_chance);
-    in->en = !glint_random_chance(&s->random, s->stall_chance);
+    in->reset = reset;
+    in->en = en;
     write_material(s, in);
     in->in_valid = random_valid(s);
     for (int i = 0; i < s->lanes; i++)

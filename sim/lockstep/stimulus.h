@@ -1,21 +1,24 @@
 /* Random input pins for the specular device, the same for the same seed and number of lanes.
  *
- * What comes up: dense runs and runs with gaps, lanes valid one by one, material written with a
- * point, between points and without any, stalls by the clock enable, resets in mid-flow, and
- * cosines of every kind: anywhere, out of range, exactly 0 and 1, inside the highlight, around its
- * limit. */
+ * What comes up: dense runs and runs with gaps, lanes valid in any pattern and one by one, material
+ * written with a point, between points and without any, and cosines of every kind: anywhere, out of
+ * range, exactly 0 and 1, inside the highlight, around its limit. When it resets and stalls:
+ * schedule.h. */
 #ifndef GLINT_SIM_STIMULUS_H
 #define GLINT_SIM_STIMULUS_H
 
 #include "glint_specular_device.h"
 #include "lockstep/random.h"
+#include "lockstep/schedule.h"
 
 typedef struct glint_stimulus {
     glint_random random;
     int lanes;
-    uint32_t n;           /* the exponent that register 2 holds, to aim at its highlight */
-    uint32_t clocks_left; /* of the present phase */
-    uint32_t stall_chance, gap_chance, lane_gap_chance, material_chance, reset_chance; /* of 256 */
+    glint_schedule schedule;
+    uint32_t n; /* the exponent that register 2 holds, to aim at its highlight */
+    uint32_t gap_chance, lane_gap_chance, material_chance; /* of 256, in the present phase */
+    uint32_t turns; /* whether lanes are valid one by one in it, and how */
+    uint32_t turn;  /* whose it is */
 } glint_stimulus;
 
 void glint_stimulus_init(glint_stimulus *stimulus, uint64_t seed, int lanes);

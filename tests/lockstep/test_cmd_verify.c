@@ -16,6 +16,8 @@
 #include "../child.h"
 #include "../cli/run.h"
 #include "glint_specular_device.h"
+#include "lockstep/random_pins.h"
+#include "lockstep/reach.h"
 
 enum {
     SECONDS = 120 /* a fraction of one; a busy machine, many times that */
@@ -142,6 +144,117 @@ static void json_says_the_same(void **state)
     forget(&done);
 }
 
+/* What the pins of a setting reached, from a run of its own: to hold the command's words against.
+ */
+static glint_reach reach_of(const glint_setting *setting, uint64_t clocks, uint64_t seed)
+{
+    static glint_reach_count count;
+    glint_random_pins source;
+    glint_random_pins_begin(&source, setting, seed);
+    glint_reach_begin(&count, setting);
+    for (uint64_t clock = 0; clock < clocks; clock++) {
+        glint_pins pins;
+        glint_random_pins_next(&source, &pins);
+        glint_reach_clock(&count, &pins);
+    }
+    return count.reach;
+}
+
+static void assert_reach(const cJSON *entry, const glint_reach *depth, const glint_reach *counts)
+{
+    const cJSON *json = cJSON_GetObjectItemCaseSensitive(entry, "reach");
+    assert_true(number(json, "clocks_without_reset") == (double)depth->run);
+    assert_true(number(json, "enabled_clocks_without_reset") == (double)depth->run_enabled);
+    assert_true(number(json, "stalls_in_a_row") == (double)depth->stall);
+    assert_true(number(json, "resets") == (double)counts->resets);
+    assert_true(number(json, "resets_in_flight") == (double)counts->resets_in_flight);
+    assert_true(number(json, "material_changes") == (double)counts->changes);
+    assert_true(number(json, "material_changes_in_flight") == (double)counts->changes_in_flight);
+}
+
+enum { REACH_CLOCKS = 30000, REACH_SEED = 12 };
+
+/* Of each setting in JSON, of all together there and in words: the least depth, the sum of counts.
+ */
+static void what_was_reached_is_told(void **state)
+{
+    (void)state;
+    char words[600];
+    glint_reach least = {0};
+    glint_reach sum = {0};
+    outcome told = run("verify --gate sign --pipeline pipelined --clocks 30000 --seed 12", "");
+    outcome done =
+        run("verify --gate sign --pipeline pipelined --clocks 30000 --seed 12 --json", "");
+    uint64_t patterns = 0;
+    assert_outcome(&told, 0, "");
+    assert_outcome(&done, 0, "");
+    cJSON *json = cJSON_Parse(done.out);
+    const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "settings");
+    for (int i = 0; i < 5; i++) {
+        const glint_setting setting = {
+            .specular = {GLINT_GATE_SIGN, GLINT_PIPELINE_PIPELINED, 1 << i}};
+        const glint_reach reach = reach_of(&setting, REACH_CLOCKS, REACH_SEED);
+        const cJSON *entry = cJSON_GetArrayItem(list, i);
+        assert_true(number(entry, "lanes") == 1 << i);
+        assert_reach(entry, &reach, &reach);
+        least.run = i == 0 || reach.run < least.run ? reach.run : least.run;
+        least.run_enabled =
+            i == 0 || reach.run_enabled < least.run_enabled ? reach.run_enabled : least.run_enabled;
+        least.stall = i == 0 || reach.stall < least.stall ? reach.stall : least.stall;
+        sum.resets += reach.resets;
+        sum.resets_in_flight += reach.resets_in_flight;
+        sum.changes += reach.changes;
+        sum.changes_in_flight += reach.changes_in_flight;
+        patterns = reach.patterns;
+        const cJSON *told_of = cJSON_GetObjectItemCaseSensitive(entry, "reach");
+        assert_true(number(told_of, "lanes_alone") == 1 << i);
+        assert_true(number(told_of, "lane_patterns") == (double)patterns);
+        assert_true(number(told_of, "lane_patterns_possible") == (1 << (1 << i)) - 1);
+    }
+    assert_reach(json, &least, &sum);
+    (void)snprintf(words, sizeof words,
+                   "reached by each setting: %" PRIu64 " clocks without a reset, %" PRIu64
+                   " enabled; %" PRIu64 " stalls in a row\n"
+                   "by all together: %" PRIu64 " resets, %" PRIu64 " of them in mid-flow; %" PRIu64
+                   " changes of material, %" PRIu64 " with points in flight\n"
+                   "valid lanes: each alone, %" PRIu64 " of 65535 patterns of 16\n",
+                   least.run, least.run_enabled, least.stall, sum.resets, sum.resets_in_flight,
+                   sum.changes, sum.changes_in_flight, patterns);
+    assert_says(told.out, words);
+    cJSON_Delete(json);
+    forget(&told);
+    forget(&done);
+}
+
+/* Starts that a busy divider does not take are told of the form that can be busy. */
+static void what_a_divider_reached_is_told(void **state)
+{
+    (void)state;
+    char words[100];
+    const glint_setting setting = {.is_divider = true, .shifts = 7};
+    const glint_reach reach = reach_of(&setting, REACH_CLOCKS, REACH_SEED);
+    outcome told = run("verify --shifts 7 --clocks 30000 --seed 12", "");
+    outcome done = run("verify --shifts 7 --clocks 30000 --seed 12 --json", "");
+    assert_outcome(&told, 0, "");
+    assert_outcome(&done, 0, "");
+    (void)snprintf(words, sizeof words, " of them in mid-flow; %" PRIu64 " starts while busy\n",
+                   reach.ignored);
+    assert_says(told.out, words);
+    cJSON *json = cJSON_Parse(done.out);
+    const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "settings");
+    for (int i = 0; i < 2; i++) {
+        const cJSON *entry = cJSON_GetArrayItem(list, i);
+        const cJSON *of = cJSON_GetObjectItemCaseSensitive(entry, "reach");
+        const bool waits =
+            strcmp(cJSON_GetStringValue(cJSON_GetObjectItem(entry, "form")), "sequential") == 0;
+        assert_int_equal(cJSON_HasObjectItem(of, "starts_while_busy"), waits);
+        assert_true(!waits || number(of, "starts_while_busy") == (double)reach.ignored);
+    }
+    cJSON_Delete(json);
+    forget(&told);
+    forget(&done);
+}
+
 static void what_makes_no_sense_is_refused(void **state)
 {
     (void)state;
@@ -222,6 +335,8 @@ int main(void)
         cmocka_unit_test(one_setting_can_be_chosen),
         cmocka_unit_test(the_seed_is_printed),
         cmocka_unit_test(json_says_the_same),
+        cmocka_unit_test(what_was_reached_is_told),
+        cmocka_unit_test(what_a_divider_reached_is_told),
         cmocka_unit_test(what_makes_no_sense_is_refused),
         cmocka_unit_test(nothing_is_left_when_all_is_well),
         cmocka_unit_test(an_interrupted_run_is_summed_up),

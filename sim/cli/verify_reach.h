@@ -1,0 +1,30 @@
+/* How `glint verify` tells what its random pins reached. */
+#ifndef GLINT_SIM_CLI_VERIFY_REACH_H
+#define GLINT_SIM_CLI_VERIFY_REACH_H
+
+#include <cjson/cJSON.h>
+
+#include "lockstep/reach.h"
+
+/* Of several settings together. */
+typedef struct glint_reach_sum {
+    glint_reach least; /* run, run_enabled and stall of the setting that has the least of each */
+    glint_reach all;   /* what can be counted together */
+    int settings;      /* added */
+    int lanes;         /* the most of any; 0: no specular device among them */
+    uint64_t patterns; /* the fewest of a setting with so many */
+    bool alone;        /* in every setting each lane took a point while no other did */
+} glint_reach_sum;
+
+/* Adds a setting that ran; begin with {0}. */
+void glint_reach_sum_add(glint_reach_sum *sum, const glint_setting *setting,
+                         const glint_reach *reach);
+
+/* Prints it as lines on standard output. */
+void glint_reach_sum_print(const glint_reach_sum *sum);
+
+/* Adds "reach" to the entry of a setting, or of all together. */
+void glint_reach_json(cJSON *entry, const glint_setting *setting, const glint_reach *reach);
+void glint_reach_sum_json(cJSON *result, const glint_reach_sum *sum);
+
+#endif

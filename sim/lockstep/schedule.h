@@ -1,0 +1,34 @@
+/* When the random pins of either circuit reset and when they stall: what reaches deep state.
+ *
+ * Time is cut into eras, each of a mixed part and a long run. The mixed part is phases of some
+ * dozen clocks, each with its own mood: no stall, a few or many, a stall of 64 clocks and more in a
+ * row, one phase in four with resets. The long run has no reset and few stalls. Its enabled clocks:
+ *
+ *   era    mixed part, clocks    long run, enabled clocks (and 4096)
+ *   0      16 384                2^16
+ *   1      8 192                 2^20
+ *   2, …   as the long run before, twice the long run before
+ *
+ * So 100 000 clocks hold 2^16 enabled ones without a reset, 1 200 000 hold 2^20, and from there on
+ * the longest run is about a quarter of all clocks or more. How long it will go on is not known
+ * here: a shorter run of the same seed is the beginning of a longer one. */
+#ifndef GLINT_SIM_SCHEDULE_H
+#define GLINT_SIM_SCHEDULE_H
+
+#include "lockstep/random.h"
+
+typedef struct glint_schedule {
+    int era;                             /* the next one's number */
+    uint64_t mixed_left;                 /* clocks of the era's mixed part */
+    uint64_t enabled_left;               /* enabled clocks of its long run */
+    uint64_t previous_run;               /* enabled clocks of the long run before */
+    uint32_t clocks_left;                /* of the phase */
+    uint32_t stall_chance, reset_chance; /* of 256 */
+} glint_schedule;
+
+/* Starts as {0}. */
+
+/* Of the next clock. True when a phase begins with it: the time to draw moods of one's own. */
+bool glint_schedule_next(glint_schedule *schedule, glint_random *random, bool *reset, bool *en);
+
+#endif
