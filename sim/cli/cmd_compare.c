@@ -5,14 +5,14 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
-#include "cli/parse.h"
+#include "cli/picture.h"
 #include "file/same.h"
 #include "image/image.h"
 
 typedef struct compare_options {
     const char *a, *b;
     const char *diff; /* NULL: no difference picture */
-    bool json;
+    bool json, force;
 } compare_options;
 
 static int parse(int argc, char **argv, compare_options *chosen)
@@ -20,9 +20,10 @@ static int parse(int argc, char **argv, compare_options *chosen)
     const glint_option options[] = {
         {.name = "diff",
          .placeholder = "FILE.png",
-         .help = "write a picture of where and how much they differ",
+         .help = "write a picture of where and how much they differ; - is standard output",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->diff},
+        GLINT_FORCE_OPTION(&chosen->force),
         {.name = "json",
          .help = "the answer as JSON (psnr null: infinite)",
          .kind = GLINT_OPTION_FLAG,
@@ -40,6 +41,7 @@ static int parse(int argc, char **argv, compare_options *chosen)
         .summary = "Compares two pictures of one size, A the reference: pixels that differ, the "
                    "largest difference of a component, and NMSE and PSNR over the object (where "
                    "alpha is above 0 in either).",
+        .details = GLINT_PICTURE_DETAILS,
         .done = "the pictures are equal",
         .different = "they differ",
         .examples = examples,
@@ -56,20 +58,20 @@ static bool equal(const glint_image_difference *difference)
     return difference->differing_pixels == 0 && difference->mask_pixels == 0;
 }
 
-static void print_text(const glint_image_difference *difference)
+static void print_text(FILE *out, const glint_image_difference *difference)
 {
-    printf("%" PRIu64 " differing pixels of %" PRIu64 ", largest difference %d of 255\n",
-           difference->differing_pixels, difference->pixels, difference->largest);
+    fprintf(out, "%" PRIu64 " differing pixels of %" PRIu64 ", largest difference %d of 255\n",
+            difference->differing_pixels, difference->pixels, difference->largest);
     if (difference->mask_pixels > 0) {
-        printf("%" PRIu64 " pixels are the object's in one picture only\n",
-               difference->mask_pixels);
+        fprintf(out, "%" PRIu64 " pixels are the object's in one picture only\n",
+                difference->mask_pixels);
     }
     if (!equal(difference)) {
-        printf("first at x=%d y=%d\n", difference->first_x, difference->first_y);
+        fprintf(out, "first at x=%d y=%d\n", difference->first_x, difference->first_y);
     }
-    printf("over the object's %" PRIu64 " pixels: NMSE %.6g (%s), PSNR %.4g dB\n",
-           difference->object_pixels, difference->nmse, glint_image_reading(difference->nmse),
-           difference->psnr);
+    fprintf(out, "over the object's %" PRIu64 " pixels: NMSE %.6g (%s), PSNR %.4g dB\n",
+            difference->object_pixels, difference->nmse, glint_image_reading(difference->nmse),
+            difference->psnr);
 }
 
 static bool print_json(const glint_image_difference *difference)
@@ -94,7 +96,7 @@ static glint_status write_difference(const glint_image *a, const glint_image *b,
     glint_image *picture;
     glint_status status = glint_image_difference_picture(a, b, &picture, err);
     if (status == GLINT_OK) {
-        status = glint_image_write_png_until(picture, path, glint_stop_flag(), err);
+        status = glint_picture_write(picture, path, err);
     }
     glint_image_destroy(picture);
     return status;
@@ -104,7 +106,7 @@ static glint_status write_difference(const glint_image *a, const glint_image *b,
 static int report(const compare_options *chosen, const glint_image_difference *difference)
 {
     if (!chosen->json) {
-        print_text(difference);
+        print_text(glint_picture_talk(chosen->diff), difference);
     } else if (!print_json(difference)) {
         return glint_complain("compare", GLINT_EXIT_TROUBLE, "no memory");
     }
@@ -118,16 +120,20 @@ int glint_cmd_compare(int argc, char **argv)
     if (parsed != GLINT_OPTIONS_RUN) {
         return parsed;
     }
-    if (chosen.diff != NULL && !glint_is_png_name(chosen.diff)) {
-        return glint_complain("compare", GLINT_EXIT_TROUBLE,
-                              "--diff: %s: pictures are written as PNG: name it .png", chosen.diff);
-    }
     if (chosen.diff != NULL &&
         (glint_file_same(chosen.diff, chosen.a) || glint_file_same(chosen.diff, chosen.b))) {
         return glint_complain("compare", GLINT_EXIT_TROUBLE,
                               "--diff: %s is one of the pictures compared", chosen.diff);
     }
     glint_error err;
+    if (chosen.diff != NULL && chosen.json && glint_picture_is_stdout(chosen.diff)) {
+        return glint_complain("compare", GLINT_EXIT_TROUBLE,
+                              "--json: --diff - has taken standard output");
+    }
+    if (chosen.diff != NULL &&
+        glint_picture_check("diff", chosen.diff, chosen.force, &err) != GLINT_OK) {
+        return glint_complain_error("compare", &err);
+    }
     glint_image *a = NULL;
     glint_image *b = NULL;
     glint_image_difference difference;

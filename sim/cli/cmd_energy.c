@@ -13,8 +13,10 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/parse.h"
+#include "cli/picture.h"
 #include "energy/furnace.h"
 #include "file/directory.h"
+#include "file/kind.h"
 #include "file/new_file.h"
 #include "report/place.h"
 
@@ -33,7 +35,7 @@ typedef struct energy_options {
     int method;
     int64_t samples, seed, threads, width;
     double f0;
-    bool furnace, json, n_given, samples_given, seed_given, width_given;
+    bool furnace, json, force, n_given, samples_given, seed_given, width_given;
 } energy_options;
 
 /* What is asked for, and how far it is. */
@@ -127,6 +129,7 @@ static int parse(int argc, char **argv, energy_options *chosen)
          .help = "the results are the same",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, THREADS_MAX}},
+        GLINT_FORCE_OPTION(&chosen->force),
         {.name = "json",
          .help = "the summary as JSON",
          .kind = GLINT_OPTION_FLAG,
@@ -291,6 +294,24 @@ static glint_status write_table(const char *directory, const glint_energy_table 
             write_cell(out, plan, glint_energy_at(table, model, i, j));
         }
     return glint_new_file_commit(file, err);
+}
+
+/* Before the long work: whether each file may take the place of what is there. */
+static glint_status check_files(const run *all, glint_error *err)
+{
+    char name[64] = "furnace.png";
+    glint_place place;
+    glint_status status = GLINT_OK;
+    for (int i = all->chosen->furnace ? -1 : 0; i < all->plan.model_count && status == GLINT_OK;
+         i++) {
+        if (i >= 0)
+            (void)snprintf(name, sizeof name, "albedo-%s.csv",
+                           glint_reflectance_names[all->model[i]]);
+        status = glint_place_in(all->chosen->out, name, &place, err);
+        if (status == GLINT_OK && !all->chosen->force)
+            status = glint_file_replaceable(place.path, err);
+    }
+    return status;
 }
 
 static glint_status write_furnace(const run *all, const glint_energy_table *table, glint_error *err)
@@ -478,7 +499,8 @@ static int start(run *all)
 {
     glint_error err;
     fill_plan(all);
-    if (all->chosen->out != NULL && glint_directory_make(all->chosen->out, &err) != GLINT_OK)
+    if (all->chosen->out != NULL && (glint_directory_make(all->chosen->out, &err) != GLINT_OK ||
+                                     check_files(all, &err) != GLINT_OK))
         return glint_complain_error("energy", &err);
     all->json = cJSON_CreateArray();
     return all->json != NULL ? glint_output_finish("energy", do_all(all))

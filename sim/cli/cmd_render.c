@@ -9,6 +9,7 @@
 #include "cli/failure_output.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/picture.h"
 #include "cli/render_options.h"
 #include "cli/render_report.h"
 #include "failure/frame.h"
@@ -111,11 +112,10 @@ static glint_status write_difference(const glint_render_result *result, const ou
     glint_status status = glint_image_difference_picture(result->frame[0].image,
                                                          result->frame[1].image, &picture, err);
     if (status == GLINT_OK) {
-        status = glint_image_write_png_until(picture, files->diff, glint_stop_flag(), err);
+        status = glint_picture_write(picture, files->diff, err);
     }
     glint_image_destroy(picture);
-    return status == GLINT_OK ? glint_image_write_png_until(result->frame[0].image, files->frame_c,
-                                                            glint_stop_flag(), err)
+    return status == GLINT_OK ? glint_picture_write(result->frame[0].image, files->frame_c, err)
                               : status;
 }
 
@@ -123,8 +123,7 @@ static glint_status write_all(const glint_render_result *result, const outputs *
                               glint_error *err)
 {
     const glint_render_frame *last = &result->frame[result->frame_count - 1];
-    const glint_status status =
-        glint_image_write_png_until(last->image, files->frame, glint_stop_flag(), err);
+    const glint_status status = glint_picture_write(last->image, files->frame, err);
     return status == GLINT_OK && glint_render_differs(result) ? write_difference(result, files, err)
                                                               : status;
 }
@@ -136,12 +135,14 @@ static glint_status check_outputs(const glint_render_options *chosen, const outp
     if (glint_file_same(chosen->what.model, files->frame)) {
         return glint_fail(err, GLINT_BAD_ARGUMENT, "--out: %s is the model itself", files->frame);
     }
-    glint_status status = glint_new_file_check(files->frame, err);
-    if (status == GLINT_OK && chosen->both) {
-        status = glint_new_file_check(files->frame_c, err);
-    }
-    if (status == GLINT_OK && chosen->both) {
-        status = glint_new_file_check(files->diff, err);
+    const char *const pictures[] = {files->frame, files->frame_c, files->diff};
+    const int count = chosen->both ? 3 : 1;
+    glint_status status = GLINT_OK;
+    for (int i = 0; i < count && status == GLINT_OK; i++) {
+        status = glint_picture_check("out", pictures[i], chosen->force, err);
+        if (status == GLINT_OK && !glint_picture_is_stdout(pictures[i])) {
+            status = glint_new_file_check(pictures[i], err);
+        }
     }
     return status;
 }
@@ -207,8 +208,11 @@ static int report(const glint_render_options *chosen, const char *command, const
     const bool differs = glint_render_differs(result);
     bool explained = false;
     if (!chosen->json) {
-        glint_render_report_text(chosen, result);
-        printf("wrote %s\n", files->frame);
+        FILE *out = glint_picture_talk(files->frame);
+        glint_render_report_text(out, chosen, result);
+        if (!glint_picture_is_stdout(files->frame)) {
+            fprintf(out, "wrote %s\n", files->frame);
+        }
         if (!differs && chosen->both) {
             tell_of_earlier(files);
         }

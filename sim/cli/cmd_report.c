@@ -10,6 +10,8 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/parse.h"
+#include "cli/picture.h"
+#include "file/kind.h"
 #include "report/divider_report.h"
 #include "report/file_text.h"
 #include "report/place.h"
@@ -18,7 +20,7 @@
 typedef struct report_options {
     const char *subject, *out;
     int64_t threads;
-    bool quick, json;
+    bool quick, json, force;
 } report_options;
 
 static int parse(int argc, char **argv, report_options *chosen)
@@ -38,6 +40,7 @@ static int parse(int argc, char **argv, report_options *chosen)
          .help = "the whole report on coarser grids and with smaller frames, in seconds",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->quick},
+        GLINT_FORCE_OPTION(&chosen->force),
         {.name = "json",
          .help = "print what index.json (divider.json) holds instead of the summary",
          .kind = GLINT_OPTION_FLAG,
@@ -85,6 +88,31 @@ static int parse(int argc, char **argv, report_options *chosen)
         return glint_complain("report", GLINT_EXIT_TROUBLE,
                               "--quick goes with the whole report, not with divider");
     return status;
+}
+
+/* Before the long work: whether the documents may take the place of what is there. A page without
+ * the numbers beside it is no report's. */
+static int check_files(const report_options *chosen)
+{
+    static const char *const whole[] = {"index.json", "index.md", "index.html", NULL};
+    static const char *const divider[] = {"divider.json", "divider.md", NULL};
+    const char *const *names = chosen->subject != NULL ? divider : whole;
+    bool numbers = false;
+    for (int i = 0; names[i] != NULL && !chosen->force; i++) {
+        glint_place place;
+        glint_error err;
+        if (glint_place_in(chosen->out, names[i], &place, &err) != GLINT_OK ||
+            glint_file_replaceable(place.path, &err) != GLINT_OK)
+            return glint_complain_error("report", &err);
+        const bool there = access(place.path, F_OK) == 0;
+        numbers = i == 0 ? there : numbers;
+        if (there && !numbers)
+            return glint_complain("report", GLINT_EXIT_TROUBLE,
+                                  "%s is there and is of no report: take another directory, or "
+                                  "--force",
+                                  place.path);
+    }
+    return GLINT_OPTIONS_RUN;
 }
 
 static void print_claims(const glint_claims *claims)
@@ -220,5 +248,8 @@ int glint_cmd_report(int argc, char **argv)
     const int parsed = parse(argc, argv, &chosen);
     if (parsed != GLINT_OPTIONS_RUN)
         return parsed;
+    const int refused = check_files(&chosen);
+    if (refused != GLINT_OPTIONS_RUN)
+        return refused;
     return chosen.subject != NULL ? on_divider(&chosen) : on_everything(&chosen);
 }

@@ -7,7 +7,9 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/parse.h"
+#include "cli/picture.h"
 #include "cli/scene_options.h"
+#include "file/kind.h"
 #include "study/make.h"
 #include "study/table.h"
 
@@ -16,7 +18,7 @@ typedef struct study_options {
     const char *out, *n;
     const char *method[2];
     int64_t frames;
-    bool json;
+    bool json, force;
 } study_options;
 
 static const char details[] =
@@ -37,7 +39,7 @@ static const char details[] =
     "and a times.csv of an earlier study that this one does not write are removed.\n"
     "\n" GLINT_COLOR_DETAILS;
 
-#define OWN_ROWS   6
+#define OWN_ROWS   7
 #define TABLE_ROWS (OWN_ROWS + GLINT_SCENE_OPTIONS)
 
 static int parse(int argc, char **argv, study_options *chosen)
@@ -68,6 +70,7 @@ static int parse(int argc, char **argv, study_options *chosen)
          .help = "frames of each that are timed, for each n; 0: none",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->frames, 0, GLINT_STUDY_FRAMES_MAX}},
+        GLINT_FORCE_OPTION(&chosen->force),
         {.name = "json",
          .help = "what study.json and times.csv hold, as JSON",
          .kind = GLINT_OPTION_FLAG,
@@ -238,12 +241,32 @@ static void show_progress(void *context, int done, int count)
     glint_progress_update(context, (uint64_t)done, (uint64_t)count);
 }
 
+/* Before the long work: whether each file may take the place of what is there. */
+static glint_status check_files(const glint_study_options *study, glint_error *err)
+{
+    static const char *const fixed[] = {"sheet.png", "study.csv", "study.json", "times.csv"};
+    glint_status status = GLINT_OK;
+    for (int i = 0; i < study->count + 4 && status == GLINT_OK; i++) {
+        char path[4096];
+        const int length =
+            i < 4 ? snprintf(path, sizeof path, "%s/%s", study->directory, fixed[i])
+                  : snprintf(path, sizeof path, "%s/n-%04d.png", study->directory, study->n[i - 4]);
+        if (length > 0 && (size_t)length < sizeof path) { /* else refused where it is opened */
+            status = glint_file_replaceable(path, err);
+        }
+    }
+    return status;
+}
+
 static glint_status work(const study_options *chosen, glint_study_options *study,
                          glint_study_row *rows, bool *words, glint_error *err)
 {
     glint_mesh *mesh = NULL;
     glint_progress progress;
-    glint_status status = glint_scene_options_mesh(&chosen->scene, &mesh, err);
+    glint_status status = chosen->force ? GLINT_OK : check_files(study, err);
+    if (status == GLINT_OK) {
+        status = glint_scene_options_mesh(&chosen->scene, &mesh, err);
+    }
     if (status == GLINT_OK) {
         study->setup.scene.mesh = mesh;
         study->progress = show_progress;

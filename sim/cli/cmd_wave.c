@@ -4,8 +4,10 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/picture.h"
 #include "failure/shell.h"
 #include "file/directory.h"
+#include "file/kind.h"
 #include "rtl/rtl.h"
 #include "wave/divider_wave.h"
 #include "wave/save_file.h"
@@ -21,7 +23,7 @@ typedef struct wave_options {
     const char *out;
     int circuit, gate, pipeline, format;
     int64_t lanes, shifts, from, to;
-    bool json;
+    bool json, force;
     bool of_specular, of_divider; /* an option that only this circuit has was given */
 } wave_options;
 
@@ -77,6 +79,7 @@ static int parse(int argc, char **argv, wave_options *chosen)
          .help = "last clock of the specular device's window",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->to, 1, GLINT_WAVE_SCENE_CLOCKS}},
+        GLINT_FORCE_OPTION(&chosen->force),
         {.name = "json",
          .help = "the files as JSON",
          .kind = GLINT_OPTION_FLAG,
@@ -160,6 +163,10 @@ static int name_files(const wave_options *chosen, const char *name, wave_files *
     if (!name_file(files->waveform, chosen->out, name, format_choices[chosen->format]) ||
         !name_file(files->save_file, chosen->out, name, "gtkw"))
         return glint_complain("wave", GLINT_EXIT_TROUBLE, "--out: the path is too long");
+    glint_error err;
+    if (!chosen->force && (glint_file_replaceable(files->waveform, &err) != GLINT_OK ||
+                           glint_file_replaceable(files->save_file, &err) != GLINT_OK))
+        return glint_complain_error("wave", &err);
     return GLINT_EXIT_OK;
 }
 

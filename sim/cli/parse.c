@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 bool glint_parse_integer(const char *token, int64_t min, int64_t max, int64_t *value)
 {
@@ -204,19 +203,6 @@ bool glint_parse_color(const char *token, glint_rgb *value)
         }
     }
     return parse_rgb(token, value);
-}
-
-bool glint_is_png_name(const char *path)
-{
-    static const char *const others[] = {".jpg", ".jpeg", ".gif",  ".bmp", ".tif", ".tiff",
-                                         ".ppm", ".pgm",  ".webp", ".svg", ".pdf", ".avif"};
-    const char *suffix = strrchr(path, '.');
-    for (size_t i = 0; suffix != NULL && i < sizeof others / sizeof others[0]; i++) {
-        if (strcasecmp(suffix, others[i]) == 0) {
-            return false;
-        }
-    }
-    return true;
 }
 
 /* Writes one character as a message shows it; returns how many characters that took. */

@@ -37,9 +37,6 @@ bool glint_parse_color(const char *token, glint_rgb *value);
 #define GLINT_COLOR_FORMS                                                                          \
     "R,G,B (0 to 255), #rrggbb, hsv:H,S,V (0 to 360, %, %) or cmyk:C,M,Y,K (%)"
 
-/* False for a name by which people and programs know pictures of another kind, such as .jpg. */
-bool glint_is_png_name(const char *path);
-
 /* Copies the next part of text, up to separator or the end, into part; returns what follows it, or
  * NULL at the end of text. A part too long for any number comes out empty, which no number is. */
 const char *glint_next_part(const char *text, char separator, char part[64]);

@@ -6,6 +6,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/parse.h"
+#include "cli/picture.h"
 
 /* What the option table fills, beside the scene. */
 typedef struct raw_options {
@@ -13,7 +14,7 @@ typedef struct raw_options {
     const char *out, *specular;
     int64_t n, shifts;
     int shading, backend, gate, pipeline, lanes;
-    bool json;
+    bool json, force;
 } raw_options;
 
 static const char *const backend_names[] = {"c", "rtl", "real", "both", NULL};
@@ -48,12 +49,12 @@ static const char details[] =
     "--specular puts a model's value in the place of W, from cosines that no code has\n"
     "rounded: of N.H, for phong of R.V; for cook-torrance and torrance-sparrow Rs of\n"
     "(1.4), of roughness sqrt(2/(n+2)); lambert: no highlight, diffuse light alone.\n"
-    "\n" GLINT_COLOR_DETAILS "\n"
+    "\n" GLINT_COLOR_DETAILS "\n" GLINT_PICTURE_DETAILS "\n"
     "--backend both renders by c and by rtl and compares. Where they differ, FILE.png\n"
     "is the frame of rtl, FILE-c.png that of c, FILE-diff.png shows the difference,\n"
     "FILE-failure is a packet for glint replay.";
 
-#define OWN_ROWS   10
+#define OWN_ROWS   11
 #define TABLE_ROWS (OWN_ROWS + GLINT_SCENE_OPTIONS)
 
 static void fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
@@ -61,7 +62,7 @@ static void fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
     const glint_option own[OWN_ROWS] = {
         {.name = "out",
          .placeholder = "FILE.png",
-         .help = "the picture",
+         .help = "the picture; - is standard output",
          .required = true,
          .kind = GLINT_OPTION_STRING,
          .string = &raw->out},
@@ -99,6 +100,7 @@ static void fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .help = "cosines a clock in the Verilog",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&raw->lanes, lane_names}},
+        GLINT_FORCE_OPTION(&raw->force),
         {.name = "json",
          .help = "the figures as JSON",
          .kind = GLINT_OPTION_FLAG,
@@ -170,9 +172,11 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
     if (status != GLINT_OPTIONS_RUN) {
         return status;
     }
-    if (!glint_is_png_name(raw.out)) {
-        return glint_complain("render", GLINT_EXIT_TROUBLE,
-                              "--out: %s: pictures are written as PNG: name it .png", raw.out);
+    if (glint_picture_is_stdout(raw.out) && (raw.json || raw.backend == BACKEND_BOTH)) {
+        return glint_complain("render", GLINT_EXIT_TROUBLE, "%s",
+                              raw.json ? "--json: --out - has taken standard output"
+                                       : "--backend both: --out - has no room for the pictures of "
+                                         "a difference: name a file");
     }
     const bool both = raw.backend == BACKEND_BOTH;
     *chosen = (glint_render_options){
@@ -184,6 +188,7 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
                     .lanes = lane_counts[raw.lanes]},
         .scene = glint_scene_options_scene(&raw.scene),
         .out = raw.out,
+        .force = raw.force,
         .json = raw.json,
     };
     chosen->scene.n = (uint16_t)raw.n;

@@ -11,7 +11,7 @@ typedef struct glint_render_options {
     glint_backend_config backend;
     glint_scene scene; /* all but the mesh */
     const char *out;
-    bool json;
+    bool json, force;
 } glint_render_options;
 
 /* Returns GLINT_OPTIONS_RUN with *chosen filled, or the exit status to leave with. */

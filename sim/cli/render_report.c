@@ -18,12 +18,12 @@ static double per_second(double count, const glint_render_stats *stats)
     return stats->seconds > 0.0 ? count / stats->seconds : 0.0;
 }
 
-static void print_frame(const glint_render_frame *frame)
+static void print_frame(FILE *out, const glint_render_frame *frame)
 {
     const glint_render_stats *stats = &frame->stats;
-    printf("%-5s%10.6f s, %8.1f frames/s, %8.2f million fragments/s\n",
-           glint_backend_names[frame->kind], stats->seconds, per_second(1.0, stats),
-           1e-6 * per_second((double)stats->fragments, stats));
+    fprintf(out, "%-5s%10.6f s, %8.1f frames/s, %8.2f million fragments/s\n",
+            glint_backend_names[frame->kind], stats->seconds, per_second(1.0, stats),
+            1e-6 * per_second((double)stats->fragments, stats));
 }
 
 static bool divider_works(const glint_render_options *chosen)
@@ -32,27 +32,29 @@ static bool divider_works(const glint_render_options *chosen)
            chosen->backend.kind != GLINT_BACKEND_REAL;
 }
 
-void glint_render_report_text(const glint_render_options *chosen, const glint_render_result *result)
+void glint_render_report_text(FILE *out, const glint_render_options *chosen,
+                              const glint_render_result *result)
 {
     const glint_render_stats *stats = &result->frame[0].stats;
-    printf("%s, %dx%d: %" PRIu64 " triangles, %" PRIu64 " drawn, %" PRIu64 " fragments\n",
-           chosen->what.model, chosen->what.width, chosen->what.height, stats->triangles,
-           stats->drawn, stats->fragments);
-    printf("%s: %" PRIu64 " highlights", glint_shading_names[chosen->scene.shading],
-           stats->highlights);
+    fprintf(out, "%s, %dx%d: %" PRIu64 " triangles, %" PRIu64 " drawn, %" PRIu64 " fragments\n",
+            chosen->what.model, chosen->what.width, chosen->what.height, stats->triangles,
+            stats->drawn, stats->fragments);
+    fprintf(out, "%s: %" PRIu64 " highlights", glint_shading_names[chosen->scene.shading],
+            stats->highlights);
     if (chosen->scene.by_model) {
-        printf(" by %s", glint_reflectance_names[chosen->scene.specular]);
+        fprintf(out, " by %s", glint_reflectance_names[chosen->scene.specular]);
     }
     if (divider_works(chosen)) {
-        printf(", %" PRIu64 " divisions with %d shifts", stats->divisions, chosen->scene.shifts);
+        fprintf(out, ", %" PRIu64 " divisions with %d shifts", stats->divisions,
+                chosen->scene.shifts);
     }
-    putchar('\n');
+    fputc('\n', out);
     for (int i = 0; i < result->frame_count; i++) {
-        print_frame(&result->frame[i]);
+        print_frame(out, &result->frame[i]);
     }
     if (result->frame_count == 2) {
-        printf("%" PRIu64 " differing pixels of %" PRIu64 "\n", result->difference.differing_pixels,
-               result->difference.pixels);
+        fprintf(out, "%" PRIu64 " differing pixels of %" PRIu64 "\n",
+                result->difference.differing_pixels, result->difference.pixels);
     }
 }
 

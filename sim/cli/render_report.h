@@ -2,6 +2,8 @@
 #ifndef GLINT_SIM_CLI_RENDER_REPORT_H
 #define GLINT_SIM_CLI_RENDER_REPORT_H
 
+#include <stdio.h>
+
 #include "cli/render_options.h"
 
 /* One frame by one backend. */
@@ -21,7 +23,7 @@ typedef struct glint_render_result {
 /* True when there are two frames and they are not the same picture. */
 bool glint_render_differs(const glint_render_result *result);
 
-void glint_render_report_text(const glint_render_options *chosen,
+void glint_render_report_text(FILE *out, const glint_render_options *chosen,
                               const glint_render_result *result);
 
 /* packet: where the packet of a difference is, or NULL. Returns false when memory ran out. */

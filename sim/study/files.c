@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "file/directory.h"
+#include "file/kind.h"
 #include "file/new_file.h"
 #include "study/make.h"
 
@@ -120,7 +121,7 @@ static glint_status remove_file(const glint_study_files *files, const char *name
     struct stat info;
     const glint_status status = path_of(files, name, path, err);
     if (status != GLINT_OK || lstat(path, &info) != 0 || S_ISDIR(info.st_mode) ||
-        unlink(path) == 0) {
+        glint_file_replaceable(path, NULL) != GLINT_OK || unlink(path) == 0) {
         return status;
     }
     return glint_fail(err, GLINT_IO_ERROR, "cannot remove %.400s, of an earlier study: %s", path,

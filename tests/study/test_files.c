@@ -52,8 +52,9 @@ static void a_study_replaces_the_one_before(void **state)
     (void)state;
     glint_error err;
     write_before("study.csv");
-    write_before("times.csv");
-    write_before("n-0002.png");
+    scratch_write(scratch_path("times.csv"), "n,frames", 8);
+    scratch_write(scratch_path("n-0002.png"), "\x89PNG\r\n\x1a\n", 8);
+    write_before("n-0003.png"); /* no picture of a study */
     write_before("notes.txt");
     write_before("n-2.png");
     assert_int_equal(write_study(scratch_directory, &err), GLINT_OK);
@@ -63,6 +64,7 @@ static void a_study_replaces_the_one_before(void **state)
     assert_int_equal(access(scratch_path("n-0002.png"), F_OK), -1);
     assert_holds("notes.txt", "of before");
     assert_holds("n-2.png", "of before");
+    assert_holds("n-0003.png", "of before");
 }
 
 /* As nobody, since root may read everything: 0 when the study fails as it must. */
