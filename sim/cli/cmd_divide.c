@@ -29,6 +29,15 @@ typedef struct row {
     int component;
 } row;
 
+/* The numbers of a row, as text. There are as many divisions as differences and lengths, far fewer
+ * than rows: finding the fewest decimals takes much longer than a division. */
+#define DIFFERENCES (2 * GLINT_DIVIDER_DIFFERENCE_MAX + 1)
+typedef struct numbers {
+    bool known;
+    int32_t code;
+    char text[3][32]; /* quotient, exact, error */
+} numbers;
+
 /* Rows that are divided together. Neighbours of one k are components of one division. */
 typedef struct run {
     glint_divider_backend *backend;
@@ -39,6 +48,8 @@ typedef struct run {
     row rows[RUN_MAX];
     glint_division divisions[RUN_MAX];
     glint_quotients quotients[RUN_MAX];
+    glint_columns columns;
+    numbers numbers[DIFFERENCES][GLINT_DIVIDER_K_MAX]; /* k from 1 on */
 } run;
 
 static int parse(int argc, char **argv, divide_options *chosen)
@@ -76,7 +87,9 @@ static int parse(int argc, char **argv, divide_options *chosen)
             "A line is: difference k, with a blank or a comma between. difference is -255 to\n"
             "255; k, the length of the span, is 1 to 16, what the circuit's table holds: a k\n"
             "that the circuit flags as outside its table ends the run with exit status 2.\n"
-            "Blank lines and lines that begin with # are skipped.\n"
+            "Blank lines and lines that begin with # are skipped. The first line may be a\n"
+            "header, as of what was printed: the columns difference and k are taken by name,\n"
+            "others passed over.\n"
             "\n"
             "The columns printed are difference,k,shifts,quotient_code,quotient,exact,error:\n"
             "quotient is quotient_code/2^shifts, exact is difference/k, error is their\n"
@@ -90,25 +103,42 @@ static int parse(int argc, char **argv, divide_options *chosen)
 
 /* The fewest decimals that read back as the same number, never with an exponent: values are below
  * 256, and above 10⁻⁸ where they are not 0. */
-static void print_real(double value)
+static void write_real(double value, char text[32])
 {
-    char text[64];
-    for (int decimals = 0; decimals <= 40; decimals++) {
-        snprintf(text, sizeof text, "%.*f", decimals, value);
+    for (int decimals = 0; decimals <= 28; decimals++) {
+        (void)snprintf(text, 32, "%.*f", decimals, value);
         if (strtod(text, NULL) == value)
             break;
     }
-    fputs(text, stdout);
 }
 
-static void print_row(const run *all, const row *r)
+static void fill_numbers(numbers *of, int shifts, int32_t difference, int32_t k, int32_t code)
+{
+    const int32_t one = INT32_C(1) << shifts;
+    /* Integers up to the one division: each is the double nearest to the true value. */
+    const double values[] = {(double)code / one, (double)difference / k,
+                             (double)(code * k - difference * one) / (double)(k * one)};
+    for (int i = 0; i < 3; i++)
+        write_real(values[i], of->text[i]);
+    of->known = true;
+    of->code = code;
+}
+
+/* Of a row whose k is in the table. A wrong circuit may answer the same division twice with
+ * different codes. */
+static const numbers *numbers_of(run *all, const row *r, int32_t code)
+{
+    numbers *of = &all->numbers[r->difference + GLINT_DIVIDER_DIFFERENCE_MAX][r->k - 1];
+    if (!of->known || of->code != code)
+        fill_numbers(of, all->shifts, r->difference, r->k, code);
+    return of;
+}
+
+static void print_row(run *all, const row *r)
 {
     static const char *const names[] = {"quotient", "exact", "error"};
     const int32_t code = all->quotients[r->division].code[r->component];
-    const int32_t one = INT32_C(1) << all->shifts;
-    /* Integers up to the one division: each is the double nearest to the true value. */
-    const double values[] = {(double)code / one, (double)r->difference / r->k,
-                             (double)(code * r->k - r->difference * one) / (double)(r->k * one)};
+    const numbers *of = numbers_of(all, r, code);
     printf(all->json ? "%s\n{\"difference\":%" PRId32 ",\"k\":%" PRId32
                        ",\"shifts\":%d,\"quotient_code\":%" PRId32
                      : "%s%" PRId32 ",%" PRId32 ",%d,%" PRId32,
@@ -118,7 +148,7 @@ static void print_row(const run *all, const row *r)
             printf(",\"%s\":", names[i]);
         else
             putchar(',');
-        print_real(values[i]);
+        fputs(of->text[i], stdout);
     }
     fputs(all->json ? "}" : "\n", stdout);
 }
@@ -184,12 +214,13 @@ static int add_row(run *all, uint64_t line, int32_t difference, int32_t k)
     return all->row_count == all->limit ? flush_run(all) : GLINT_EXIT_OK;
 }
 
-static glint_line_kind read_line(char *line, size_t length, int64_t *difference, int64_t *k,
-                                 glint_error *err)
+static glint_line_kind read_line(glint_columns *columns, char *line, size_t length,
+                                 int64_t *difference, int64_t *k, glint_error *err)
 {
+    static const glint_column fields[] = {{"difference", NULL}, {"k", NULL}};
+    static const glint_line_form form = {fields, 2, "the two values difference k"};
     char *value[2];
-    const glint_line_kind kind =
-        glint_line_cut(line, length, value, 2, "the two values difference k", err);
+    const glint_line_kind kind = glint_line_cut(&form, columns, line, length, value, err);
     if (kind != GLINT_LINE_VALUES)
         return kind;
     if (!glint_parse_integer(value[0], -GLINT_DIVIDER_DIFFERENCE_MAX, GLINT_DIVIDER_DIFFERENCE_MAX,
@@ -207,7 +238,7 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
     glint_error err;
     if (line == NULL)
         return flush_run(all);
-    switch (read_line(line, length, &difference, &k, &err)) {
+    switch (read_line(&all->columns, line, length, &difference, &k, &err)) {
     case GLINT_LINE_VALUES:
         return add_row(all, number, (int32_t)difference, (int32_t)k);
     case GLINT_LINE_NOTHING:
@@ -225,7 +256,8 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
 static int divide(run *all)
 {
     fputs(all->json ? "[" : "difference,k,shifts,quotient_code,quotient,exact,error\n", stdout);
-    const int status = glint_input_lines("divide", take_line, all);
+    const int status = glint_input_lines(
+        "divide", "divisions, one a line: difference k, such as 255 7", take_line, all);
     if (status != GLINT_EXIT_OK && ferror(stdout)) /* which has been said */
         return status;
     if (all->json) /* closed whatever ended it: the rows before that are valid */

@@ -24,6 +24,7 @@ typedef struct eval_options {
 typedef struct run {
     glint_backend *backend;
     bool json;
+    glint_columns columns;
     uint64_t printed; /* points of earlier runs */
     size_t limit;     /* shade when this many are waiting */
     size_t count;
@@ -69,9 +70,12 @@ static int parse(int argc, char **argv, eval_options *chosen)
                    "answers for each, in order.",
         .details =
             "A line is: n cos r g b, with blanks or commas between. n is 0 to 1023; cos is a\n"
-            "number from 0 to 1, or a code of register 1 from 0x0 to 0x7ffff (above 0x40000,\n"
-            "which is 1.0, it saturates); r, g, b are 0 to 255. Blank lines and lines that\n"
-            "begin with # are skipped.\n"
+            "number from 0 to 1, or a code of register 1, 0x0 to 0x7ffff or code:0 to\n"
+            "code:524287 (above 0x40000, code:262144, which is 1.0, it saturates); r, g, b are\n"
+            "0 to 255. Blank lines and lines that begin with # are skipped.\n"
+            "\n"
+            "The first line may be a header, as of what was printed: the columns n, r, g, b and\n"
+            "cos, or cos_code with codes in decimal, are taken by name, others passed over.\n"
             "\n"
             "The columns printed are n,cos_code,w_code,r,g,b: cos_code is what register 1\n"
             "holds and w_code the output of the key block, both in units of 2^-18.",
@@ -151,7 +155,7 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
     if (line == NULL) {
         return flush_run(points);
     }
-    switch (glint_eval_read_line(line, length, &point, &err)) {
+    switch (glint_eval_read_line(&points->columns, line, length, &point, &err)) {
     case GLINT_LINE_VALUES:
         return add_point(points, &point);
     case GLINT_LINE_NOTHING:
@@ -170,7 +174,8 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
 static int eval(run *points)
 {
     fputs(points->json ? "[" : "n,cos_code,w_code,r,g,b\n", stdout);
-    const int status = glint_input_lines("eval", take_line, points);
+    const int status = glint_input_lines(
+        "eval", "points, one a line: n cos r g b, such as 80 0.99 255 190 110", take_line, points);
     if (status != GLINT_EXIT_OK && ferror(stdout)) { /* which has been said */
         return status;
     }

@@ -2,43 +2,78 @@
 #include "cli/eval_line.h"
 
 #include <stdbool.h>
+#include <string.h>
 
 #include "cli/parse.h"
 
 #define FIELD_COUNT 5
 
-static const char *const field_name[FIELD_COUNT] = {"n", "cos", "r", "g", "b"};
+static const glint_column fields[FIELD_COUNT] = {
+    {"n", NULL}, {"cos", "cos_code"}, {"r", NULL}, {"g", NULL}, {"b", NULL}};
 
-static bool read_cosine(const char *text, uint32_t *code)
+#define CODES "a code: 0x0 to 0x7ffff or code:0 to code:524287"
+
+/* A code of register 1, which a cosine cannot be taken for. */
+static bool read_code(const char *text, uint32_t *code)
 {
+    static const char prefix[] = "code:";
     uint64_t raw;
-    double cosine;
+    int64_t number;
     if (glint_parse_hex(text, GLINT_COS_CODE_MAX, &raw)) {
         *code = (uint32_t)raw;
         return true;
     }
-    if (glint_parse_real(text, 0.0, 1.0, &cosine)) {
-        *code = glint_cos_code(cosine);
+    if (strncmp(text, prefix, strlen(prefix)) == 0 &&
+        glint_parse_integer(text + strlen(prefix), 0, GLINT_COS_CODE_MAX, &number)) {
+        *code = (uint32_t)number;
         return true;
     }
     return false;
 }
 
-static glint_line_kind read_fields(char *const field[FIELD_COUNT], glint_eval_point *point,
-                                   glint_error *err)
+static glint_line_kind read_cosine(const char *text, uint32_t *code, glint_error *err)
+{
+    double cosine;
+    if (read_code(text, code)) {
+        return GLINT_LINE_VALUES;
+    }
+    if (!glint_parse_real(text, 0.0, 1.0, &cosine)) {
+        return glint_line_refuse("cos", text, "a number from 0 to 1 or " CODES, err);
+    }
+    *code = glint_cos_code(cosine);
+    return GLINT_LINE_VALUES;
+}
+
+/* Of a column cos_code, where a bare number is a code. */
+static glint_line_kind read_code_column(const char *text, uint32_t *code, glint_error *err)
+{
+    int64_t number;
+    if (read_code(text, code)) {
+        return GLINT_LINE_VALUES;
+    }
+    if (!glint_parse_integer(text, 0, GLINT_COS_CODE_MAX, &number)) {
+        return glint_line_refuse("cos_code", text, "an integer from 0 to 524287 or " CODES, err);
+    }
+    *code = (uint32_t)number;
+    return GLINT_LINE_VALUES;
+}
+
+static glint_line_kind read_fields(char *const field[FIELD_COUNT], bool is_code,
+                                   glint_eval_point *point, glint_error *err)
 {
     int64_t n;
     int64_t color[3];
     if (!glint_parse_integer(field[0], 0, GLINT_N_MAX, &n)) {
-        return glint_line_refuse(field_name[0], field[0], "an integer from 0 to 1023", err);
+        return glint_line_refuse("n", field[0], "an integer from 0 to 1023", err);
     }
-    if (!read_cosine(field[1], &point->cos_code)) {
-        return glint_line_refuse(field_name[1], field[1],
-                                 "a number from 0 to 1 or a code from 0x0 to 0x7ffff", err);
+    const glint_line_kind kind = is_code ? read_code_column(field[1], &point->cos_code, err)
+                                         : read_cosine(field[1], &point->cos_code, err);
+    if (kind != GLINT_LINE_VALUES) {
+        return kind;
     }
     for (int i = 0; i < 3; i++) {
         if (!glint_parse_integer(field[2 + i], 0, GLINT_COLOR_MAX, &color[i])) {
-            return glint_line_refuse(field_name[2 + i], field[2 + i], "an integer from 0 to 255",
+            return glint_line_refuse(fields[2 + i].name, field[2 + i], "an integer from 0 to 255",
                                      err);
         }
     }
@@ -47,11 +82,13 @@ static glint_line_kind read_fields(char *const field[FIELD_COUNT], glint_eval_po
     return GLINT_LINE_VALUES;
 }
 
-glint_line_kind glint_eval_read_line(char *line, size_t length, glint_eval_point *point,
-                                     glint_error *err)
+glint_line_kind glint_eval_read_line(glint_columns *columns, char *line, size_t length,
+                                     glint_eval_point *point, glint_error *err)
 {
+    static const glint_line_form form = {fields, FIELD_COUNT, "the five values n cos r g b"};
     char *field[FIELD_COUNT];
-    const glint_line_kind kind =
-        glint_line_cut(line, length, field, FIELD_COUNT, "the five values n cos r g b", err);
-    return kind == GLINT_LINE_VALUES ? read_fields(field, point, err) : kind;
+    const glint_line_kind kind = glint_line_cut(&form, columns, line, length, field, err);
+    return kind == GLINT_LINE_VALUES
+               ? read_fields(field, columns->width != 0 && columns->is_other[1], point, err)
+               : kind;
 }

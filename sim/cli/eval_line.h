@@ -12,9 +12,9 @@ typedef struct glint_eval_point {
     uint32_t cos_code; /* U1.18, what is written to register 1; above 1.0 only if given so */
 } glint_eval_point;
 
-/* Reads the five values of a line, as glint_line_cut() does. GLINT_LINE_MALFORMED: err says what is
- * wrong with it. */
-glint_line_kind glint_eval_read_line(char *line, size_t length, glint_eval_point *point,
-                                     glint_error *err);
+/* Reads the five values of a line, as glint_line_cut() does; a header may have cos_code in the
+ * place of cos. GLINT_LINE_MALFORMED: err says what is wrong with it. */
+glint_line_kind glint_eval_read_line(glint_columns *columns, char *line, size_t length,
+                                     glint_eval_point *point, glint_error *err);
 
 #endif

@@ -63,8 +63,63 @@ static bool trim(char *line, size_t length)
     return true;
 }
 
-glint_line_kind glint_line_cut(char *line, size_t length, char **value, int count,
-                               const char *values, glint_error *err)
+/* Where the header has the value; -1 when it has not. */
+static int find_column(char *const *name, int width, const char *wanted)
+{
+    for (int i = 0; wanted != NULL && i < width; i++) {
+        if (strcmp(name[i], wanted) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+static glint_line_kind read_header(const glint_line_form *form, char *const *name, int width,
+                                   glint_columns *columns, glint_error *err)
+{
+    for (int i = 0; i < form->count; i++) {
+        const glint_column *column = &form->column[i];
+        columns->at[i] = find_column(name, width, column->name);
+        columns->is_other[i] = columns->at[i] < 0;
+        if (columns->is_other[i]) {
+            columns->at[i] = find_column(name, width, column->other);
+        }
+        if (columns->at[i] < 0) {
+            glint_fail(err, GLINT_BAD_INPUT, "this header has no column %s%s%s", column->name,
+                       column->other != NULL ? " or " : "",
+                       column->other != NULL ? column->other : "");
+            return GLINT_LINE_MALFORMED;
+        }
+    }
+    columns->width = width;
+    return GLINT_LINE_NOTHING;
+}
+
+static bool is_letter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/* The values of a line that is not blank, in the order of the form. */
+static glint_line_kind take_values(const glint_line_form *form, const glint_columns *columns,
+                                   char *text, char **value, glint_error *err)
+{
+    char *cut[GLINT_COLUMNS_MAX];
+    const int wanted = columns->width != 0 ? columns->width : form->count;
+    const int found = cut_values(text, cut, wanted);
+    if (found != wanted) {
+        glint_fail(err, GLINT_BAD_INPUT, "%s than %s", found < wanted ? "fewer" : "more",
+                   columns->width != 0 ? "the header's values" : form->values);
+        return GLINT_LINE_MALFORMED;
+    }
+    for (int i = 0; i < form->count; i++) {
+        value[i] = cut[columns->width != 0 ? columns->at[i] : i];
+    }
+    return GLINT_LINE_VALUES;
+}
+
+glint_line_kind glint_line_cut(const glint_line_form *form, glint_columns *columns, char *line,
+                               size_t length, char **value, glint_error *err)
 {
     if (length == LINE_MAX_BYTES) {
         glint_fail(err, GLINT_BAD_INPUT, "longer than 16 MB: this is not text");
@@ -78,12 +133,14 @@ glint_line_kind glint_line_cut(char *line, size_t length, char **value, int coun
     if (*text == '\0' || *text == '#') {
         return GLINT_LINE_NOTHING;
     }
-    const int found = cut_values(text, value, count);
-    if (found != count) {
-        glint_fail(err, GLINT_BAD_INPUT, "%s than %s", found < count ? "fewer" : "more", values);
-        return GLINT_LINE_MALFORMED;
+    const bool first = !columns->begun;
+    columns->begun = true;
+    if (first && is_letter(*text)) {
+        char *name[GLINT_COLUMNS_MAX];
+        const int width = cut_values(text, name, GLINT_COLUMNS_MAX);
+        return read_header(form, name, width <= GLINT_COLUMNS_MAX ? width : 0, columns, err);
     }
-    return GLINT_LINE_VALUES;
+    return take_values(form, columns, text, value, err);
 }
 
 glint_line_kind glint_line_refuse(const char *name, const char *text, const char *expected,
@@ -170,11 +227,15 @@ static int check_input(const char *command, const reader *in, int reason)
                           strerror(reason));
 }
 
-int glint_input_lines(const char *command, glint_line_taker *take, void *context)
+int glint_input_lines(const char *command, const char *waits_for, glint_line_taker *take,
+                      void *context)
 {
     reader *in = calloc(1, sizeof *in);
     if (in == NULL) {
         return glint_complain(command, GLINT_EXIT_TROUBLE, "no memory to read standard input");
+    }
+    if (isatty(STDIN_FILENO) == 1) {
+        fprintf(stderr, "glint %s: waits for %s; Ctrl-D ends\n", command, waits_for);
     }
     int status = GLINT_EXIT_OK;
     uint64_t number = 0;

@@ -7,6 +7,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <sys/resource.h>
 
 #include <cjson/cJSON.h>
 #include <cmocka.h>
@@ -72,6 +73,60 @@ static void the_input_is_read_generously_in_its_blanks(void **state)
     }
 }
 
+static void what_divide_prints_divide_takes(void **state)
+{
+    (void)state;
+    outcome done = run("divide --shifts 6", "255 7\n-3 16\n0 1\n");
+    outcome again = run("divide --shifts 6", done.out);
+    outcome finer = run("divide", done.out);
+    assert_outcome(&done, 0, "");
+    assert_outcome(&again, 0, "");
+    assert_string_equal(again.out, done.out);
+    assert_says(finer.out, "\n255,7,12,");
+    forget(&done);
+    forget(&again);
+    forget(&finer);
+}
+
+/* Seconds of a processor that finished children took. */
+static double children_seconds(void)
+{
+    struct rusage usage;
+    assert_int_equal(getrusage(RUSAGE_CHILDREN, &usage), 0);
+    return (double)usage.ru_utime.tv_sec + 1e-6 * (double)usage.ru_utime.tv_usec;
+}
+
+static double seconds_of(const char *command_line, const char *input)
+{
+    const double before = children_seconds();
+    outcome done = run(command_line, input);
+    assert_outcome(&done, 0, "");
+    forget(&done);
+    return children_seconds() - before;
+}
+
+/* A row of divide costs about what one of eval does: 1.1 to 1.5 times, and once 16 times. */
+static void a_row_costs_no_more_than_its_like(void **state)
+{
+    (void)state;
+    enum { ROWS = 300000, LENGTH = 24 };
+    char *divisions = malloc(ROWS * LENGTH + 1), *points = malloc(ROWS * LENGTH + 1);
+    assert_non_null(divisions);
+    assert_non_null(points);
+    size_t d = 0, p = 0;
+    for (int i = 0; i < ROWS; i++) {
+        d += (size_t)snprintf(divisions + d, LENGTH, "%d %d\n", i % 511 - 255, i / 511 % 16 + 1);
+        p += (size_t)snprintf(points + p, LENGTH, "80 %.5f 255 190 110\n", i / (double)ROWS);
+    }
+    const double of_points = seconds_of("eval", points);
+    const double of_divisions = seconds_of("divide", divisions);
+    if (of_divisions > 4.0 * of_points) {
+        fail_msg("%d divisions %.2f s, as many points %.2f s", ROWS, of_divisions, of_points);
+    }
+    free(divisions);
+    free(points);
+}
+
 static void an_empty_input_has_no_rows(void **state)
 {
     (void)state;
@@ -95,8 +150,10 @@ static void malformed_lines_are_named(void **state)
         {"1 2 # comment\n", 0, "line 1: more than the two values difference k"},
         {"1;2\n", 0, "line 1: fewer than the two values difference k"},
         {"1\r2\n", 0, "line 1: fewer than the two values difference k"},
-        {"difference,k\n", 0,
-         "line 1: difference: \"difference\" is not an integer from -255 to 255"},
+        {"difference,length\n", 0, "line 1: this header has no column k"},
+        {"difference,k\ndifference,k\n", 0,
+         "line 2: difference: \"difference\" is not an integer from -255 to 255"},
+        {"k,difference\n17,0\n", 0, "line 2: k = 17 is not in the table (1 to 16)"},
         {"256 2", 0, "line 1: difference: \"256\" is not an integer from -255 to 255"},
         {"-256 2", 0, "line 1: difference: \"-256\" is not an integer from -255 to 255"},
         {"1.0 2", 0, "line 1: difference: \"1.0\" is not an integer from -255 to 255"},
@@ -351,6 +408,8 @@ int main(void)
         cmocka_unit_test(a_division_is_answered),
         cmocka_unit_test(real_is_exact_division_rounded_half_up),
         cmocka_unit_test(the_input_is_read_generously_in_its_blanks),
+        cmocka_unit_test(what_divide_prints_divide_takes),
+        cmocka_unit_test(a_row_costs_no_more_than_its_like),
         cmocka_unit_test(an_empty_input_has_no_rows),
         cmocka_unit_test(malformed_lines_are_named),
         cmocka_unit_test(no_k_is_silently_wrong),

@@ -124,33 +124,41 @@ typedef struct refusal {
     const char *err;
 } refusal;
 
+#define CODES "a code: 0x0 to 0x7ffff or code:0 to code:524287"
+
 static void malformed_lines_are_named(void **state)
 {
     (void)state;
     static const refusal refusals[] = {
         {"1 1 1 1\n", 0, "line 1: fewer than the five values n cos r g b"},
         {"1 1 1 1 1 1\n", 0, "line 1: more than the five values n cos r g b"},
-        {"n,cos,r,g,b\n", 0, "line 1: n: \"n\" is not an integer from 0 to 1023"},
+        {"n,cos,r,g\n", 0, "line 1: this header has no column b"},
+        {"n,r,g,b\n", 0, "line 1: this header has no column cos or cos_code"},
+        {"\n\nn,cos,r,g,b\nn,cos,r,g,b\n", 0, "line 4: n: \"n\" is not an integer from 0 to 1023"},
+        {"n,cos,r,g,b,\n1,1,1,1,1\n", 0, "line 2: fewer than the header's values"},
+        {"n,cos,r,g,b\n1,1,1,1,1,1\n", 0, "line 2: more than the header's values"},
+        {"n,cos_code,r,g,b\n1,0.5,1,1,1\n", 0,
+         "line 2: cos_code: \"0.5\" is not an integer from 0 to 524287 or " CODES},
+        {"n,cos_code,r,g,b\n1,524288,1,1,1\n", 0,
+         "line 2: cos_code: \"524288\" is not an integer from 0 to 524287 or " CODES},
+        {"a,b,c,d,e,f,g,h,i,j,k,l,m,n,o,p,q\n", 0, "line 1: this header has no column n"},
+        {"1 2 1 1 1", 0, "line 1: cos: \"2\" is not a number from 0 to 1 or " CODES},
+        {"1 code:524288 1 1 1", 0,
+         "line 1: cos: \"code:524288\" is not a number from 0 to 1 or " CODES},
+        {"1 code: 1 1 1", 0, "line 1: cos: \"code:\" is not a number from 0 to 1 or " CODES},
         {"1024 1 1 1 1", 0, "line 1: n: \"1024\" is not an integer from 0 to 1023"},
         {"-1 1 1 1 1", 0, "line 1: n: \"-1\" is not an integer from 0 to 1023"},
         {"1.5 1 1 1 1", 0, "line 1: n: \"1.5\" is not an integer from 0 to 1023"},
-        {"1 1.000001 1 1 1", 0,
-         "line 1: cos: \"1.000001\" is not a number from 0 to 1 or a code from 0x0 to 0x7ffff"},
-        {"1 -0.1 1 1 1", 0,
-         "line 1: cos: \"-0.1\" is not a number from 0 to 1 or a code from 0x0 to 0x7ffff"},
-        {"1 nan 1 1 1", 0,
-         "line 1: cos: \"nan\" is not a number from 0 to 1 or a code from 0x0 to 0x7ffff"},
-        {"1 0x1p-1 1 1 1", 0,
-         "line 1: cos: \"0x1p-1\" is not a number from 0 to 1 or a code from 0x0 to 0x7ffff"},
-        {"1 0x80000 1 1 1", 0,
-         "line 1: cos: \"0x80000\" is not a number from 0 to 1 or a code from 0x0 to 0x7ffff"},
-        {"1 0x 1 1 1", 0,
-         "line 1: cos: \"0x\" is not a number from 0 to 1 or a code from 0x0 to 0x7ffff"},
+        {"1 1.000001 1 1 1", 0, "line 1: cos: \"1.000001\" is not a number from 0 to 1 or " CODES},
+        {"1 -0.1 1 1 1", 0, "line 1: cos: \"-0.1\" is not a number from 0 to 1 or " CODES},
+        {"1 nan 1 1 1", 0, "line 1: cos: \"nan\" is not a number from 0 to 1 or " CODES},
+        {"1 0x1p-1 1 1 1", 0, "line 1: cos: \"0x1p-1\" is not a number from 0 to 1 or " CODES},
+        {"1 0x80000 1 1 1", 0, "line 1: cos: \"0x80000\" is not a number from 0 to 1 or " CODES},
+        {"1 0x 1 1 1", 0, "line 1: cos: \"0x\" is not a number from 0 to 1 or " CODES},
         {"1 1 256 1 1", 0, "line 1: r: \"256\" is not an integer from 0 to 255"},
         {"1 1 1 0x1 1", 0, "line 1: g: \"0x1\" is not an integer from 0 to 255"},
         {"1 1 1 1 b", 0, "line 1: b: \"b\" is not an integer from 0 to 255"},
-        {"1,,1,1,1", 0,
-         "line 1: cos: \"\" is not a number from 0 to 1 or a code from 0x0 to 0x7ffff"},
+        {"1,,1,1,1", 0, "line 1: cos: \"\" is not a number from 0 to 1 or " CODES},
         {",1,1,1,1", 0, "line 1: n: \"\" is not an integer from 0 to 1023"},
         {"1,1,1,1,", 0, "line 1: b: \"\" is not an integer from 0 to 255"},
         {"1,1,1,1,1,", 0, "line 1: more than the five values n cos r g b"},
@@ -199,6 +207,49 @@ static void long_lines_are_read_to_their_end(void **state)
     assert_says(done.err, "777...\" is not an integer from 0 to 1023\n");
     forget(&done);
     free(line);
+}
+
+/* What was printed, of any form, is taken: all three stand for the same code. The codes 0 and 1 are
+ * among them, which as bare numbers are cosines. */
+static void a_code_that_was_printed_is_taken(void **state)
+{
+    (void)state;
+    static const unsigned codes[] = {0, 1, 2, 259523, 262143, 262144, 262145, 524287};
+    for (size_t i = 0; i < sizeof codes / sizeof codes[0]; i++) {
+        char input[3][128], expected[160];
+        const unsigned held = codes[i] < 262144 ? codes[i] : 262144;
+        snprintf(input[0], sizeof input[0], "80 0x%x 9 8 7\n", codes[i]);
+        snprintf(input[1], sizeof input[1], "80 code:%u 9 8 7\n", codes[i]);
+        snprintf(input[2], sizeof input[2], "b,w_code,cos_code,n,r,g\n7,1,%u,80,9,8\n", codes[i]);
+        outcome done = run("eval", input[0]);
+        assert_outcome(&done, 0, "");
+        snprintf(expected, sizeof expected, HEADER "80,%u,", held);
+        assert_memory_equal(done.out, expected, strlen(expected));
+        for (int k = 1; k < 3; k++) {
+            outcome same = run("eval", input[k]);
+            assert_outcome(&same, 0, "");
+            assert_string_equal(same.out, done.out);
+            forget(&same);
+        }
+        forget(&done);
+    }
+}
+
+/* As CSV it is read as it was printed: with r, g, b of full brightness W = 1 gives them back. */
+static void what_eval_prints_eval_takes(void **state)
+{
+    (void)state;
+    outcome done = run("eval", "80 1 9 8 7\n3 0.999999 255 255 255\n1000 1 0 1 2\n");
+    outcome again = run("eval", done.out);
+    outcome named = run("eval", "r,g,b,cos,n\n9,8,7,1,80\n255,255,255,0.999999,3\n0,1,2,1,1000\n");
+    assert_outcome(&done, 0, "");
+    assert_outcome(&again, 0, "");
+    assert_outcome(&named, 0, "");
+    assert_string_equal(again.out, done.out);
+    assert_string_equal(named.out, done.out);
+    forget(&done);
+    forget(&again);
+    forget(&named);
 }
 
 static void json_is_an_array_of_objects(void **state)
@@ -516,6 +567,8 @@ int main(void)
         cmocka_unit_test(malformed_lines_are_named),
         cmocka_unit_test(lines_before_the_malformed_one_are_answered),
         cmocka_unit_test(long_lines_are_read_to_their_end),
+        cmocka_unit_test(a_code_that_was_printed_is_taken),
+        cmocka_unit_test(what_eval_prints_eval_takes),
         cmocka_unit_test(json_is_an_array_of_objects),
         cmocka_unit_test(an_unreadable_input_is_a_failure),
         cmocka_unit_test(c_and_rtl_agree_on_random_points),
