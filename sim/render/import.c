@@ -1,17 +1,14 @@
 /* Mesh files through assimp; see import.h. */
 #include <assimp/cimport.h>
-#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <stdbool.h>
 #include <string.h>
 
+#include "render/detail.h"
 #include "render/import.h"
 #include "render/imported.h"
-
-/* Where normals have to be made, faces that meet at more than this stay apart: a cube keeps its
- * edges, a coarse animal still looks round. */
-#define CREASE_DEGREES 66.0f
+#include "render/triangulate.h"
 
 /* assimp's message as one line of modest length. */
 static glint_status refused(const char *path, glint_error *err)
@@ -54,55 +51,81 @@ static void listen(const char *message, char *user)
     }
 }
 
-static const struct aiScene *read_scene(const char *path, unsigned steps)
+static const struct aiScene *read_scene(const char *path, const glint_groups3ds *groups)
 {
     struct aiPropertyStore *settings = aiCreatePropertyStore();
     if (settings == NULL) {
         return NULL;
     }
-    /* Faces that are not triangles after all are sorted apart, then dropped. */
-    aiSetImportPropertyInteger(settings, AI_CONFIG_PP_SBP_REMOVE,
-                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    aiSetImportPropertyFloat(settings, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, CREASE_DEGREES);
-    const struct aiScene *scene = aiImportFileExWithProperties(path, steps, NULL, settings);
+    const unsigned steps = aiProcess_ValidateDataStructure;
+    const struct aiScene *scene =
+        groups != NULL
+            ? aiImportFileFromMemoryWithProperties((const char *)groups->bytes,
+                                                   (unsigned)groups->count, steps, "3ds", settings)
+            : aiImportFileExWithProperties(path, steps, NULL, settings);
     aiReleasePropertyStore(settings);
     return scene;
 }
 
-/* The file is first read as it is and looked through: when assimp joins equal vertices, a NaN
- * equals everything to it, and the damage would be lost in the joining. It is then read anew with
- * all steps, as a scene whose later processing fails is released twice (assimp 5.2). */
-static glint_status check_content(const char *path, glint_error *err)
+/* The scene as the file has it, looked through. */
+static glint_status read_checked(const char *path, const glint_groups3ds *groups,
+                                 const struct aiScene **scene, glint_error *err)
 {
     bool replaced = false;
     const struct aiLogStream log = {listen, (char *)&replaced};
     aiAttachLogStream(&log);
-    const struct aiScene *scene = read_scene(path, aiProcess_ValidateDataStructure);
+    *scene = read_scene(path, groups);
     (void)aiDetachLogStream(&log);
-    if (scene == NULL) {
+    if (*scene == NULL) {
         return refused(path, err);
     }
     const glint_status status =
         replaced ? glint_fail(err, GLINT_BAD_INPUT,
                               "%.300s: a face names a vertex that is not there", path)
-                 : glint_imported_check(path, scene, err);
+                 : glint_imported_check(path, *scene, err);
+    if (status != GLINT_OK) {
+        aiReleaseImport(*scene);
+    }
+    return status;
+}
+
+static glint_status read_triangles(const char *path, const glint_groups3ds *groups,
+                                   glint_imported *imported, glint_error *err)
+{
+    const struct aiScene *scene;
+    glint_status status = read_checked(path, groups, &scene, err);
+    if (status != GLINT_OK) {
+        return status;
+    }
+    scene = glint_triangulate(scene);
+    if (scene == NULL) {
+        return glint_fail(err, GLINT_NO_MEMORY, "%.300s: no memory for its triangles", path);
+    }
+    status = glint_detail_check(path, scene, err);
+    if (status == GLINT_OK) {
+        status = glint_imported_mesh(path, scene, groups, imported, err);
+    }
     aiReleaseImport(scene);
     return status;
 }
 
 glint_status glint_mesh_import(const char *path, glint_mesh **mesh, glint_error *err)
 {
-    glint_status status = check_content(path, err);
+    glint_groups3ds *groups;
+    glint_status status = glint_groups3ds_read(path, &groups, err);
     if (status != GLINT_OK) {
         return status;
     }
-    const struct aiScene *scene = read_scene(
-        path, aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_SortByPType |
-                  aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices);
-    if (scene == NULL) {
-        return refused(path, err);
+    glint_imported imported = {.mesh = NULL};
+    status = read_triangles(path, groups, &imported, err);
+    glint_groups3ds_destroy(groups);
+    if (status == GLINT_OK) { /* assimp's memory is given back by now */
+        status = glint_smooth(path, &imported.smoothing, &imported.mesh, err);
     }
-    status = glint_imported_mesh(path, scene, mesh, err);
-    aiReleaseImport(scene);
+    if (status == GLINT_OK) {
+        *mesh = imported.mesh;
+        imported.mesh = NULL;
+    }
+    glint_imported_clear(&imported);
     return status;
 }

@@ -1,12 +1,14 @@
 /* What assimp has read becomes a mesh.
  *
  * What comes from a file is not believed: every coordinate and every index is checked before it is
- * used. Normals are mended where the file's are unusable, geometry never is. */
+ * used. Geometry is never mended. */
 #include "render/imported.h"
 
+#include <assimp/commonMetaData.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "render/mesh_build.h"
 
@@ -16,12 +18,26 @@
 /* Nodes deeper than this are taken for damage: the walk over them is recursive. */
 #define DEPTH_MAX 256
 
+/* How triangles get the normals that the file does not give. */
+typedef enum rule {
+    BY_CREASES, /* smooth but for sharp edges */
+    FLAT,       /* STL: a facet's normal is its own */
+    FLAT_MESH,  /* glTF: likewise, in a mesh that has none at all; so its specification */
+    BY_GROUPS,  /* 3ds */
+} rule;
+
 /* What the walk over the nodes carries along. */
 typedef struct reading {
     const char *path;
     const struct aiScene *scene;
-    glint_mesh *mesh;
+    const glint_groups3ds *groups; /* with BY_GROUPS */
+    rule rule;
+    glint_imported *to;
     size_t vertices, triangles; /* counted first, to make room */
+    glint_vec3 low, high;       /* of what the triangles name, found in the same walk */
+    glint_vec3 center;          /* becomes the origin, */
+    double scale;               /* then all is multiplied by this */
+    uint32_t objects;           /* meshes of nodes added so far */
     glint_error *err;
 } reading;
 
@@ -96,70 +112,136 @@ static glint_vec3 unit_or_zero(glint_vec3 v)
     return glint_vec3_scale(v, 1.0 / length);
 }
 
-static glint_status add_vertices(reading *in, const struct aiMesh *source, const transform *t,
-                                 double side)
+static glint_vec3 placed(const transform *t, const struct aiVector3D *v)
+{
+    return glint_vec3_add(linear_part(t, vec3_of(v)), t->shift);
+}
+
+static void add_vertices(reading *in, const struct aiMesh *source, const transform *t, double side)
 {
     const transform n = for_normals(t);
     for (unsigned i = 0; i < source->mNumVertices; i++) {
-        const glint_vec3 p =
-            glint_vec3_add(linear_part(t, vec3_of(&source->mVertices[i])), t->shift);
-        if (!usable_point(p)) {
-            return bad(in, "a node moves a vertex beyond all measure");
+        glint_vec3 p = placed(t, &source->mVertices[i]);
+        if (!usable_point(p)) { /* of no triangle */
+            p = in->center;
         }
         glint_vec3 normal = {0.0, 0.0, 0.0};
-        if (source->mNormals != NULL) {
-            normal = unit_or_zero(linear_part(&n, vec3_of(&source->mNormals[i])));
+        if (source->mNormals != NULL && in->rule != BY_GROUPS) { /* those would be assimp's */
+            normal = unit_or_zero(linear_part(&n, unit_or_zero(vec3_of(&source->mNormals[i]))));
         }
-        glint_mesh_add_vertex(in->mesh, p, glint_vec3_scale(normal, side));
+        glint_mesh_add_vertex(in->to->mesh,
+                              glint_vec3_scale(glint_vec3_sub(p, in->center), in->scale),
+                              glint_vec3_scale(normal, side));
     }
-    return GLINT_OK;
+}
+
+/* The smoothing group of a face of the mesh. */
+static uint32_t group_of(const reading *in, const struct aiMesh *source,
+                         const glint_groups3ds_object *object, unsigned face)
+{
+    if (object != NULL) {
+        return object->group[face];
+    }
+    return in->rule == FLAT || (in->rule == FLAT_MESH && source->mNormals == NULL) ? 0 : 1;
 }
 
 /* A transform that mirrors turns triangles over: two corners are exchanged to turn them back. */
-static glint_status add_triangles(reading *in, const struct aiMesh *source, uint32_t base,
-                                  bool mirrored)
+static void add_triangles(reading *in, const struct aiMesh *source,
+                          const glint_groups3ds_object *object, uint32_t base, bool mirrored)
 {
+    glint_mesh *mesh = in->to->mesh;
     for (unsigned i = 0; i < source->mNumFaces; i++) {
         const struct aiFace *face = &source->mFaces[i];
+        const size_t at = mesh->triangle_count;
         if (face->mNumIndices != 3) {
             continue; /* points and lines */
         }
-        uint32_t corner[3];
-        for (int k = 0; k < 3; k++) {
-            corner[k] = face->mIndices[k];
-            if (corner[k] >= source->mNumVertices) {
-                return bad(in, "a face names a vertex that is not there");
+        glint_mesh_add_triangle(mesh, base + face->mIndices[0],
+                                base + face->mIndices[mirrored ? 2 : 1],
+                                base + face->mIndices[mirrored ? 1 : 2]);
+        if (mesh->triangle_count > at) {
+            in->to->smoothing.group[at] = group_of(in, source, object, i);
+            if (in->to->smoothing.object != NULL) {
+                in->to->smoothing.object[at] = in->objects;
             }
-            corner[k] += base;
         }
-        glint_mesh_add_triangle(in->mesh, corner[0], corner[mirrored ? 2 : 1],
-                                corner[mirrored ? 1 : 2]);
+    }
+}
+
+/* assimp's meshes are the file's objects that have faces, and named by their numbers. */
+static glint_status find_object(const reading *in, unsigned index,
+                                const glint_groups3ds_object **object)
+{
+    *object = NULL;
+    if (in->rule != BY_GROUPS) {
+        return GLINT_OK;
+    }
+    if (in->groups == NULL || in->scene->mNumMeshes != in->groups->objects ||
+        in->scene->mMeshes[index]->mNumFaces != in->groups->object[index].faces) {
+        return bad(in, "damaged: which smoothing group belongs to which triangle cannot be told");
+    }
+    *object = &in->groups->object[index];
+    return GLINT_OK;
+}
+
+static glint_status add_mesh(reading *in, unsigned index, const transform *t)
+{
+    const struct aiMesh *source = in->scene->mMeshes[index];
+    const double determinant = glint_vec3_dot(t->x, glint_vec3_cross(t->y, t->z));
+    const bool mirrored = determinant < 0.0;
+    const uint32_t base = (uint32_t)in->to->mesh->vertex_count;
+    const glint_groups3ds_object *object;
+    const glint_status status = find_object(in, index, &object);
+    if (status == GLINT_OK) {
+        add_vertices(in, source, t, mirrored ? -1.0 : 1.0);
+        add_triangles(in, source, object, base, mirrored);
+        in->objects++;
+    }
+    return status;
+}
+
+static void include(reading *in, glint_vec3 p)
+{
+    in->low = (glint_vec3){fmin(in->low.x, p.x), fmin(in->low.y, p.y), fmin(in->low.z, p.z)};
+    in->high = (glint_vec3){fmax(in->high.x, p.x), fmax(in->high.y, p.y), fmax(in->high.z, p.z)};
+}
+
+static glint_status measure_face(reading *in, const struct aiMesh *source,
+                                 const struct aiFace *face, const transform *t)
+{
+    for (unsigned k = 0; k < 3; k++) {
+        if (face->mIndices[k] >= source->mNumVertices) {
+            return bad(in, "a face names a vertex that is not there");
+        }
+        const glint_vec3 p = placed(t, &source->mVertices[face->mIndices[k]]);
+        if (!usable_point(p)) {
+            return bad(in, "a node moves a vertex beyond all measure");
+        }
+        include(in, p);
     }
     return GLINT_OK;
 }
 
-static glint_status add_mesh(reading *in, const struct aiMesh *source, const transform *t)
+static glint_status measure_mesh(reading *in, unsigned index, const transform *t)
 {
-    const double determinant = glint_vec3_dot(t->x, glint_vec3_cross(t->y, t->z));
-    const bool mirrored = determinant < 0.0;
-    const uint32_t base = (uint32_t)in->mesh->vertex_count;
-    const glint_status status = add_vertices(in, source, t, mirrored ? -1.0 : 1.0);
-    return status == GLINT_OK ? add_triangles(in, source, base, mirrored) : status;
-}
-
-static glint_status count_mesh(reading *in, const struct aiMesh *source)
-{
+    const struct aiMesh *source = in->scene->mMeshes[index];
+    glint_status status = GLINT_OK;
     in->vertices += source->mNumVertices;
-    in->triangles += source->mNumFaces;
+    for (unsigned i = 0; status == GLINT_OK && i < source->mNumFaces; i++) {
+        if (source->mFaces[i].mNumIndices == 3) {
+            in->triangles++;
+            status = measure_face(in, source, &source->mFaces[i], t);
+        }
+    }
     if (in->vertices > 3 * GLINT_MESH_TRIANGLES_MAX || in->triangles > GLINT_MESH_TRIANGLES_MAX) {
         return glint_fail(in->err, GLINT_BAD_INPUT, "%s: more than %zu triangles", in->path,
                           GLINT_MESH_TRIANGLES_MAX);
     }
-    return GLINT_OK;
+    return status;
 }
 
-/* Visits every mesh of every node under its transform: to count it while there is no mesh to add it
- * to, to add it after. */
+/* Visits every mesh of every node under its transform: to measure it while there is no mesh to add
+ * it to, to add it after. */
 static glint_status walk(reading *in, const struct aiNode *node, const transform *outer, int depth)
 {
     if (depth > DEPTH_MAX) {
@@ -171,9 +253,8 @@ static glint_status walk(reading *in, const struct aiNode *node, const transform
         if (node->mMeshes[i] >= in->scene->mNumMeshes) {
             return bad(in, "a node names a mesh that is not there");
         }
-        const struct aiMesh *source = in->scene->mMeshes[node->mMeshes[i]];
-        const glint_status status =
-            in->mesh == NULL ? count_mesh(in, source) : add_mesh(in, source, &t);
+        const glint_status status = in->to->mesh == NULL ? measure_mesh(in, node->mMeshes[i], &t)
+                                                         : add_mesh(in, node->mMeshes[i], &t);
         if (status != GLINT_OK) {
             return status;
         }
@@ -187,56 +268,33 @@ static glint_status walk(reading *in, const struct aiNode *node, const transform
     return GLINT_OK;
 }
 
-static bool is_zero(const float v[3])
+static glint_status make_room(reading *in)
 {
-    return v[0] == 0.0f && v[1] == 0.0f && v[2] == 0.0f;
-}
-
-/* Adds the triangle's normal, as long as its area, to those of its corners that are marked. */
-static void add_face_normal(const glint_mesh *mesh, const uint32_t *corner, const bool *marked,
-                            glint_vec3 *sum)
-{
-    glint_vec3 p[3];
-    for (int k = 0; k < 3; k++) {
-        p[k] = glint_vec3_of(&mesh->position[3 * (size_t)corner[k]]);
+    glint_imported *to = in->to;
+    glint_smoothing *s = &to->smoothing;
+    const glint_status status =
+        glint_mesh_new(in->path, in->vertices, in->triangles, &to->mesh, in->err);
+    if (status != GLINT_OK) {
+        return status;
     }
-    const glint_vec3 face =
-        glint_vec3_cross(glint_vec3_sub(p[1], p[0]), glint_vec3_sub(p[2], p[0]));
-    for (int k = 0; k < 3; k++) {
-        if (marked[corner[k]]) {
-            sum[corner[k]] = glint_vec3_add(sum[corner[k]], face);
-        }
+    const bool by_groups = in->rule == BY_GROUPS;
+    s->creased = !by_groups;
+    s->group = malloc(in->triangles * sizeof *s->group);
+    s->object = by_groups ? malloc(in->triangles * sizeof *s->object) : NULL;
+    if (s->group == NULL || (by_groups && s->object == NULL)) {
+        return glint_fail(in->err, GLINT_NO_MEMORY, "%s: no memory for %zu triangles", in->path,
+                          in->triangles);
     }
-}
-
-/* Gives vertices whose normal is missing that of the faces about them. One that no face gives a
- * direction to is of no visible triangle: any unit vector will do. */
-static glint_status mend_normals(reading *in)
-{
-    glint_mesh *mesh = in->mesh;
-    bool *missing = calloc(mesh->vertex_count, sizeof *missing);
-    glint_vec3 *sum = calloc(mesh->vertex_count, sizeof *sum);
-    if (missing == NULL || sum == NULL) {
-        free(missing);
-        free(sum);
-        return glint_fail(in->err, GLINT_NO_MEMORY, "%s: no memory for its normals", in->path);
-    }
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        missing[i] = is_zero(&mesh->normal[3 * i]);
-    }
-    for (size_t i = 0; i < mesh->triangle_count; i++) {
-        add_face_normal(mesh, &mesh->index[3 * i], missing, sum);
-    }
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        if (missing[i]) {
-            const glint_vec3 n = unit_or_zero(sum[i]);
-            const bool found = glint_vec3_length(n) > 0.0;
-            glint_vec3_store(found ? n : (glint_vec3){0.0, 1.0, 0.0}, &mesh->normal[3 * i]);
-        }
-    }
-    free(missing);
-    free(sum);
     return GLINT_OK;
+}
+
+/* The middle becomes the origin, half the largest extent becomes 1. */
+static void find_place(reading *in)
+{
+    const glint_vec3 extent = glint_vec3_sub(in->high, in->low);
+    const double size = fmax(extent.x, fmax(extent.y, extent.z));
+    in->center = glint_vec3_add(in->low, glint_vec3_scale(extent, 0.5));
+    in->scale = size > 0.0 ? 2.0 / size : 1.0;
 }
 
 static glint_status convert(reading *in)
@@ -246,25 +304,20 @@ static glint_status convert(reading *in)
         return bad(in, "no triangles in it");
     }
     glint_status status = walk(in, in->scene->mRootNode, &identity, 0);
-    if (status != GLINT_OK) {
-        return status;
+    if (status == GLINT_OK && in->triangles == 0) {
+        return bad(in, "no triangles in it");
     }
-    status = glint_mesh_new(in->path, in->vertices, in->triangles, &in->mesh, in->err);
-    if (status != GLINT_OK) {
-        return status;
+    if (status == GLINT_OK) {
+        find_place(in);
+        status = make_room(in);
     }
-    status = walk(in, in->scene->mRootNode, &identity, 0);
-    if (status != GLINT_OK) {
-        return status;
+    if (status == GLINT_OK) {
+        status = walk(in, in->scene->mRootNode, &identity, 0);
     }
-    if (in->mesh->triangle_count == 0) { /* assimp has joined what lies so near, too */
-        return bad(in,
-                   in->triangles == 0
-                       ? "no triangles in it"
-                       : "each of its triangles has two corners in one place (what is less than "
-                         "1e-5 apart counts as one place)");
+    if (status == GLINT_OK && in->to->mesh->triangle_count == 0) {
+        return bad(in, "each of its triangles has two corners in one place");
     }
-    return mend_normals(in);
+    return status;
 }
 
 glint_status glint_imported_check(const char *path, const struct aiScene *scene, glint_error *err)
@@ -283,15 +336,65 @@ glint_status glint_imported_check(const char *path, const struct aiScene *scene,
     return GLINT_OK;
 }
 
-glint_status glint_imported_mesh(const char *path, const struct aiScene *scene, glint_mesh **mesh,
+/* "" when the scene does not say who made it. */
+static const char *importer_of(const struct aiScene *scene)
+{
+    const struct aiMetadata *data = scene->mMetaData;
+    for (unsigned i = 0; data != NULL && i < data->mNumProperties; i++) {
+        if (strcmp(data->mKeys[i].data, AI_METADATA_SOURCE_FORMAT) == 0 &&
+            data->mValues[i].mType == AI_AISTRING) {
+            return ((const struct aiString *)data->mValues[i].mData)->data;
+        }
+    }
+    return "";
+}
+
+static rule rule_for(const struct aiScene *scene)
+{
+    static const struct {
+        const char *importer; /* as assimp 5.2 calls them */
+        rule rule;
+    } rules[] = {
+        {"Stereolithography (STL) Importer", FLAT},
+        {"glTF Importer", FLAT_MESH},
+        {"glTF2 Importer", FLAT_MESH},
+        {"Discreet 3DS Importer", BY_GROUPS},
+    };
+    const char *importer = importer_of(scene);
+    for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++) {
+        if (strcmp(importer, rules[i].importer) == 0) {
+            return rules[i].rule;
+        }
+    }
+    return BY_CREASES;
+}
+
+void glint_imported_clear(glint_imported *imported)
+{
+    glint_mesh_destroy(imported->mesh);
+    free(imported->smoothing.group);
+    free(imported->smoothing.object);
+    *imported = (glint_imported){.mesh = NULL};
+}
+
+glint_status glint_imported_mesh(const char *path, const struct aiScene *scene,
+                                 const glint_groups3ds *groups, glint_imported *imported,
                                  glint_error *err)
 {
-    reading in = {.path = path, .scene = scene, .err = err};
+    *imported = (glint_imported){.mesh = NULL};
+    reading in = {
+        .path = path,
+        .scene = scene,
+        .groups = groups,
+        .rule = rule_for(scene),
+        .to = imported,
+        .low = {INFINITY, INFINITY, INFINITY},
+        .high = {-INFINITY, -INFINITY, -INFINITY},
+        .err = err,
+    };
     const glint_status status = convert(&in);
     if (status != GLINT_OK) {
-        glint_mesh_destroy(in.mesh);
-        return status;
+        glint_imported_clear(imported);
     }
-    *mesh = in.mesh;
-    return GLINT_OK;
+    return status;
 }

@@ -46,12 +46,20 @@ glint_status glint_mesh_quad(glint_mesh **mesh, glint_error *err);
 #define GLINT_MESH_TRIANGLES_MAX ((size_t)32 << 20)
 
 /* Reads a mesh file through assimp (.3ds .obj .ply .stl …): all meshes under their node
- * transforms, triangulated; points and lines are left out. Normals are the file's; where it has
- * none they are made, smooth but for edges sharper than 66 degrees, and where one is unusable it is
- * taken from the faces about it. Vertices less than 1e-5 apart are one: assimp joins them, so a
- * model that small as a whole has no triangles. GLINT_IO_ERROR for a path that cannot be read;
- * GLINT_BAD_INPUT for what is no mesh file, has no triangles, more than 32 million of them, a
- * coordinate that is not a number or beyond 1e18, or an index of a vertex that is not there.
+ * transforms, triangulated; points and lines are left out. The middle of the whole is moved to the
+ * origin, and half its largest extent is 1.
+ *
+ * Normals are the file's, made as long as 1. Where it has none, or 0 0 0 or what is not a number, a
+ * corner gets the mean of the triangles about its place that lie within 66 degrees of its own:
+ * smooth but for sharp edges, whatever the format, the order of triangles and the sharing of
+ * vertices. Exceptions are .stl (the facet's own) and glTF meshes without normals (flat, as its
+ * specification says). A .3ds file has no normals but smoothing groups: triangles that share one
+ * are smooth over each other at any angle, one of no group is flat.
+ *
+ * GLINT_IO_ERROR for a path that cannot be read; GLINT_BAD_INPUT for what is no mesh file, has no
+ * triangles, more than 32 million of them, a coordinate that is not a number or beyond 1e18, or an
+ * index of a vertex that is not there, and for what lies so far from the origin that single
+ * precision cannot hold it.
  *
  * assimp works in a process of its own, with as much time and memory as the size of the file
  * justifies: when it crashes or does not come to an end, that is GLINT_BAD_INPUT too, or

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "fuzz.h"
+#include "render/detail.h"
 #include "render/imported.h"
 
 #define MESHES_MAX   4
@@ -143,19 +144,25 @@ static void free_mesh(struct aiMesh *mesh)
 
 static void import_and_draw(const struct aiScene *scene, uint32_t view)
 {
-    glint_mesh *mesh = NULL;
+    glint_imported imported = {.mesh = NULL};
     glint_error err = {""};
     glint_status status = glint_imported_check("scene", scene, &err);
     if (status == GLINT_OK) {
-        status = glint_imported_mesh("scene", scene, &mesh, &err);
+        status = glint_detail_check("scene", scene, &err);
+    }
+    if (status == GLINT_OK) {
+        status = glint_imported_mesh("scene", scene, NULL, &imported, &err);
+    }
+    if (status == GLINT_OK) {
+        status = glint_smooth("scene", &imported.smoothing, &imported.mesh, &err);
     }
     FUZZ_EXPECT(status == GLINT_OK || status == GLINT_BAD_INPUT);
-    FUZZ_EXPECT((status == GLINT_OK) == (mesh != NULL));
+    FUZZ_EXPECT((status == GLINT_OK) == (imported.mesh != NULL));
     FUZZ_EXPECT((status == GLINT_OK) == (err.text[0] == '\0'));
     if (status == GLINT_OK) {
-        fuzz_draw(mesh, view);
+        fuzz_draw(imported.mesh, view);
     }
-    glint_mesh_destroy(mesh);
+    glint_imported_clear(&imported);
 }
 
 int fuzz_scene(const uint8_t *bytes, size_t count)

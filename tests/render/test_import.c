@@ -188,7 +188,10 @@ static void sharp_edges_stay_sharp(void **state)
     glint_mesh_destroy(mesh);
 }
 
-#define COLLADA(matrix)                                                                            \
+#define NODE(name, matrix)                                                                         \
+    "<node id=\"" name "\"><matrix>" matrix "</matrix><instance_geometry url=\"#g\"/></node>"
+
+#define COLLADA(nodes)                                                                             \
     "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "      \
     "version=\"1.4.1\"><asset><up_axis>Y_UP</up_axis></asset><library_geometries>"                 \
     "<geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"a\" count=\"9\">"                 \
@@ -198,8 +201,7 @@ static void sharp_edges_stay_sharp(void **state)
     "<vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>"                   \
     "<triangles count=\"1\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 1 2</p>"   \
     "</triangles></mesh></geometry></library_geometries><library_visual_scenes>"                   \
-    "<visual_scene id=\"s\"><node id=\"n\"><matrix>" matrix "</matrix>"                            \
-    "<instance_geometry url=\"#g\"/></node></visual_scene></library_visual_scenes>"                \
+    "<visual_scene id=\"s\">" nodes "</visual_scene></library_visual_scenes>"                      \
     "<scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>"
 
 /* The nodes' transforms move, stretch and mirror; normals stay upright on the surface, and what is
@@ -208,23 +210,28 @@ static void transforms_are_applied(void **state)
 {
     (void)state;
     glint_mesh *mesh =
-        load(write_file("moved.dae", COLLADA("3 0 0 10  0 1 0 20  0 0 1 30  0 0 0 1")));
+        load(write_file("moved.dae", COLLADA(NODE("a", "3 0 0 10  0 1 0 20  0 0 1 30  0 0 0 1")
+                                                 NODE("b", "1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1"))));
     expect_sound(mesh);
-    assert_int_equal(mesh->triangle_count, 1);
-    assert_true(face_normal(mesh, 0).z > 2.999);
-    for (size_t v = 0; v < 3; v++) {
-        const float *p = &mesh->position[3 * v];
-        assert_true(p[0] == 10.0f || p[0] == 13.0f);
-        assert_true(p[1] == 20.0f || p[1] == 21.0f);
-        assert_true(p[2] == 30.0f);
+    assert_int_equal(mesh->triangle_count, 2);
+    for (size_t i = 0; i < 6; i++) { /* 13 × 21 × 30 in all, of which 30 has become 2 */
+        const glint_vec3 p = glint_vec3_of(&mesh->position[3 * (size_t)mesh->index[i]]);
+        const double x = 15.0 * p.x + 6.5, y = 15.0 * p.y + 10.5, z = 15.0 * p.z + 15.0;
+        const bool right = i == 1 || i == 4, above = i == 2 || i == 5;
+        assert_float_equal(x, i < 3 ? (right ? 13.0 : 10.0) : (right ? 1.0 : 0.0), 1e-5);
+        assert_float_equal(y, i < 3 ? (above ? 21.0 : 20.0) : (above ? 1.0 : 0.0), 1e-5);
+        assert_float_equal(z, i < 3 ? 30.0 : 0.0, 1e-5);
     }
+    assert_true(face_normal(mesh, 0).z > 0.0 && face_normal(mesh, 1).z > 0.0);
     glint_mesh_destroy(mesh);
-    mesh = load(write_file("mirrored.dae", COLLADA("-1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1")));
+    mesh =
+        load(write_file("mirrored.dae", COLLADA(NODE("a", "-1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1"))));
     expect_sound(mesh);
     assert_true(face_normal(mesh, 0).z > 0.999);
     assert_true(agreement(mesh) == 1.0);
     glint_mesh_destroy(mesh);
-    mesh = load(write_file("slanted.dae", COLLADA("1 0 0 0  0 1 0 0  2 0 1 0  0 0 0 1")));
+    mesh =
+        load(write_file("slanted.dae", COLLADA(NODE("a", "1 0 0 0  0 1 0 0  2 0 1 0  0 0 0 1"))));
     expect_sound(mesh);
     const glint_vec3 face = face_normal(mesh, 0);
     const glint_vec3 n = glint_vec3_of(mesh->normal);
@@ -273,7 +280,7 @@ static void bad_files_are_refused(void **state)
         {"negative.ply", PLY("0 1 0", "3 0 1 -2")},
         {"nan.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                     "vertex 0 1 nan\nendloop\nendfacet\nendsolid a\n"},
-        {"far.dae", COLLADA("1e30 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1")},
+        {"far.dae", COLLADA(NODE("a", "1e30 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1"))},
     };
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
         expect_refused(write_file(files[i].name, files[i].text), GLINT_BAD_INPUT);
@@ -342,6 +349,7 @@ static void a_reader_can_be_stopped(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(too_little_memory_is_a_message), /* first: others leave free memory */
         cmocka_unit_test(real_meshes_are_sound),
         cmocka_unit_test(one_mesh_in_three_formats),
         cmocka_unit_test(polygons_are_cut_points_and_lines_dropped),
@@ -350,7 +358,6 @@ int main(void)
         cmocka_unit_test(transforms_are_applied),
         cmocka_unit_test(bad_files_are_refused),
         cmocka_unit_test(assimps_own_failures_are_messages),
-        cmocka_unit_test(too_little_memory_is_a_message),
         cmocka_unit_test(a_reader_can_be_stopped),
     };
     return cmocka_run_group_tests_name("import", tests, scratch_make, scratch_remove);

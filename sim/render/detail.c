@@ -1,0 +1,108 @@
+/* Whether single precision can hold an object where it lies; see detail.h. */
+#include "render/detail.h"
+
+#include <float.h>
+#include <stdbool.h>
+
+#include "render/vec3.h"
+
+/* An object whose coordinates are less than so many times its size is where precision is at home:
+ * what is too fine there, nobody sees. */
+#define FAR 32.0
+
+/* Triangles lower than so many steps of the coordinates' rounding are lost in it. */
+#define STEPS_NEEDED 32.0
+
+typedef struct extent {
+    glint_vec3 low, high;
+} extent;
+
+static glint_vec3 vec3_of(const struct aiVector3D *v)
+{
+    return (glint_vec3){(double)v->x, (double)v->y, (double)v->z};
+}
+
+static bool is_triangle(const struct aiMesh *mesh, const struct aiFace *face)
+{
+    for (unsigned k = 0; k < 3 && face->mNumIndices == 3; k++) {
+        if (face->mIndices[k] >= mesh->mNumVertices) {
+            return false;
+        }
+    }
+    return face->mNumIndices == 3;
+}
+
+static extent extent_of(const struct aiMesh *mesh)
+{
+    extent e = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (unsigned i = 0; i < mesh->mNumVertices; i++) {
+        const glint_vec3 p = vec3_of(&mesh->mVertices[i]);
+        e.low = (glint_vec3){fmin(e.low.x, p.x), fmin(e.low.y, p.y), fmin(e.low.z, p.z)};
+        e.high = (glint_vec3){fmax(e.high.x, p.x), fmax(e.high.y, p.y), fmax(e.high.z, p.z)};
+    }
+    return e;
+}
+
+static double largest(glint_vec3 v)
+{
+    return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+}
+
+/* The distance of the floats next to a value. */
+static double step_at(double value)
+{
+    int exponent;
+    (void)frexp(value, &exponent);
+    return ldexp(1.0, exponent - FLT_MANT_DIG);
+}
+
+/* Of a triangle above its longest side. */
+static double height_of(const struct aiMesh *mesh, const struct aiFace *face)
+{
+    const glint_vec3 a = vec3_of(&mesh->mVertices[face->mIndices[0]]);
+    const glint_vec3 b = vec3_of(&mesh->mVertices[face->mIndices[1]]);
+    const glint_vec3 c = vec3_of(&mesh->mVertices[face->mIndices[2]]);
+    const glint_vec3 ab = glint_vec3_sub(b, a);
+    const glint_vec3 ac = glint_vec3_sub(c, a);
+    const double longest = fmax(glint_vec3_length(glint_vec3_sub(c, b)),
+                                fmax(glint_vec3_length(ab), glint_vec3_length(ac)));
+    return longest > 0.0 ? glint_vec3_length(glint_vec3_cross(ab, ac)) / longest : 0.0;
+}
+
+static glint_status check_mesh(const char *path, const struct aiMesh *mesh, glint_error *err)
+{
+    const extent e = extent_of(mesh);
+    const double size = largest(glint_vec3_sub(e.high, e.low));
+    const double reach = fmax(largest(e.low), largest(e.high));
+    if (mesh->mNumVertices == 0 || reach <= FAR * size) {
+        return GLINT_OK;
+    }
+    const double step = step_at(reach);
+    size_t count = 0, lost = 0;
+    for (unsigned i = 0; i < mesh->mNumFaces; i++) {
+        if (is_triangle(mesh, &mesh->mFaces[i])) {
+            count++;
+            lost += height_of(mesh, &mesh->mFaces[i]) < STEPS_NEEDED * step;
+        }
+    }
+    if (2 * lost <= count) {
+        return GLINT_OK;
+    }
+    return glint_fail(
+        err, GLINT_BAD_INPUT,
+        "%.300s: too far from the origin: at coordinates of %.3g single precision has "
+        "steps of %.2g, too coarse for %zu of %zu triangles of an object of size "
+        "%.3g: move it to the origin",
+        path, reach, step, lost, count, size);
+}
+
+glint_status glint_detail_check(const char *path, const struct aiScene *scene, glint_error *err)
+{
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        const glint_status status = check_mesh(path, scene->mMeshes[i], err);
+        if (status != GLINT_OK) {
+            return status;
+        }
+    }
+    return GLINT_OK;
+}
