@@ -6,9 +6,9 @@
 
 #include "render/vec3.h"
 
-/* An object whose coordinates are less than so many times its size is where precision is at home:
+/* An object that is so many steps of its coordinates' rounding large is where precision is at home:
  * what is too fine there, nobody sees. */
-#define FAR 32.0
+#define STEPS_ENOUGH 0x1p18
 
 /* Triangles lower than so many steps of the coordinates' rounding are lost in it. */
 #define STEPS_NEEDED 32.0
@@ -53,7 +53,7 @@ static double step_at(double value)
 {
     int exponent;
     (void)frexp(value, &exponent);
-    return ldexp(1.0, exponent - FLT_MANT_DIG);
+    return ldexp(1.0, (exponent > FLT_MIN_EXP ? exponent : FLT_MIN_EXP) - FLT_MANT_DIG);
 }
 
 /* Of a triangle above its longest side. */
@@ -74,10 +74,10 @@ static glint_status check_mesh(const char *path, const struct aiMesh *mesh, glin
     const extent e = extent_of(mesh);
     const double size = largest(glint_vec3_sub(e.high, e.low));
     const double reach = fmax(largest(e.low), largest(e.high));
-    if (mesh->mNumVertices == 0 || reach <= FAR * size) {
+    const double step = step_at(reach);
+    if (mesh->mNumVertices == 0 || size >= STEPS_ENOUGH * step) {
         return GLINT_OK;
     }
-    const double step = step_at(reach);
     size_t count = 0, lost = 0;
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         if (is_triangle(mesh, &mesh->mFaces[i])) {
@@ -90,9 +90,9 @@ static glint_status check_mesh(const char *path, const struct aiMesh *mesh, glin
     }
     return glint_fail(
         err, GLINT_BAD_INPUT,
-        "%.300s: too far from the origin: at coordinates of %.3g single precision has "
-        "steps of %.2g, too coarse for %zu of %zu triangles of an object of size "
-        "%.3g: move it to the origin",
+        "%.300s: single precision cannot hold it: at coordinates of %.3g it has steps "
+        "of %.2g, too coarse for %zu of %zu triangles of an object of size %.3g: move "
+        "it to the origin, or scale it up",
         path, reach, step, lost, count, size);
 }
 

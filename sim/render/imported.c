@@ -315,7 +315,7 @@ static glint_status convert(reading *in)
         status = walk(in, in->scene->mRootNode, &identity, 0);
     }
     if (status == GLINT_OK && in->to->mesh->triangle_count == 0) {
-        return bad(in, "each of its triangles has two corners in one place");
+        return bad(in, "each of its triangles has two corners in one place, in single precision");
     }
     return status;
 }
