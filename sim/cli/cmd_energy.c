@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "cli/commands.h"
+#include "cli/model_names.h"
 #include "cli/number_list.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -190,12 +191,9 @@ static int find_models(run *all)
         char name[64];
         const size_t length = strcspn(text, ",");
         (void)snprintf(name, sizeof name, "%.*s", length < 60 ? (int)length : 60, text);
-        glint_quoted quoted;
         glint_reflectance_model model;
         if (!glint_reflectance_find(name, &model))
-            return glint_complain("energy", GLINT_EXIT_TROUBLE,
-                                  "--model: there is no model %s (docs/models.md has them)",
-                                  glint_quote(name, &quoted));
+            return glint_refuse_model("energy", "model", name);
         if (is_there(all, model))
             return glint_complain("energy", GLINT_EXIT_TROUBLE, "--model: %s is there twice", name);
         all->model[(*count)++] = model;

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "cli/model_names.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/parse.h"
@@ -140,13 +141,9 @@ static int parse_raw(int argc, char **argv, raw_options *raw)
 static int choose_specular(const raw_options *raw, glint_render_options *chosen)
 {
     glint_scene *scene = &chosen->scene;
-    glint_quoted quoted;
     if (raw->specular != NULL) {
         if (!glint_reflectance_find(raw->specular, &scene->specular)) {
-            return glint_complain("render", GLINT_EXIT_TROUBLE,
-                                  "--specular: %s is no reflectance model (see glint render "
-                                  "--help)",
-                                  glint_quote(raw->specular, &quoted));
+            return glint_refuse_model("render", "specular", raw->specular);
         }
         if (chosen->backend.kind != GLINT_BACKEND_REAL) {
             return glint_complain("render", GLINT_EXIT_TROUBLE,

@@ -179,7 +179,7 @@ static glint_status plan(work *work, const glint_exhaustive_options *options, gl
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for the W codes");
     for (int c = 0; c < options->configs; c++)
         if (list_ws(options->config[c].gate, &work->lists[c]) != GLINT_OK)
-            return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no gate %d",
+            return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no gate number %d",
                               (int)options->config[c].gate);
     work->total = count_points(work);
     return GLINT_OK;

@@ -5,8 +5,9 @@
 static glint_status check_specular(const glint_specular_config *config, glint_error *err)
 {
     if (glint_gate_name(config->gate) == NULL || glint_pipeline_name(config->pipeline) == NULL)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no gate %d with pipeline %d",
-                          (int)config->gate, (int)config->pipeline);
+        return glint_fail(err, GLINT_BAD_ARGUMENT,
+                          "there is no gate number %d with pipeline number %d", (int)config->gate,
+                          (int)config->pipeline);
     if (config->lanes < 1 || config->lanes > GLINT_LANES_MAX ||
         (config->lanes & (config->lanes - 1)) != 0)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "%d lanes: there are 1, 2, 4, 8 or 16",
@@ -19,7 +20,7 @@ glint_status glint_setting_check(const glint_setting *setting, glint_error *err)
     if (!setting->is_divider)
         return check_specular(&setting->specular, err);
     if (glint_divider_form_name(setting->form) == NULL)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no divider of form %d",
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no divider of form number %d",
                           (int)setting->form);
     if (setting->shifts < GLINT_DIVIDER_SHIFTS_MIN || setting->shifts > GLINT_DIVIDER_SHIFTS_MAX)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "%d shifts are not in %d to %d", setting->shifts,

@@ -63,7 +63,8 @@ static glint_status check_parameters(glint_reflectance_model model,
 {
     const glint_reflectance_info *info = glint_reflectance_describe(model);
     if (info == NULL) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no reflectance model %d", (int)model);
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no reflectance model number %d",
+                          (int)model);
     }
     const char *name = glint_reflectance_names[model];
     if (!(parameters->n >= info->n_min && parameters->n <= info->n_max)) {

@@ -31,7 +31,8 @@ glint_status glint_scene_check_exponent(glint_reflectance_model model, int n, gl
 {
     const glint_reflectance_info *info = glint_reflectance_describe(model);
     if (info == NULL) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no reflectance model %d", (int)model);
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no reflectance model number %d",
+                          (int)model);
     }
     const double max = fmin(info->n_max, GLINT_N_MAX);
     return (double)n >= info->n_min && (double)n <= max

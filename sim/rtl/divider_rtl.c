@@ -66,8 +66,9 @@ glint_status glint_divider_rtl_create(glint_divider_form form, int shifts, glint
         if (models[i]->form == form && models[i]->shifts == shifts)
             return glint_divider_rtl_create_from(models[i], rtl, err);
     *rtl = NULL;
-    return glint_fail(err, GLINT_BAD_ARGUMENT, "no divider of form %d was built for %d shifts",
-                      (int)form, shifts);
+    const char *name = glint_divider_form_name(form);
+    return glint_fail(err, GLINT_BAD_ARGUMENT, "no divider of form %s was built for %d shifts",
+                      name != NULL ? name : "unknown", shifts);
 }
 
 void glint_divider_rtl_destroy(glint_divider_rtl *rtl)

@@ -58,10 +58,14 @@ glint_status glint_rtl_create_from(const glint_rtl_model *model,
                                    glint_error *err)
 {
     *rtl = NULL;
-    if (model == NULL)
+    if (model == NULL) {
+        const char *gate = glint_gate_name(config->gate);
+        const char *pipeline = glint_pipeline_name(config->pipeline);
         return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "no circuit was built for gate %d, pipeline %d, %d lanes",
-                          (int)config->gate, (int)config->pipeline, config->lanes);
+                          "no circuit was built for gate %s, pipeline %s, %d lanes",
+                          gate != NULL ? gate : "unknown", pipeline != NULL ? pipeline : "unknown",
+                          config->lanes);
+    }
     glint_rtl *created = calloc(1, sizeof *created);
     if (created == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit");

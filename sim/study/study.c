@@ -44,7 +44,9 @@ glint_status glint_study_method_parse(const char *text, glint_study_method *meth
         parsed.by_model = true;
     } else {
         return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "\"%.60s\" is no method: not c, rtl, real or a reflectance model", who);
+                          "\"%.60s\" is no method: not c, rtl, real or a reflectance model (glint "
+                          "models lists them)",
+                          who);
     }
     if (colon != NULL) {
         if (!find(shadings, GLINT_SHADING_COUNT, colon + 1, &index)) {

@@ -277,7 +277,8 @@ static void models_that_do_not_fit_are_refused(void **state)
         {"--specular blinn --backend both",
          "--specular needs --backend real: the other backends are the device\n"},
         {"--specular Blinn --backend real",
-         "--specular: \"Blinn\" is no reflectance model (see glint render --help)\n"},
+         "--specular: \"Blinn\" is no reflectance model (did you mean blinn?); there are lambert, "
+         "phong, blinn, "},
         {"--f0 0.5", "--f0 is for --specular cook-torrance and torrance-sparrow\n"},
         {"--f0 0.5 --backend real --specular blinn",
          "--f0 is for --specular cook-torrance and torrance-sparrow\n"},

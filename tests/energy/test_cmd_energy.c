@@ -181,6 +181,13 @@ static void lists_are_read_strictly(void **state)
     free(table);
 }
 
+#define MODELS                                                                                     \
+    "; there are lambert, phong, blinn, blinn-normalized, torrance-sparrow, cook-torrance, "       \
+    "schlick, schlick-modified, schlick-modified-angle, schlick-modified-linear, "                 \
+    "schlick-modified-squared, schlick-modified-power, quadratic, cosine-quadratic, "              \
+    "energy-conserving, lyon-2-minimax, lyon-4, lyon-4-minimax, lyon-8, lyon-8-minimax, lyon-16, " \
+    "lyon-16-minimax, device\n"
+
 static void the_command_line_is_read_strictly(void **state)
 {
     (void)state;
@@ -188,9 +195,9 @@ static void the_command_line_is_read_strictly(void **state)
         const char *command_line, *err;
     } refusals[] = {
         {"energy --model blin",
-         "glint energy: --model: there is no model \"blin\" (docs/models.md has them)\n"},
-        {"energy --model blinn,",
-         "glint energy: --model: there is no model \"\" (docs/models.md has them)\n"},
+         "glint energy: --model: \"blin\" is no reflectance model (did you mean "
+         "blinn?)" MODELS},
+        {"energy --model blinn,", "glint energy: --model: \"\" is no reflectance model" MODELS},
         {"energy --model blinn,device,blinn", "glint energy: --model: blinn is there twice\n"},
         {"energy --n 5,4", "glint energy: --n: \"5,4\" is not a list of exponents from 0 to "
                            "1000000 that ascend, as 1..1000 or "

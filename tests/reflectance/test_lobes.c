@@ -65,7 +65,7 @@ static void arguments_outside_the_domain_are_refused(void **state)
         {GLINT_REFLECTANCE_BLINN, 5, NAN, "model blinn: the cosine nan is not in 0…1"},
         {GLINT_REFLECTANCE_COOK_TORRANCE, 5, 0.5,
          "model cook-torrance is no function of one cosine: it needs the directions"},
-        {GLINT_REFLECTANCE_COUNT, 5, 0.5, "there is no reflectance model 23"},
+        {GLINT_REFLECTANCE_COUNT, 5, 0.5, "there is no reflectance model number 23"},
     };
     for (size_t i = 0; i < sizeof refusals / sizeof refusals[0]; i++) {
         double value = 7;
