@@ -129,20 +129,16 @@ static int narrow_circuit(wave_options *chosen)
     return GLINT_OPTIONS_RUN;
 }
 
-static glint_status write_view(const wave_options *chosen, const glint_specular_config *config,
-                               const char *waveform, const char *save_file, glint_error *err)
+/* The waveform of the scene's clocks from…to: the reset of creation is clock 1 of the circuit, so
+ * the scene's clocks come one later, and a waveform begins and ends with a falling edge. */
+static glint_gtkw_window window_of(const char *waveform, int from, int to, int marker)
 {
     const uint64_t period = GLINT_RTL_TRACE_PERIOD;
-    /* The reset of creation is clock 1 of the circuit, so the scene's clocks come one later. */
-    const glint_wave_view view = {
-        .config = config,
-        .window = {.waveform = waveform,
-                   .first_time = (uint64_t)chosen->from * period,
-                   .last_time = ((uint64_t)chosen->to + 2) * period,
-                   .marker_time =
-                       (int64_t)((uint64_t)(glint_wave_scene_centre(config->lanes) + 1) * period)},
-    };
-    return glint_wave_save_file(&view, save_file, err);
+    const int shown = marker < from ? from : marker > to ? to : marker;
+    return (glint_gtkw_window){.waveform = waveform,
+                               .first_time = (uint64_t)(from + 1) * period - period / 2,
+                               .last_time = (uint64_t)(to + 1) * period + period / 2,
+                               .marker_time = (int64_t)((uint64_t)(shown + 1) * period)};
 }
 
 /* DIR/NAME.ENDING; false when it is too long. */
@@ -199,8 +195,12 @@ static int write_specular(const wave_options *chosen, glint_pipeline pipeline, c
     glint_status status =
         glint_wave_record(&config, (glint_wave_format)chosen->format, (int)chosen->from,
                           (int)chosen->to, files.waveform, &err);
+    const glint_wave_view view = {
+        .config = &config,
+        .window = window_of(files.waveform, (int)chosen->from, (int)chosen->to,
+                            glint_wave_scene_centre(config.lanes))};
     if (status == GLINT_OK)
-        status = write_view(chosen, &config, files.waveform, files.save_file, &err);
+        status = glint_wave_save_file(&view, files.save_file, &err);
     if (status != GLINT_OK)
         return glint_complain_error("wave", &err);
     announce(&files, list);
@@ -216,13 +216,9 @@ static int write_divider(const wave_options *chosen, glint_divider_form form, cJ
     (void)snprintf(name, sizeof name, "divider_%s_%d", glint_divider_form_name(form), shifts);
     if (name_files(chosen, name, &files) != GLINT_EXIT_OK)
         return GLINT_EXIT_TROUBLE;
-    const int clocks = glint_divider_scene_clocks(form, shifts);
-    const glint_gtkw_window window = {.waveform = files.waveform,
-                                      .first_time = GLINT_RTL_TRACE_PERIOD,
-                                      .last_time = (uint64_t)(clocks + 2) * GLINT_RTL_TRACE_PERIOD,
-                                      .marker_time =
-                                          (int64_t)glint_divider_scene_first_result(form, shifts) *
-                                          GLINT_RTL_TRACE_PERIOD};
+    const glint_gtkw_window window =
+        window_of(files.waveform, 1, glint_divider_scene_clocks(form, shifts),
+                  glint_divider_scene_first_result(form, shifts) - 1);
     glint_status status = glint_divider_wave_record(form, shifts, (glint_wave_format)chosen->format,
                                                     files.waveform, &err);
     if (status == GLINT_OK)

@@ -5,16 +5,9 @@
 #include "failure/pins.h"
 #include "failure/wave.h"
 #include "failure/wave_signals.h"
-#include "file/new_file.h"
-#include "wave/divider_wave.h"
-#include "wave/gtkw.h"
-#include "wave/save_file.h"
+#include "wave/presentation.h"
 
-/* Clocks about the failing one that are in sight at first, wide enough for their values. */
-#define SHOWN_BEFORE 8
-#define SHOWN_AFTER  6
-
-#define TITLE 96
+#define TITLE 64
 
 /* The groups of a circuit's signals: some dozen, or that many a lane. */
 typedef struct groups {
@@ -28,15 +21,18 @@ typedef struct groups {
 static void title_of(const glint_setting *setting, int index, char title[TITLE])
 {
     const glint_signal_info signal = glint_setting_signal(setting, index);
+    const char *of_specular =
+        setting->is_divider ? NULL
+                            : glint_show_specular_title(glint_show_specular_section(&signal));
     if (setting->is_divider && signal.lane >= 0)
         (void)snprintf(title, TITLE, "Stage %d", signal.lane);
     else if (setting->is_divider)
         (void)snprintf(title, TITLE, "%s",
-                       glint_divider_heading(setting->form, setting->shifts, index));
+                       glint_show_divider_title(setting->form, setting->shifts, index));
     else if (signal.lane >= 0 && setting->specular.lanes > 1)
-        (void)snprintf(title, TITLE, "%s: lane %d", glint_wave_heading(&signal), signal.lane);
+        (void)snprintf(title, TITLE, "%s, lane %d", of_specular, signal.lane);
     else
-        (void)snprintf(title, TITLE, "%s", glint_wave_heading(&signal));
+        (void)snprintf(title, TITLE, "%s", of_specular);
 }
 
 /* The first clock in which a signal differs; the count of clocks when in none. */
@@ -78,93 +74,130 @@ static void scope_of(const glint_setting *setting, int lane, char scope[32])
         (void)snprintf(scope, 32, "TOP.%s[%d].", glint_setting_lane_name(setting), lane);
 }
 
-static unsigned flags_of(int width, bool is_signed)
+/* What the rows of one signal or pin have in common. */
+typedef struct subject {
+    const glint_setting *setting;
+    const glint_signal_info *signal;
+} subject;
+
+/* The lane's or stage's name, where there are several. */
+static const char *place_of(const glint_setting *setting)
 {
-    return width == 1  ? GLINT_GTKW_SHOW_BINARY
-           : is_signed ? GLINT_GTKW_SHOW_SIGNED
-                       : GLINT_GTKW_SHOW_DECIMAL;
+    return setting->is_divider || setting->specular.lanes > 1 ? glint_setting_lane_name(setting)
+                                                              : NULL;
 }
 
-static void write_side(FILE *out, const char *scope, const glint_signal_info *signal,
-                       const char *ending, int color)
+/* The variable behind whose name the endings stand, in `row`, which has the rest. */
+static void add_row(glint_gtkw *rows, const subject *subject, const char *side, const char *ending,
+                    glint_gtkw_trace row)
 {
-    char name[64];
-    const int width = signal->int_bits + signal->frac_bits;
-    (void)snprintf(name, sizeof name, "%s%s", signal->name, ending);
-    glint_gtkw_trace(out, scope, name, width, flags_of(width, signal->is_signed != 0), color,
-                     signal->frac_bits);
+    char scope[32], name[GLINT_SHOW_LABEL], both[32], label[GLINT_SHOW_LABEL];
+    scope_of(subject->setting, subject->signal->lane, scope);
+    (void)snprintf(both, sizeof both, "%s%s", side, ending);
+    (void)snprintf(name, sizeof name, "%s%s", subject->signal->name, both);
+    glint_show_label(subject->signal, place_of(subject->setting), both, label);
+    row.scope = scope;
+    row.name = name;
+    row.label = label;
+    glint_gtkw_add(rows, &row);
+}
+
+static void add_code(glint_gtkw *rows, const subject *subject, const char *side, int color)
+{
+    const glint_signal_info *signal = subject->signal;
+    add_row(rows, subject, side, "",
+            (glint_gtkw_trace){.width = signal->int_bits + signal->frac_bits,
+                               .flags = glint_show_code(signal),
+                               .color = color});
+}
+
+/* The number of a fixed-point code, from the waveform: GTKWave's own leaves out a fraction below
+ * 0.0001. */
+static void add_number(glint_gtkw *rows, const subject *subject, const char *side, int color)
+{
+    const glint_signal_info *signal = subject->signal;
+    if (signal->frac_bits > 0)
+        add_row(rows, subject, side, GLINT_FAILURE_REAL,
+                (glint_gtkw_trace){.width = signal->int_bits + signal->frac_bits,
+                                   .flags = GLINT_GTKW_SHOW_HEX,
+                                   .color = color,
+                                   .frac_bits = signal->frac_bits,
+                                   .is_text = true});
 }
 
 /* Both sides of a signal; of one that differs, where it does. */
-static void write_signal(FILE *out, const glint_capture *capture, int index)
+static void add_signal(glint_gtkw *rows, const glint_capture *capture, int index)
 {
-    char scope[32], name[64];
     const glint_signal_info signal = glint_setting_signal(&capture->setting, index);
+    const subject subject = {&capture->setting, &signal};
     const bool differs = glint_capture_differs(capture, index);
-    scope_of(&capture->setting, signal.lane, scope);
-    write_side(out, scope, &signal, GLINT_FAILURE_RTL,
-               differs ? GLINT_GTKW_COLOR_RED : GLINT_GTKW_COLOR_NORMAL);
-    write_side(out, scope, &signal, GLINT_FAILURE_MODEL, GLINT_GTKW_COLOR_NORMAL);
-    if (!differs)
-        return;
-    (void)snprintf(name, sizeof name, "%s%s", signal.name, GLINT_FAILURE_DIFFERS);
-    glint_gtkw_trace(out, scope, name, 1, GLINT_GTKW_SHOW_BINARY, GLINT_GTKW_COLOR_RED, 0);
+    const int color = differs ? GLINT_GTKW_COLOR_RED : GLINT_GTKW_COLOR_NORMAL;
+    add_code(rows, &subject, GLINT_FAILURE_RTL, color);
+    add_code(rows, &subject, GLINT_FAILURE_MODEL, GLINT_GTKW_COLOR_NORMAL);
+    if (differs)
+        add_row(rows, &subject, GLINT_FAILURE_DIFFERS, "",
+                (glint_gtkw_trace){.width = 1, .flags = GLINT_GTKW_SHOW_BINARY, .color = color});
+    add_number(rows, &subject, GLINT_FAILURE_RTL, color);
+    if (differs) /* else the two numbers are the same */
+        add_number(rows, &subject, GLINT_FAILURE_MODEL, GLINT_GTKW_COLOR_NORMAL);
 }
 
-static void write_pins(FILE *out, const glint_setting *setting)
+static void add_pins(glint_gtkw *rows, const glint_setting *setting)
 {
-    glint_gtkw_heading(out, "Inputs");
+    glint_gtkw_heading(rows, GLINT_SHOW_INPUTS);
     for (int i = 0; i < glint_pin_count(setting); i++) {
-        char scope[32];
         const glint_pin_info pin = glint_pin(setting, i);
-        scope_of(setting, pin.lane, scope);
-        glint_gtkw_trace(out, scope, pin.name, pin.width,
-                         strcmp(pin.name, "in_valid") == 0 ? GLINT_GTKW_SHOW_BINARY
-                                                           : flags_of(pin.width, pin.is_signed),
-                         GLINT_GTKW_COLOR_NORMAL, pin.frac_bits);
+        const glint_signal_info signal = {.name = pin.name,
+                                          .int_bits = pin.width - pin.frac_bits,
+                                          .frac_bits = pin.frac_bits,
+                                          .is_signed = pin.is_signed,
+                                          .lane = pin.lane};
+        const subject subject = {setting, &signal};
+        add_code(rows, &subject, "", GLINT_GTKW_COLOR_NORMAL);
+        add_number(rows, &subject, "", GLINT_GTKW_COLOR_NORMAL);
     }
 }
 
-static void write_group(FILE *out, const groups *all, int group)
+static void add_group(glint_gtkw *rows, const groups *all, int group)
 {
     for (int i = 0; i < glint_setting_signal_count(&all->capture->setting); i++)
         if (all->of_signal[i] == group)
-            write_signal(out, all->capture, i);
+            add_signal(rows, all->capture, i);
 }
 
-static void write_body(FILE *out, const groups *all)
+static void add_top(glint_gtkw *rows, const char *name, int width, unsigned flags, int color)
 {
-    glint_gtkw_heading(out, "Model and Verilog differ");
-    glint_gtkw_trace(out, "TOP.", "mismatch", 1, GLINT_GTKW_SHOW_BINARY, GLINT_GTKW_COLOR_RED, 0);
-    glint_gtkw_trace(out, "TOP.", "clock", GLINT_FAILURE_CLOCK_BITS, GLINT_GTKW_SHOW_DECIMAL,
-                     GLINT_GTKW_COLOR_NORMAL, 0);
-    glint_gtkw_trace(out, "TOP.", "clk", 1, GLINT_GTKW_SHOW_BINARY, GLINT_GTKW_COLOR_NORMAL, 0);
+    const glint_gtkw_trace trace = {.scope = "TOP.",
+                                    .name = name,
+                                    .label = name,
+                                    .width = width,
+                                    .flags = flags,
+                                    .color = color};
+    glint_gtkw_add(rows, &trace);
+}
+
+static void fill(glint_gtkw *rows, const void *context)
+{
+    const groups *all = context;
+    glint_gtkw_heading(rows, "Model and Verilog differ");
+    add_top(rows, "mismatch", 1, GLINT_GTKW_SHOW_BINARY, GLINT_GTKW_COLOR_RED);
+    add_top(rows, "clock", GLINT_FAILURE_CLOCK_BITS, GLINT_GTKW_SHOW_DECIMAL,
+            GLINT_GTKW_COLOR_NORMAL);
+    add_top(rows, "clk", 1, GLINT_GTKW_SHOW_BINARY, GLINT_GTKW_COLOR_NORMAL);
     for (int clock = 0; clock < all->capture->count; clock++)
         for (int g = 0; g < all->count; g++)
             if (all->first_differing[g] == clock) {
-                glint_gtkw_heading(out, all->title[g]);
-                write_group(out, all, g);
+                glint_gtkw_heading(rows, all->title[g]);
+                add_group(rows, all, g);
             }
-    write_pins(out, &all->capture->setting);
+    add_pins(rows, &all->capture->setting);
     for (int g = 0; g < all->count; g++) {
         if (all->first_differing[g] < all->capture->count)
             continue;
-        glint_gtkw_begin_closed_group(out, all->title[g]);
-        write_group(out, all, g);
-        glint_gtkw_end_group(out, all->title[g]);
+        glint_gtkw_begin_closed_group(rows, all->title[g]);
+        add_group(rows, all, g);
+        glint_gtkw_end_group(rows, all->title[g]);
     }
-}
-
-static glint_gtkw_window window_of(const glint_capture *capture, const char *waveform)
-{
-    const uint64_t failing = capture->clock[capture->failing].clock;
-    const uint64_t oldest = capture->clock[0].clock;
-    const uint64_t first = failing > oldest + SHOWN_BEFORE ? failing - SHOWN_BEFORE : oldest;
-    return (glint_gtkw_window){.waveform = waveform,
-                               .first_time =
-                                   first * GLINT_RTL_TRACE_PERIOD - GLINT_RTL_TRACE_PERIOD / 2,
-                               .last_time = (failing + SHOWN_AFTER) * GLINT_RTL_TRACE_PERIOD,
-                               .marker_time = (int64_t)(failing * GLINT_RTL_TRACE_PERIOD)};
 }
 
 glint_status glint_failure_write_save_file(const glint_capture *capture, const char *waveform,
@@ -172,15 +205,13 @@ glint_status glint_failure_write_save_file(const glint_capture *capture, const c
 {
     char setting[GLINT_SETTING_TEXT], title[128];
     groups all;
-    glint_new_file *file;
-    const glint_gtkw_window window = window_of(capture, waveform);
-    const glint_status status = glint_new_file_open(path, &file, err);
-    if (status != GLINT_OK)
-        return status;
+    const glint_failure_times times = glint_failure_times_of(capture);
+    const glint_gtkw_window window = {.waveform = waveform,
+                                      .first_time = times.first,
+                                      .last_time = times.end,
+                                      .marker_time = (int64_t)times.marker};
     find_groups(&all, capture);
     glint_setting_describe(&capture->setting, setting);
     (void)snprintf(title, sizeof title, "Model against Verilog: %s", setting);
-    glint_gtkw_header(glint_new_file_stream(file), title, &window);
-    write_body(glint_new_file_stream(file), &all);
-    return glint_new_file_commit(file, err);
+    return glint_gtkw_write(path, title, &window, fill, &all, err);
 }

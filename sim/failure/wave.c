@@ -9,6 +9,8 @@
 #include "failure/pins.h"
 #include "failure/wave_signals.h"
 #include "file/room.h"
+#include "lockstep/mismatch.h"
+#include "wave/gtkw.h"
 #include "wave/waveform.h"
 
 #define HALF_PERIOD (GLINT_RTL_TRACE_PERIOD / 2)
@@ -16,9 +18,11 @@
 /* One variable of the file, and what it was last. */
 typedef struct variable {
     fstHandle handle;
-    int width;
+    int width; /* 0: not there */
     bool written;
     uint64_t bits;
+    fstHandle number; /* what bits stand for, as a variable of its own; 0: none */
+    int frac_bits;    /* if there is one */
 } variable;
 
 typedef struct writer {
@@ -42,13 +46,27 @@ static variable declare(const writer *w, const char *name, const char *ending, i
                                                    (uint32_t)width, text, 0)};
 }
 
+/* A text: of a real number GTKWave would put the exponent where a narrow clock cuts it off. */
+static void declare_number(const writer *w, variable *of, int frac_bits, const char *name,
+                           const char *ending)
+{
+    char text[64];
+    if (frac_bits == 0)
+        return;
+    (void)snprintf(text, sizeof text, "%s%s%s", name, ending, GLINT_FAILURE_REAL);
+    of->number = fstWriterCreateVar(w->fst, FST_VT_GEN_STRING, FST_VD_IMPLICIT, 0, text, 0);
+    of->frac_bits = frac_bits;
+}
+
 static void declare_pins(writer *w, int lane)
 {
     const glint_setting *setting = &w->capture->setting;
     for (int i = 0; i < glint_pin_count(setting); i++) {
         const glint_pin_info pin = glint_pin(setting, i);
-        if (pin.lane == lane)
-            w->pin[i] = declare(w, pin.name, "", pin.width);
+        if (pin.lane != lane)
+            continue;
+        w->pin[i] = declare(w, pin.name, "", pin.width);
+        declare_number(w, &w->pin[i], pin.frac_bits, pin.name, "");
     }
 }
 
@@ -62,6 +80,8 @@ static void declare_signals(writer *w, int lane)
             continue;
         w->rtl[i] = declare(w, signal.name, GLINT_FAILURE_RTL, width);
         w->model[i] = declare(w, signal.name, GLINT_FAILURE_MODEL, width);
+        declare_number(w, &w->rtl[i], signal.frac_bits, signal.name, GLINT_FAILURE_RTL);
+        declare_number(w, &w->model[i], signal.frac_bits, signal.name, GLINT_FAILURE_MODEL);
         if (glint_capture_differs(w->capture, i))
             w->differs[i] = declare(w, signal.name, GLINT_FAILURE_DIFFERS, 1);
     }
@@ -97,16 +117,44 @@ static void declare_all(writer *w)
     fstWriterSetUpscope(w->fst);
 }
 
-static void put(const writer *w, variable *variable, uint64_t bits)
+/* Whether it changes something. */
+static bool put(const writer *w, variable *variable, uint64_t bits)
 {
     char text[65];
     if (variable->width == 0 || (variable->written && variable->bits == bits))
-        return;
+        return false;
     for (int i = 0; i < variable->width; i++)
         text[i] = (char)('0' + (bits >> (variable->width - 1 - i) & 1));
     fstWriterEmitValueChange(w->fst, variable->handle, text);
     variable->written = true;
     variable->bits = bits;
+    return true;
+}
+
+static void put_text(const writer *w, const variable *variable, const char *text)
+{
+    if (variable->number != 0)
+        fstWriterEmitVariableLengthValueChange(w->fst, variable->number, text,
+                                               (uint32_t)strlen(text));
+}
+
+/* All its digits, no exponent: as many places behind the point as the code has, less what is 0. */
+static void put_number(const writer *w, const variable *variable, double number)
+{
+    char text[64];
+    int length = snprintf(text, sizeof text, "%.*f", variable->frac_bits, number);
+    while (variable->frac_bits > 0 && (text[length - 1] == '0' || text[length - 1] == '.'))
+        if (text[--length] == '.')
+            break;
+    text[length] = '\0';
+    put_text(w, variable, text);
+}
+
+static void put_signal(const writer *w, variable *variable, const glint_signal_info *signal,
+                       uint64_t bits)
+{
+    if (put(w, variable, bits))
+        put_number(w, variable, glint_mismatch_number(signal, bits));
 }
 
 static void put_pins(writer *w, const glint_capture_clock *clock)
@@ -114,7 +162,10 @@ static void put_pins(writer *w, const glint_capture_clock *clock)
     const glint_setting *setting = &w->capture->setting;
     for (int i = 0; i < glint_pin_count(setting); i++) {
         const uint64_t mask = (UINT64_C(1) << w->pin[i].width) - 1;
-        put(w, &w->pin[i], (uint64_t)glint_pin_get(setting, &clock->pins, i) & mask);
+        const int64_t value = glint_pin_get(setting, &clock->pins, i);
+        if (put(w, &w->pin[i], (uint64_t)value & mask))
+            put_number(w, &w->pin[i],
+                       (double)value / (double)(UINT64_C(1) << w->pin[i].frac_bits));
     }
 }
 
@@ -122,9 +173,10 @@ static void put_signals(writer *w, const glint_capture_clock *clock)
 {
     bool any = false;
     for (int i = 0; i < glint_setting_signal_count(&w->capture->setting); i++) {
+        const glint_signal_info signal = glint_setting_signal(&w->capture->setting, i);
         const bool differs = clock->rtl[i] != clock->model[i];
-        put(w, &w->rtl[i], clock->rtl[i]);
-        put(w, &w->model[i], clock->model[i]);
+        put_signal(w, &w->rtl[i], &signal, clock->rtl[i]);
+        put_signal(w, &w->model[i], &signal, clock->model[i]);
         put(w, &w->differs[i], differs);
         any |= differs;
     }
@@ -143,6 +195,31 @@ static void put_clock(writer *w, const glint_capture_clock *clock)
     put_signals(w, clock);
 }
 
+static void put_unknown(const writer *w, const variable *variable)
+{
+    char text[65];
+    memset(text, 'x', (size_t)variable->width);
+    if (variable->width > 0)
+        fstWriterEmitValueChange(w->fst, variable->handle, text);
+    put_text(w, variable, "x");
+}
+
+/* Nothing was played behind the last clock: from here on all is unknown. */
+static void put_end(const writer *w)
+{
+    const glint_setting *setting = &w->capture->setting;
+    put_unknown(w, &w->mismatch);
+    put_unknown(w, &w->clock);
+    put_unknown(w, &w->clk);
+    for (int i = 0; i < glint_pin_count(setting); i++)
+        put_unknown(w, &w->pin[i]);
+    for (int i = 0; i < glint_setting_signal_count(setting); i++) {
+        put_unknown(w, &w->rtl[i]);
+        put_unknown(w, &w->model[i]);
+        put_unknown(w, &w->differs[i]);
+    }
+}
+
 static glint_status record(const void *context, const char *path, glint_error *err)
 {
     writer w = {.capture = context};
@@ -157,11 +234,29 @@ static glint_status record(const void *context, const char *path, glint_error *e
     declare_all(&w);
     for (int i = 0; i < w.capture->count; i++)
         put_clock(&w, &w.capture->clock[i]);
-    const glint_capture_clock *last = &w.capture->clock[w.capture->count - 1];
-    fstWriterEmitTimeChange(w.fst, last->clock * GLINT_RTL_TRACE_PERIOD + HALF_PERIOD);
+    const glint_failure_times times = glint_failure_times_of(w.capture);
+    fstWriterEmitTimeChange(w.fst, times.last_edge + HALF_PERIOD);
     put(&w, &w.clk, 0);
+    if (times.end > times.last_edge + HALF_PERIOD) {
+        fstWriterEmitTimeChange(w.fst, times.last_edge + GLINT_RTL_TRACE_PERIOD);
+        put_end(&w);
+        fstWriterEmitTimeChange(w.fst, times.end);
+    }
     fstWriterClose(w.fst);
     return GLINT_OK;
+}
+
+glint_failure_times glint_failure_times_of(const glint_capture *capture)
+{
+    const uint64_t period = GLINT_RTL_TRACE_PERIOD;
+    glint_failure_times times = {
+        .first = capture->clock[0].clock * period - HALF_PERIOD,
+        .marker = capture->clock[capture->failing].clock * period,
+        .last_edge = capture->clock[capture->count - 1].clock * period,
+    };
+    const uint64_t needed = glint_gtkw_end_for_marker(times.first, times.marker);
+    times.end = needed > times.last_edge + period ? needed : times.last_edge + HALF_PERIOD;
+    return times;
 }
 
 glint_status glint_failure_write_wave(const glint_capture *capture, const char *path,

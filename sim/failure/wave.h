@@ -7,14 +7,15 @@
 /* Writes an FST. The rising edge of clock c stands at 10·c ns; pins change half a clock before it.
  * Scope TOP has `mismatch` (1 where any signal differs), `clock` (its number), clk, the pins by
  * their names, and of each signal NAME_rtl and NAME_model; NAME_differs too, where it ever does.
+ * Behind the name of what is fixed-point, _real has the number that the code stands for.
  * Signals and pins of one lane or stage are in TOP.lane[i] or TOP.stage[i]. */
 glint_status glint_failure_write_wave(const glint_capture *capture, const char *path,
                                       glint_error *err);
 
 /* Writes the save file for the waveform of that name beside it: the marker on the failing clock,
  * the groups in which anything differs on top, in the order in which they begin to, the others
- * folded, the Verilog's value of each signal
- * above the model's, fixed-point values as real numbers. */
+ * folded, the Verilog's value of each signal above the model's: fixed-point codes in hex, the
+ * numbers that they stand for below them. */
 glint_status glint_failure_write_save_file(const glint_capture *capture, const char *waveform,
                                            const char *path, glint_error *err);
 

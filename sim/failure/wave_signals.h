@@ -1,4 +1,5 @@
-/* What the variables of a failure's waveform are called, for its writer and its save file. */
+/* What the variables of a failure's waveform are called, and when it begins and ends, for its
+ * writer and its save file. */
 #ifndef GLINT_SIM_FAILURE_WAVE_SIGNALS_H
 #define GLINT_SIM_FAILURE_WAVE_SIGNALS_H
 
@@ -7,8 +8,16 @@
 #define GLINT_FAILURE_RTL     "_rtl"
 #define GLINT_FAILURE_MODEL   "_model"
 #define GLINT_FAILURE_DIFFERS "_differs"
+#define GLINT_FAILURE_REAL    "_real" /* behind the others: the number that the code stands for */
 
 #define GLINT_FAILURE_CLOCK_BITS 48 /* of the number of the clock */
+
+/* ns. Where the marker would not be in view in every window, the waveform goes on behind its last
+ * clock, everything unknown. */
+typedef struct glint_failure_times {
+    uint64_t first, marker, last_edge, end;
+} glint_failure_times;
+glint_failure_times glint_failure_times_of(const glint_capture *capture);
 
 /* Whether signal `index` differs in any of the clocks. */
 static inline bool glint_capture_differs(const glint_capture *capture, int index)

@@ -1,130 +1,120 @@
 /* The save files of the dividers: the figure's blocks as the data flows. */
 #include <stdbool.h>
+#include <stdio.h>
 #include <string.h>
 
-#include "file/new_file.h"
 #include "wave/divider_wave.h"
+#include "wave/presentation.h"
 
 #define SCOPE_LENGTH 64
 
-/* A heading stands before the signal of that name. */
-static const struct {
-    const char *signal, *heading;
-} headings[] = {
-    {"busy", "Under way"},
-    {"rom_bits", "Table: the bits of 1/k"},
-    {"bits_rg", "Bits still to come"},
-    {"shift_rg", "Shift register"},
-    {"term", "Accumulating adder and register"},
-    {"done", "Outputs"},
-    {"s0_valid", "Input registers"},
-    {"out_valid", "Outputs"},
-};
+typedef struct divider {
+    glint_divider_form form;
+    int shifts;
+} divider;
 
 static const char *top_scope(glint_divider_form form)
 {
     return form == GLINT_DIVIDER_SEQUENTIAL ? "TOP.shift_divider." : "TOP.pipelined_divider.";
 }
 
-static void write_inputs(FILE *out, glint_divider_form form)
+static void add_pin(glint_gtkw *rows, const divider *divider, const char *name, int width,
+                    unsigned flags)
+{
+    const glint_gtkw_trace trace = {.scope = top_scope(divider->form),
+                                    .name = name,
+                                    .label = name,
+                                    .width = width,
+                                    .flags = flags};
+    glint_gtkw_add(rows, &trace);
+}
+
+static void add_inputs(glint_gtkw *rows, const divider *divider)
 {
     static const char *const of_sequential[] = {"difference"};
     static const char *const of_pipelined[] = {"difference_r", "difference_g", "difference_b"};
-    const bool sequential = form == GLINT_DIVIDER_SEQUENTIAL;
-    const char *scope = top_scope(form);
-    glint_gtkw_heading(out, "Clock and control");
-    glint_gtkw_trace(out, scope, "clk", 1, GLINT_GTKW_SHOW_BINARY, GLINT_GTKW_COLOR_NORMAL, 0);
-    glint_gtkw_trace(out, scope, "reset", 1, GLINT_GTKW_SHOW_BINARY, GLINT_GTKW_COLOR_NORMAL, 0);
-    glint_gtkw_trace(out, scope, "en", 1, GLINT_GTKW_SHOW_BINARY, GLINT_GTKW_COLOR_NORMAL, 0);
-    glint_gtkw_heading(out, "Inputs");
-    glint_gtkw_trace(out, scope, sequential ? "start" : "in_valid", 1, GLINT_GTKW_SHOW_BINARY,
-                     GLINT_GTKW_COLOR_NORMAL, 0);
+    const bool sequential = divider->form == GLINT_DIVIDER_SEQUENTIAL;
+    glint_gtkw_heading(rows, GLINT_SHOW_INPUTS);
+    add_pin(rows, divider, "clk", 1, GLINT_GTKW_SHOW_BINARY);
+    add_pin(rows, divider, "reset", 1, GLINT_GTKW_SHOW_BINARY);
+    add_pin(rows, divider, "en", 1, GLINT_GTKW_SHOW_BINARY);
+    add_pin(rows, divider, sequential ? "start" : "in_valid", 1, GLINT_GTKW_SHOW_BINARY);
     for (int i = 0; i < (sequential ? 1 : GLINT_DIVIDER_COMPONENTS); i++)
-        glint_gtkw_trace(out, scope, (sequential ? of_sequential : of_pipelined)[i],
-                         GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_GTKW_SHOW_SIGNED,
-                         GLINT_GTKW_COLOR_NORMAL, 0);
-    glint_gtkw_trace(out, scope, "k", GLINT_DIVIDER_K_BITS, GLINT_GTKW_SHOW_DECIMAL,
-                     GLINT_GTKW_COLOR_NORMAL, 0);
+        add_pin(rows, divider, (sequential ? of_sequential : of_pipelined)[i],
+                GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_GTKW_SHOW_SIGNED);
+    add_pin(rows, divider, "k", GLINT_DIVIDER_K_BITS, GLINT_GTKW_SHOW_DECIMAL);
 }
 
-static unsigned flags_of(const glint_signal_info *signal)
+static void add_signal(glint_gtkw *rows, const divider *divider, const glint_signal_info *signal)
 {
-    if (signal->is_signed)
-        return GLINT_GTKW_SHOW_SIGNED;
-    /* The bits of the table are read one by one. */
-    return strstr(signal->name, "bits") != NULL || signal->int_bits == 1 ? GLINT_GTKW_SHOW_BINARY
-                                                                         : GLINT_GTKW_SHOW_DECIMAL;
-}
-
-static void write_signal(FILE *out, glint_divider_form form, const glint_signal_info *signal)
-{
-    char scope[SCOPE_LENGTH];
+    char scope[SCOPE_LENGTH], label[GLINT_SHOW_LABEL];
     if (signal->lane < 0)
-        (void)snprintf(scope, sizeof scope, "%s", top_scope(form));
+        (void)snprintf(scope, sizeof scope, "%s", top_scope(divider->form));
     else
-        (void)snprintf(scope, sizeof scope, "%sstage[%d].u.", top_scope(form), signal->lane);
-    glint_gtkw_trace(out, scope, signal->name, signal->int_bits + signal->frac_bits,
-                     flags_of(signal), glint_gtkw_color(signal->kind), signal->frac_bits);
-}
-
-/* What begins with this signal; NULL: it goes on with what the one before it began. */
-static const char *heading_before(const glint_signal_info *signal)
-{
-    for (size_t i = 0; i < sizeof headings / sizeof headings[0]; i++)
-        if (strcmp(headings[i].signal, signal->name) == 0)
-            return headings[i].heading;
-    return NULL;
-}
-
-/* The first signal of each form begins one. */
-const char *glint_divider_heading(glint_divider_form form, int shifts, int index)
-{
-    const char *heading = NULL;
-    for (int i = index; heading == NULL; i--) {
-        const glint_signal_info signal = glint_divider_signal_info(form, shifts, i);
-        heading = heading_before(&signal);
-    }
-    return heading;
+        (void)snprintf(scope, sizeof scope, "%sstage[%d].u.", top_scope(divider->form),
+                       signal->lane);
+    glint_show_label(signal, "stage", "", label);
+    const glint_gtkw_trace trace = {.scope = scope,
+                                    .name = signal->name,
+                                    .label = label,
+                                    .width = signal->int_bits + signal->frac_bits,
+                                    .flags = glint_show_number(signal),
+                                    .color = glint_show_color(signal),
+                                    .frac_bits = signal->frac_bits};
+    glint_gtkw_add(rows, &trace);
 }
 
 /* How the sum of R grows from stage to stage: the one thing to look at first. */
-static void write_sums(FILE *out, int shifts)
+static void add_sums(glint_gtkw *rows, const divider *divider)
 {
-    glint_gtkw_heading(out, "Sum of R, stage after stage");
-    for (int i = 0; i < glint_divider_signal_count(GLINT_DIVIDER_PIPELINED, shifts); i++) {
-        glint_signal_info signal = glint_divider_signal_info(GLINT_DIVIDER_PIPELINED, shifts, i);
+    glint_gtkw_heading(rows, "Sum of R by stage");
+    for (int i = 0; i < glint_divider_signal_count(divider->form, divider->shifts); i++) {
+        const glint_signal_info signal =
+            glint_divider_signal_info(divider->form, divider->shifts, i);
         if (strcmp(signal.name, "acc_r") == 0)
-            write_signal(out, GLINT_DIVIDER_PIPELINED, &signal);
+            add_signal(rows, divider, &signal);
     }
 }
 
-static void write_whole_circuit(FILE *out, glint_divider_form form, int shifts)
+static void add_whole_circuit(glint_gtkw *rows, const divider *divider)
 {
-    for (int i = 0; i < glint_divider_signal_count(form, shifts); i++) {
-        glint_signal_info signal = glint_divider_signal_info(form, shifts, i);
+    for (int i = 0; i < glint_divider_signal_count(divider->form, divider->shifts); i++) {
+        const glint_signal_info signal =
+            glint_divider_signal_info(divider->form, divider->shifts, i);
         if (signal.lane >= 0)
             continue;
-        const char *heading = heading_before(&signal);
-        if (heading != NULL)
-            glint_gtkw_heading(out, heading);
-        write_signal(out, form, &signal);
+        if (glint_show_divider_begins(divider->form, divider->shifts, i))
+            glint_gtkw_heading(rows,
+                               glint_show_divider_title(divider->form, divider->shifts, i));
+        add_signal(rows, divider, &signal);
     }
 }
 
-/* Each stage whole, closed, to be opened by who wants to look. */
-static void write_stages(FILE *out, int shifts)
+/* Each stage whole, folded, to be opened by who wants to look. */
+static void add_stages(glint_gtkw *rows, const divider *divider)
 {
-    for (int stage = 1; stage <= shifts; stage++) {
+    for (int stage = 1; stage <= divider->shifts; stage++) {
         char title[24];
         (void)snprintf(title, sizeof title, "Stage %d", stage);
-        glint_gtkw_begin_closed_group(out, title);
-        for (int i = 0; i < glint_divider_signal_count(GLINT_DIVIDER_PIPELINED, shifts); i++) {
-            glint_signal_info signal =
-                glint_divider_signal_info(GLINT_DIVIDER_PIPELINED, shifts, i);
+        glint_gtkw_begin_closed_group(rows, title);
+        for (int i = 0; i < glint_divider_signal_count(divider->form, divider->shifts); i++) {
+            const glint_signal_info signal =
+                glint_divider_signal_info(divider->form, divider->shifts, i);
             if (signal.lane == stage)
-                write_signal(out, GLINT_DIVIDER_PIPELINED, &signal);
+                add_signal(rows, divider, &signal);
         }
-        glint_gtkw_end_group(out, title);
+        glint_gtkw_end_group(rows, title);
+    }
+}
+
+static void fill(glint_gtkw *rows, const void *context)
+{
+    const divider *divider = context;
+    add_inputs(rows, divider);
+    add_whole_circuit(rows, divider);
+    if (divider->form == GLINT_DIVIDER_PIPELINED) {
+        add_sums(rows, divider);
+        add_stages(rows, divider);
     }
 }
 
@@ -133,19 +123,8 @@ glint_status glint_divider_save_file(glint_divider_form form, int shifts,
                                      glint_error *err)
 {
     char title[64];
-    glint_new_file *file;
-    glint_status status = glint_new_file_open(path, &file, err);
-    if (status != GLINT_OK)
-        return status;
-    FILE *out = glint_new_file_stream(file);
+    const divider divider = {form, shifts};
     (void)snprintf(title, sizeof title, "Shift-accumulate divider, %s, %d shifts",
                    glint_divider_form_name(form), shifts);
-    glint_gtkw_header(out, title, window);
-    write_inputs(out, form);
-    write_whole_circuit(out, form, shifts);
-    if (form == GLINT_DIVIDER_PIPELINED) {
-        write_sums(out, shifts);
-        write_stages(out, shifts);
-    }
-    return glint_new_file_commit(file, err);
+    return glint_gtkw_write(path, title, window, fill, &divider, err);
 }

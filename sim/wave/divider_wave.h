@@ -27,9 +27,6 @@ glint_status glint_divider_wave_record(glint_divider_form form, int shifts,
                                        glint_wave_format format, const char *path,
                                        glint_error *err);
 
-/* The heading that signal `index` of a divider stands under, when it is of the whole circuit. */
-const char *glint_divider_heading(glint_divider_form form, int shifts, int index);
-
 /* Writes the save file of a divider's waveform, beside and then renamed. */
 glint_status glint_divider_save_file(glint_divider_form form, int shifts,
                                      const glint_gtkw_window *window, const char *path,

@@ -1,11 +1,12 @@
-/* The parts of a GTKWave save file, for the save files of all circuits. */
+/* Writes GTKWave save files: their rows, and the view that they open with. */
 #ifndef GLINT_SIM_GTKW_H
 #define GLINT_SIM_GTKW_H
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 
-#include "glint_signal.h"
+#include "glint_status.h"
 
 /* How a trace is shown: flags of GTKWave's save files. */
 #define GLINT_GTKW_SHOW_HEX     0x22u /* right-justified */
@@ -16,31 +17,55 @@
 
 #define GLINT_GTKW_COLOR_NORMAL 0
 #define GLINT_GTKW_COLOR_RED    1
+#define GLINT_GTKW_COLOR_ORANGE 2
+#define GLINT_GTKW_COLOR_YELLOW 3
 
-/* What the window shows when the file is opened. */
+/* The waveform, and where to look. The view has GLINT_GTKW_CLOCKS clocks, the marker behind the
+ * first GLINT_GTKW_BEFORE of them, or as many as the waveform has before it. */
 typedef struct glint_gtkw_window {
     const char *waveform; /* the file it belongs to: its last component is named in the save file */
-    uint64_t first_time;  /* ns */
-    uint64_t last_time;   /* > first_time */
-    int64_t marker_time;  /* where the marker stands; −1: nowhere */
+    uint64_t first_time, last_time; /* ns: what the waveform has, first < last */
+    int64_t marker_time;            /* −1: no marker */
 } glint_gtkw_window;
 
-/* The beginning of the file. */
-void glint_gtkw_header(FILE *out, const char *title, const glint_gtkw_window *window);
+#define GLINT_GTKW_CLOCKS 20
+#define GLINT_GTKW_BEFORE 8
+
+/* GTKWave takes the beginning of the view from a save file only when the whole view then lies in
+ * the waveform, else it begins at the waveform's beginning, wherever the marker is. How wide the
+ * view is depends on the window, which may have any width. A waveform that goes on until this time
+ * has its marker in view in every window that is wide enough for GLINT_GTKW_BEFORE clocks. */
+uint64_t glint_gtkw_end_for_marker(uint64_t first_time, uint64_t marker_time);
+
+/* One signal of the waveform as a row. */
+typedef struct glint_gtkw_trace {
+    const char *scope, *name; /* scope ends with a dot */
+    const char *label;        /* what stands before it */
+    int width;                /* bits */
+    unsigned flags;
+    int color;
+    int frac_bits; /* above 0: GTKWave shows the code as a real number, but leaves out a fraction
+                    * below 0.0001 */
+    bool is_text;  /* the waveform has the number as a text: flags means nothing */
+} glint_gtkw_trace;
+
+/* The rows under way. */
+typedef struct glint_gtkw glint_gtkw;
 
 /* A row of text, and a group that is folded until somebody opens it. */
-void glint_gtkw_heading(FILE *out, const char *title);
-void glint_gtkw_begin_closed_group(FILE *out, const char *title);
-void glint_gtkw_end_group(FILE *out, const char *title);
+void glint_gtkw_heading(glint_gtkw *rows, const char *title);
+void glint_gtkw_begin_closed_group(glint_gtkw *rows, const char *title);
+void glint_gtkw_end_group(glint_gtkw *rows, const char *title);
 
-/* One signal: scope ends with a dot; frac_bits above 0 shows the code as a real number. */
-void glint_gtkw_trace(FILE *out, const char *scope, const char *name, int width, unsigned flags,
-                      int color, int frac_bits);
+void glint_gtkw_add(glint_gtkw *rows, const glint_gtkw_trace *trace);
 
 /* The empty rows that the curve above them grows into. */
-void glint_gtkw_curve_height(FILE *out);
+void glint_gtkw_curve_height(glint_gtkw *rows);
 
-/* Colour of a signal: pipeline registers and outputs have their own. */
-int glint_gtkw_color(glint_signal_kind kind);
+/* Writes the file, beside and then renamed. `fill` makes the rows; it is called twice, first to
+ * learn how wide names and values are: both are to be seen whole. */
+typedef void glint_gtkw_fill(glint_gtkw *rows, const void *context);
+glint_status glint_gtkw_write(const char *path, const char *title, const glint_gtkw_window *window,
+                              glint_gtkw_fill *fill, const void *context, glint_error *err);
 
 #endif

@@ -205,13 +205,23 @@ static void write_change(void *context, uint64_t time, fstHandle signal, const u
         fprintf(writer->out, "b%s %s\n", (const char *)value, vcd_code(signal, code));
 }
 
-/* fstReaderIterBlocks() would write VCD itself, but past the stream, and does not tell whether it
+/* A variable that holds a text, as GTKWave writes it to VCD and reads it there. */
+static void write_text(void *context, uint64_t time, fstHandle signal, const unsigned char *text,
+                       uint32_t length)
+{
+    vcd_writer *writer = context;
+    char code[8];
+    write_time(writer, time);
+    fprintf(writer->out, "s%.*s %s\n", (int)length, (const char *)text, vcd_code(signal, code));
+}
+
+/* fstReaderIterBlocks2() would write VCD itself, but past the stream, and does not tell whether it
  * all arrived. */
 static bool write_changes(void *reader, FILE *out)
 {
     vcd_writer writer = {.out = out};
     fstReaderSetFacProcessMaskAll(reader);
-    if (!fstReaderIterBlocks(reader, write_change, &writer, NULL) || writer.times == 0)
+    if (!fstReaderIterBlocks2(reader, write_change, write_text, &writer, NULL) || writer.times == 0)
         return false;
     write_time(&writer, fstReaderGetEndTime(reader));
     return true;

@@ -3,6 +3,7 @@
 #include "saved.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,14 +20,17 @@ typedef struct reader {
     unsigned flags;
     int fraction;
     int open_groups;
+    int rows;
 } reader;
 
-/* "TOP.specular_device.reg2[9:0]": ten bits; without the brackets one. */
+/* "+{reg2} TOP.specular_device.reg2[9:0]": ten bits, shown as "reg2"; without the brackets one. */
 static void read_trace(reader *reader, const char *line)
 {
     saved *to = reader->to;
     assert_true(to->count < (int)(sizeof to->trace / sizeof to->trace[0]));
     saved_trace *trace = &to->trace[to->count++];
+    assert_int_equal(sscanf(line, "+{%63[^}]} TOP.", trace->label), 1);
+    line = strstr(line, "} ") + 2;
     const char *bits = strrchr(line, '[');
     int low = 0;
     const bool is_wide = bits != NULL && strchr(bits, ':') != NULL;
@@ -41,6 +45,8 @@ static void read_trace(reader *reader, const char *line)
     trace->name[length] = '\0';
     trace->flags = reader->flags;
     trace->fraction = reader->fraction;
+    trace->row = reader->rows++;
+    trace->is_folded = reader->open_groups > 0;
     reader->fraction = 0;
 }
 
@@ -51,6 +57,11 @@ static void read_title(reader *reader, const char *line)
     reader->open_groups -= (reader->flags & GROUP_END) != 0;
     assert_true(reader->open_groups >= 0);
     reader->to->headings += line[1] != '\0';
+    reader->rows++;
+    const int length = (int)strlen(line + 1);
+    if (length > reader->to->longest_heading) {
+        reader->to->longest_heading = length;
+    }
 }
 
 static bool read_setting(reader *reader, const char *line)
@@ -60,16 +71,17 @@ static bool read_setting(reader *reader, const char *line)
     return sscanf(line, "[dumpfile] \"%127[^\"]\"", to->dumpfile) == 1 ||
            sscanf(line, "[timestart] %" SCNu64, &to->first_time) == 1 ||
            sscanf(line, "[fpshift_count] %d", &reader->fraction) == 1 ||
-           sscanf(line, "[color] %d", &number) == 1 || sscanf(line, "[size] %d", &number) == 1 ||
+           sscanf(line, "[color] %d", &number) == 1 ||
+           sscanf(line, "[size] %d %d", &to->window_width, &to->window_height) == 2 ||
            sscanf(line, "[pos] %d", &number) == 1 || sscanf(line, "[sst_width] %d", &number) == 1 ||
-           sscanf(line, "[signals_width] %d", &number) == 1 ||
+           sscanf(line, "[signals_width] %d", &to->signals_width) == 1 ||
            sscanf(line, "[sst_expanded] %d", &number) == 1 || strncmp(line, "[*] ", 4) == 0;
 }
 
 static void read_line(reader *reader, const char *line)
 {
     bool known = true;
-    if (strncmp(line, "TOP.", 4) == 0) {
+    if (line[0] == '+') {
         read_trace(reader, line);
     } else if (line[0] == '@') {
         known = sscanf(line, "@%x", &reader->flags) == 1;
@@ -99,6 +111,11 @@ void saved_read(const char *path, saved *saved)
     }
     fclose(stream);
     assert_int_equal(reader.open_groups, 0);
+}
+
+double saved_view(const saved *saved, double pixels)
+{
+    return pixels / 200 * exp2(-saved->zoom);
 }
 
 void saved_name(const glint_signal_info *signal, char *name, int size)

@@ -16,126 +16,23 @@
 #include "../scratch.h"
 
 #include "../child.h"
+#include "gtkwave.h"
 #include "saved.h"
 #include "wave/waveform.h"
 
-enum {
-    TRACES_MAX = 1024,
-    SECONDS = 120 /* it takes one; a busy machine, many times that */
-};
-
-/* What GTKWave says of itself. */
-typedef struct shown {
-    char name[TRACES_MAX][64]; /* without its scopes; "" for room below a curve */
-    char value[TRACES_MAX][64];
-    int count;
-    int64_t from, to, marker;
-} shown;
-
-static const char script[] =
-    "set out [open $::env(GLINT_GTKWAVE_REPORT) w]\n"
-    "puts $out \"window [gtkwave::getWindowStartTime] [gtkwave::getWindowEndTime] "
-    "[gtkwave::getMarker]\"\n"
-    "for {set i 0} {$i < [gtkwave::getTotalNumTraces]} {incr i} {\n"
-    "  puts $out \"|[gtkwave::getTraceNameFromIndex $i]|"
-    "[gtkwave::getTraceValueAtMarkerFromIndex $i]|\"\n"
-    "}\n"
-    "close $out\n"
-    "gtkwave::/File/Quit\n";
+enum { SECONDS = 120 };
 
 static int prepare(void **state)
 {
-    if (scratch_make(state) != 0) {
-        return -1;
-    }
-    scratch_write(scratch_path("ask.tcl"), script, sizeof script - 1);
-    /* No settings of whoever runs this. */
-    return setenv("HOME", scratch_directory, 1) |
-           setenv("GLINT_GTKWAVE_REPORT", scratch_path("report"), 1);
-}
-
-/* "|name|value|"; groups and headings have no value, and neither has what a folded group hides. */
-static void read_line(shown *shown, const char *line)
-{
-    const char *value = strchr(line + 1, '|') + 1;
-    const int name_length = (int)(value - line - 2);
-    const int value_length = (int)(strrchr(value, '|') - value);
-    assert_true(shown->count < TRACES_MAX);
-    assert_true(name_length < 64 && value_length < 64);
-    (void)snprintf(shown->name[shown->count], 64, "%.*s", name_length, line + 1);
-    (void)snprintf(shown->value[shown->count], 64, "%.*s", value_length, value);
-    shown->count++;
-}
-
-static void read_report(shown *shown)
-{
-    char line[512];
-    FILE *stream = fopen(scratch_path("report"), "r");
-    assert_non_null(stream);
-    memset(shown, 0, sizeof *shown);
-    assert_non_null(fgets(line, sizeof line, stream));
-    assert_int_equal(sscanf(line, "window %" SCNd64 " %" SCNd64 " %" SCNd64, &shown->from,
-                            &shown->to, &shown->marker),
-                     3);
-    while (fgets(line, sizeof line, stream) != NULL) {
-        read_line(shown, line);
-    }
-    fclose(stream);
-}
-
-static void assert_silent(const char *file)
-{
-    static const char *const complaints[] = {"not found", "rror",  "arning",
-                                             "ould not",  "annot", "nvalid"};
-    char *said = scratch_read(file, NULL);
-    for (size_t i = 0; i < sizeof complaints / sizeof complaints[0]; i++) {
-        if (strstr(said, complaints[i]) != NULL) {
-            fail_msg("GTKWave says:\n%s", said);
-        }
-    }
-    free(said);
-}
-
-/* The two names are of files in the scratch directory. */
-static void open_in_gtkwave(const char *waveform, const char *save_file, shown *shown)
-{
-    char paths[3][1024];
-    (void)snprintf(paths[0], sizeof paths[0], "%s", scratch_path("ask.tcl"));
-    (void)snprintf(paths[1], sizeof paths[1], "%s", scratch_path(waveform));
-    (void)snprintf(paths[2], sizeof paths[2], "%s", scratch_path(save_file));
-    const char *const argv[] = {"xvfb-run", "-a",     "gtkwave", "-S",
-                                paths[0],   paths[1], paths[2],  NULL};
-    (void)remove(scratch_path("report"));
-    const int status = child_run(argv, SECONDS);
-    if (status != 0) {
-        fail_msg("gtkwave %s %s: status %d; installed by sim/deps.sh gtkwave", waveform, save_file,
-                 status);
-    }
-    assert_silent(scratch_path("child.out"));
-    assert_silent(scratch_path("child.err"));
-    read_report(shown);
-}
-
-/* "reg1[18:0]" of "TOP.specular_device.lane[0].u.reg1" with 19 bits; a single bit may have brackets
- * or none. */
-static bool is_name_of(const char *name, const saved_trace *trace)
-{
-    char expected[64];
-    const char *last = strrchr(trace->name, '.') + 1;
-    (void)snprintf(expected, sizeof expected, "%s[%d:0]", last, trace->width - 1);
-    if (trace->width > 1) {
-        return strcmp(name, expected) == 0;
-    }
-    return strncmp(name, last, strlen(last)) == 0 &&
-           (name[strlen(last)] == '\0' || strcmp(name + strlen(last), "[0]") == 0);
+    return scratch_make(state) != 0 ? -1 : gtkwave_prepare();
 }
 
 /* Index of the next shown row that is `trace`, from row *next on; the rest are headings. */
-static int row_of(const shown *shown, const saved_trace *trace, int *next)
+static int row_of(const gtkwave_shown *shown, const saved_trace *trace, int *next)
 {
     while (*next < shown->count) {
         const int row = (*next)++;
-        if (is_name_of(shown->name[row], trace)) {
+        if (strcmp(shown->name[row], trace->label) == 0) {
             return row;
         }
     }
@@ -200,10 +97,30 @@ static void write_waveform(const glint_specular_config *config, const char *form
     assert_int_equal(child_run(argv, SECONDS), 0);
 }
 
+/* About twenty clocks with the marker among them, each wide enough for eight characters of the font
+ * that GTKWave has for values, and the outputs above the fold. */
+static void assert_first_look(const gtkwave_shown *shown, const saved *file)
+{
+    const int64_t clocks = (shown->to - shown->from) / 10;
+    int outputs = 0;
+    assert_in_range(clocks, 19, 21);
+    assert_true(shown->from <= shown->marker && shown->marker <= shown->to - 50);
+    assert_true(shown->wave_width / clocks >= 8 * 6 + 4);
+    for (int t = 0; t < file->count; t++) {
+        const saved_trace *trace = &file->trace[t];
+        const int rows = shown->wave_height / shown->row_height - 1; /* less the one with the time */
+        if (!trace->is_folded && strstr(trace->name, ".out_") != NULL) {
+            assert_true(trace->row < rows);
+            outputs++;
+        }
+    }
+    assert_int_equal(outputs, 6);
+}
+
 static void check_setting(const glint_specular_config *config, const char *format)
 {
     static saved file;
-    static shown shown;
+    static gtkwave_shown shown;
     char waveform[64];
     char save_file[64];
     int next = 0;
@@ -214,14 +131,12 @@ static void check_setting(const glint_specular_config *config, const char *forma
                    glint_gate_name(config->gate), glint_pipeline_name(config->pipeline));
     write_waveform(config, format);
     saved_read(scratch_path(save_file), &file);
-    open_in_gtkwave(waveform, save_file, &shown);
+    gtkwave_open(waveform, save_file, 0, 0, &shown);
 
     const int centre = glint_wave_scene_centre(config->lanes);
     assert_int_equal(shown.marker, file.marker);
     assert_int_equal(shown.marker, (centre + 1) * 10);
-    /* The whole scene is in sight: its clocks, and not much else. */
-    assert_true(shown.from <= 20 && shown.to >= (GLINT_WAVE_SCENE_CLOCKS + 1) * 10);
-    assert_true(shown.to <= 2 * GLINT_WAVE_SCENE_CLOCKS * 10);
+    assert_first_look(&shown, &file);
 
     glint_specular_device *device = play_until(config, centre);
     for (int t = 0; t < file.count; t++) {
@@ -266,7 +181,7 @@ static void it_opens_a_failure_packet(void **state)
 {
     (void)state;
     static saved file;
-    static shown shown;
+    static gtkwave_shown shown;
     char glint[1024];
     int next = 0;
     int differing = 0;
@@ -277,8 +192,8 @@ static void it_opens_a_failure_packet(void **state)
                                 NULL};
     assert_int_equal(child_run(argv, SECONDS), 1);
     saved_read(scratch_path("specular_cosine_pipelined_1/wave.gtkw"), &file);
-    open_in_gtkwave("specular_cosine_pipelined_1/wave.fst", "specular_cosine_pipelined_1/wave.gtkw",
-                    &shown);
+    gtkwave_open("specular_cosine_pipelined_1/wave.fst", "specular_cosine_pipelined_1/wave.gtkw", 0,
+                 0, &shown);
     assert_int_equal(shown.marker, file.marker);
     assert_true(shown.from < shown.marker && shown.marker < shown.to);
     for (int t = 0; t < file.count; t++) {
@@ -305,7 +220,7 @@ static void a_name_that_is_not_there_is_missed(void **state)
 {
     (void)state;
     static saved file;
-    static shown shown;
+    static gtkwave_shown shown;
     int next = 0;
     int missed = 0;
     const glint_specular_config config = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1};
@@ -317,7 +232,7 @@ static void a_name_that_is_not_there_is_missed(void **state)
     scratch_write(scratch_path("wrong.gtkw"), text, strlen(text));
     free(text);
     saved_read(scratch_path("wrong.gtkw"), &file);
-    open_in_gtkwave("specular_cosine_pipelined.fst", "wrong.gtkw", &shown);
+    gtkwave_open("specular_cosine_pipelined.fst", "wrong.gtkw", 0, 0, &shown);
     for (int t = 0; t < file.count; t++) {
         const int at = next;
         if (row_of(&shown, &file.trace[t], &next) < 0) {

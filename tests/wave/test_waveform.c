@@ -4,6 +4,7 @@
 #define _XOPEN_SOURCE 700
 
 #include <inttypes.h>
+#include <math.h>
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -138,14 +139,14 @@ static void fst_and_vcd_are_the_same(void **state)
 /* ---- The save file
  * -------------------------------------------------------------------------------- */
 
-static void write_save_file(const glint_specular_config *config, const char *path)
+static void write_save_file(const glint_specular_config *config, int64_t marker, const char *path)
 {
     glint_error err;
     const glint_wave_view view = {.config = config,
                                   .window = {.waveform = "some/where/scene.fst",
                                              .first_time = 10,
                                              .last_time = 500,
-                                             .marker_time = 120}};
+                                             .marker_time = marker}};
     assert_int_equal(glint_wave_save_file(&view, path, &err), GLINT_OK);
 }
 
@@ -169,7 +170,7 @@ static void the_save_file_names_what_is_there(void **state)
     static saved file;
     for (size_t i = 0; i < SETTING_COUNT; i++) {
         record(&settings[i], GLINT_WAVE_VCD, 1, 4, scratch_path("names.vcd"));
-        write_save_file(&settings[i], scratch_path("names.gtkw"));
+        write_save_file(&settings[i], 120, scratch_path("names.gtkw"));
         vcd wave = vcd_read(scratch_path("names.vcd"));
         saved_read(scratch_path("names.gtkw"), &file);
         assert_true(file.count > 30);
@@ -201,9 +202,9 @@ static void the_save_file_leaves_no_block_out(void **state)
     (void)state;
     static saved file;
     static const char *const pins[] = {"clk", "reset", "en", "n_we", "n",       "rgb_we",
-                                       "r",   "g",     "b",  "cos",  "in_valid"};
+                                       "r",   "g",     "b",  "in_valid"};
     for (size_t i = 0; i < SETTING_COUNT; i++) {
-        write_save_file(&settings[i], scratch_path("blocks.gtkw"));
+        write_save_file(&settings[i], 120, scratch_path("blocks.gtkw"));
         saved_read(scratch_path("blocks.gtkw"), &file);
         for (int s = 0; s < glint_specular_signal_count(&settings[i]); s++) {
             const glint_signal_info info = glint_specular_signal_info(&settings[i], s);
@@ -219,21 +220,26 @@ static void the_save_file_leaves_no_block_out(void **state)
             (void)snprintf(name, sizeof name, "TOP.specular_device.%s", pins[p]);
             assert_true(is_named(&file, name));
         }
+        for (int lane = 0; lane < settings[i].lanes; lane++) {
+            char name[112];
+            (void)snprintf(name, sizeof name, "TOP.specular_device.lane[%d].u.cos", lane);
+            assert_true(is_named(&file, name));
+        }
         assert_true(file.headings >= 9);
     }
 }
 
-/* The data's way through the figure, top to bottom. */
+/* The pins, then the data's way through the figure, top to bottom. */
 static void the_save_file_is_in_the_order_of_the_data(void **state)
 {
     (void)state;
     static saved file;
-    static const char *const order[] = {"lane[0].u.reg1",   "lane[0].u.adder6", "lane[0].u.mul7",
-                                        "lane[0].u.adder8", "lane[0].u.mul10",  "lane[0].u.keys12",
-                                        "lane[0].u.mul13",  "lane[0].u.out_r"};
+    static const char *const order[] = {"lane[0].u.cos",   "lane[0].u.out_r",  "lane[0].u.reg1",
+                                        "lane[0].u.adder6", "lane[0].u.mul7",   "lane[0].u.adder8",
+                                        "lane[0].u.mul10",  "lane[0].u.keys12", "lane[0].u.mul13"};
     for (size_t i = 0; i < SETTING_COUNT; i++) {
         size_t next = 0;
-        write_save_file(&settings[i], scratch_path("order.gtkw"));
+        write_save_file(&settings[i], 120, scratch_path("order.gtkw"));
         saved_read(scratch_path("order.gtkw"), &file);
         for (int t = 0; t < file.count && next < sizeof order / sizeof order[0]; t++) {
             char name[112];
@@ -244,16 +250,102 @@ static void the_save_file_is_in_the_order_of_the_data(void **state)
     }
 }
 
-static void the_save_file_opens_at_the_window(void **state)
+/* Twenty clocks, eight before the marker: in a window as wide as the save file asks for, less what
+ * GTKWave has beside the wave. */
+static void the_save_file_opens_at_the_marker(void **state)
 {
     (void)state;
     static saved file;
-    write_save_file(&settings[0], scratch_path("view.gtkw"));
-    saved_read(scratch_path("view.gtkw"), &file);
-    assert_string_equal(file.dumpfile, "scene.fst");
-    assert_int_equal(file.first_time, 10);
-    assert_int_equal(file.marker, 120);
-    assert_true(file.zoom < 0); /* 490 ns take more than one time unit a pixel frame */
+    for (size_t i = 0; i < SETTING_COUNT; i++) {
+        write_save_file(&settings[i], 350, scratch_path("view.gtkw"));
+        saved_read(scratch_path("view.gtkw"), &file);
+        assert_string_equal(file.dumpfile, "scene.fst");
+        assert_int_equal(file.first_time, 270);
+        assert_int_equal(file.marker, 350);
+        assert_int_equal(file.window_width, 1600);
+        assert_int_equal(file.window_height, 1000);
+        const double view = saved_view(&file, 1600 - 64 - file.signals_width);
+        assert_true(view > 195 && view <= 200.001);
+    }
+}
+
+/* GTKWave takes no view that is not in the waveform whole: the view moves away from the marker, or
+ * is all of the waveform. */
+static void the_view_lies_in_the_waveform(void **state)
+{
+    (void)state;
+    static saved file;
+    static const struct {
+        int64_t marker;
+        uint64_t begin;
+    } views[] = {{10, 10}, {50, 10}, {90, 10}, {100, 20}, {300, 220}, {390, 300}, {499, 300}};
+    for (size_t i = 0; i < sizeof views / sizeof views[0]; i++) {
+        write_save_file(&settings[0], views[i].marker, scratch_path("view.gtkw"));
+        saved_read(scratch_path("view.gtkw"), &file);
+        assert_int_equal(file.first_time, views[i].begin);
+    }
+}
+
+/* Characters of a value: sign, digits, point. A fraction of f bits has f digits, and GTKWave shows
+ * 16 that count. */
+static int characters_of(const saved_trace *trace)
+{
+    const int integer = trace->width - trace->fraction;
+    if (trace->fraction > 0) {
+        return 1 + (int)ceil(integer * log10(2)) + 1 + trace->fraction;
+    }
+    return (trace->flags & SAVED_BINARY) != 0   ? trace->width
+           : (trace->flags & SAVED_HEX) != 0 ? (trace->width + 3) / 4
+                                             : (int)ceil(integer * log10(2)) + 1;
+}
+
+/* Names and values at the marker side by side, eight pixels a character. */
+static void names_and_values_have_room(void **state)
+{
+    (void)state;
+    static saved file;
+    for (size_t i = 0; i < SETTING_COUNT; i++) {
+        int name = 0;
+        int value = 0;
+        write_save_file(&settings[i], 120, scratch_path("room.gtkw"));
+        saved_read(scratch_path("room.gtkw"), &file);
+        for (int t = 0; t < file.count; t++) {
+            const int length = (int)strlen(file.trace[t].label);
+            const int characters = characters_of(&file.trace[t]) + 1; /* "=" */
+            name = length > name ? length : name;
+            value = characters > value ? characters : value;
+            assert_null(strchr(file.trace[t].label, '.')); /* GTKWave cuts off what is before it */
+        }
+        assert_true(file.longest_heading <= 24);
+        name = file.longest_heading > name ? file.longest_heading : name;
+        assert_true(file.signals_width >= 8 * (name + value) + 16);
+        assert_true(file.signals_width <= 440);
+    }
+}
+
+/* Pins and all that comes before W are on the first screen: of 42 rows, in a window of 1000. */
+static void pins_are_on_the_first_screen(void **state)
+{
+    (void)state;
+    static saved file;
+    for (size_t i = 0; i < SETTING_COUNT; i++) {
+        int found = 0;
+        write_save_file(&settings[i], 120, scratch_path("rows.gtkw"));
+        saved_read(scratch_path("rows.gtkw"), &file);
+        for (int t = 0; t < file.count; t++) {
+            const saved_trace *trace = &file.trace[t];
+            const char *name = strrchr(trace->name, '.') + 1;
+            if (!trace->is_folded && strncmp(name, "out_", 4) == 0) {
+                assert_true(trace->row < 30);
+                found++;
+            }
+            if (!trace->is_folded && strcmp(name, "keys12") == 0) {
+                assert_true(trace->row < 42);
+                found++;
+            }
+        }
+        assert_int_equal(found, 7); /* out_r is there twice */
+    }
 }
 
 /* ---- The scene
@@ -558,7 +650,10 @@ int main(void)
         cmocka_unit_test(the_save_file_names_what_is_there),
         cmocka_unit_test(the_save_file_leaves_no_block_out),
         cmocka_unit_test(the_save_file_is_in_the_order_of_the_data),
-        cmocka_unit_test(the_save_file_opens_at_the_window),
+        cmocka_unit_test(the_save_file_opens_at_the_marker),
+        cmocka_unit_test(the_view_lies_in_the_waveform),
+        cmocka_unit_test(names_and_values_have_room),
+        cmocka_unit_test(pins_are_on_the_first_screen),
         cmocka_unit_test(the_scene_holds_what_it_promises),
         cmocka_unit_test(the_scan_crosses_the_edge_twice),
         cmocka_unit_test(the_centre_is_where_it_is_said_to_be),

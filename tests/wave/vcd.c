@@ -58,8 +58,8 @@ static void add_signal(vcd *vcd, const char *scope, const char **text)
     assert_true(next_word(text, width, sizeof width));
     assert_true(next_word(text, signal->code, sizeof signal->code));
     assert_true(next_word(text, name, sizeof name));
-    signal->width = atoi(width);
-    assert_true(signal->width > 0);
+    signal->width = strcmp(type, "string") == 0 ? 0 : atoi(width);
+    assert_true(signal->width > 0 || strcmp(type, "string") == 0);
     const int length = snprintf(signal->name, sizeof signal->name, "%s%s", scope, name);
     assert_true((size_t)length < sizeof signal->name);
     skip_to_end(text);
@@ -160,36 +160,40 @@ static uint64_t parse_bits(const char *name, const char *bits)
     return value;
 }
 
-uint64_t vcd_value(const vcd *vcd, const char *name, uint64_t time)
+void vcd_text(const vcd *vcd, const char *name, uint64_t time, char *text, int size)
 {
     const vcd_signal *signal = vcd_find(vcd, name);
-    const char *text = vcd->changes;
+    const char *at = vcd->changes;
     char word[1024];
     char code[8];
     bool known = false;
-    uint64_t value = 0;
     if (signal == NULL) {
         fail_msg("the waveform has no signal %s", name);
-        return 0;
+        return;
     }
-    while (next_word(&text, word, sizeof word)) {
+    while (next_word(&at, word, sizeof word)) {
         if (word[0] == '#' && strtoull(word + 1, NULL, 10) > time) {
             break;
         }
-        if (word[0] == 'b') {
-            assert_true(next_word(&text, code, sizeof code));
+        if (word[0] == 'b' || word[0] == 's') {
+            assert_true(next_word(&at, code, sizeof code));
             if (strcmp(code, signal->code) == 0) {
-                value = parse_bits(name, word + 1);
+                (void)snprintf(text, (size_t)size, "%s", word + 1);
                 known = true;
             }
         } else if (strchr("01xz", word[0]) != NULL && strcmp(word + 1, signal->code) == 0) {
-            word[1] = '\0';
-            value = parse_bits(name, word);
+            (void)snprintf(text, (size_t)size, "%c", word[0]);
             known = true;
         }
     }
     if (!known) {
         fail_msg("%s has no value at %llu", name, (unsigned long long)time);
     }
-    return value;
+}
+
+uint64_t vcd_value(const vcd *vcd, const char *name, uint64_t time)
+{
+    char bits[1024];
+    vcd_text(vcd, name, time, bits, sizeof bits);
+    return parse_bits(name, bits);
 }

@@ -7,7 +7,7 @@
 typedef struct vcd_signal {
     char name[112]; /* with its scopes: "TOP.specular_device.lane[0].u.reg1" */
     char code[8];   /* what stands for it in the file */
-    int width;
+    int width;      /* 0: a text */
 } vcd_signal;
 
 typedef struct vcd {
@@ -28,5 +28,8 @@ const vcd_signal *vcd_find(const vcd *vcd, const char *name);
 /* The 64 low bits of a signal at a time, changes at that time included. Fails the test when the
  * signal has no value yet or one that is not 0 or 1. */
 uint64_t vcd_value(const vcd *vcd, const char *name, uint64_t time);
+
+/* What a variable holds at a time as it stands in the file, "x" and texts included. */
+void vcd_text(const vcd *vcd, const char *name, uint64_t time, char *text, int size);
 
 #endif
