@@ -195,10 +195,10 @@ static int write_specular(const wave_options *chosen, glint_pipeline pipeline, c
     glint_status status =
         glint_wave_record(&config, (glint_wave_format)chosen->format, (int)chosen->from,
                           (int)chosen->to, files.waveform, &err);
-    const glint_wave_view view = {
-        .config = &config,
-        .window = window_of(files.waveform, (int)chosen->from, (int)chosen->to,
-                            glint_wave_scene_centre(config.lanes))};
+    const glint_wave_view view = {.config = &config,
+                                  .window =
+                                      window_of(files.waveform, (int)chosen->from, (int)chosen->to,
+                                                glint_wave_scene_centre(config.lanes))};
     if (status == GLINT_OK)
         status = glint_wave_save_file(&view, files.save_file, &err);
     if (status != GLINT_OK)

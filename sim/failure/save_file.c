@@ -21,9 +21,9 @@ typedef struct groups {
 static void title_of(const glint_setting *setting, int index, char title[TITLE])
 {
     const glint_signal_info signal = glint_setting_signal(setting, index);
-    const char *of_specular =
-        setting->is_divider ? NULL
-                            : glint_show_specular_title(glint_show_specular_section(&signal));
+    const char *of_specular = setting->is_divider
+                                  ? NULL
+                                  : glint_show_specular_title(glint_show_specular_section(&signal));
     if (setting->is_divider && signal.lane >= 0)
         (void)snprintf(title, TITLE, "Stage %d", signal.lane);
     else if (setting->is_divider)

@@ -164,8 +164,7 @@ static void put_pins(writer *w, const glint_capture_clock *clock)
         const uint64_t mask = (UINT64_C(1) << w->pin[i].width) - 1;
         const int64_t value = glint_pin_get(setting, &clock->pins, i);
         if (put(w, &w->pin[i], (uint64_t)value & mask))
-            put_number(w, &w->pin[i],
-                       (double)value / (double)(UINT64_C(1) << w->pin[i].frac_bits));
+            put_number(w, &w->pin[i], (double)value / (double)(UINT64_C(1) << w->pin[i].frac_bits));
     }
 }
 

@@ -84,8 +84,7 @@ static void add_whole_circuit(glint_gtkw *rows, const divider *divider)
         if (signal.lane >= 0)
             continue;
         if (glint_show_divider_begins(divider->form, divider->shifts, i))
-            glint_gtkw_heading(rows,
-                               glint_show_divider_title(divider->form, divider->shifts, i));
+            glint_gtkw_heading(rows, glint_show_divider_title(divider->form, divider->shifts, i));
         add_signal(rows, divider, &signal);
     }
 }

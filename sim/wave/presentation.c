@@ -125,9 +125,9 @@ static bool is_bits(const glint_signal_info *signal)
 
 unsigned glint_show_number(const glint_signal_info *signal)
 {
-    return signal->is_signed  ? GLINT_GTKW_SHOW_SIGNED
+    return signal->is_signed ? GLINT_GTKW_SHOW_SIGNED
            : is_bits(signal) ? GLINT_GTKW_SHOW_BINARY
-                              : GLINT_GTKW_SHOW_DECIMAL;
+                             : GLINT_GTKW_SHOW_DECIMAL;
 }
 
 unsigned glint_show_code(const glint_signal_info *signal)

@@ -35,8 +35,8 @@ void glint_show_label(const glint_signal_info *signal, const char *place, const 
  * what is read bit by bit as bits. */
 unsigned glint_show_number(const glint_signal_info *signal);
 
-/* Flags where two sides are held against each other: fixed-point codes and long rows of bits in hex,
- * so that the last place is seen; the rest as above. */
+/* Flags where two sides are held against each other: fixed-point codes and long rows of bits in
+ * hex, so that the last place is seen; the rest as above. */
 unsigned glint_show_code(const glint_signal_info *signal);
 
 /* Pipeline registers and outputs have a colour of their own. */

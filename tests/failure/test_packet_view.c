@@ -33,10 +33,22 @@ typedef struct shape {
     int count, failing;
 } shape;
 
-#define ONE_LANE     {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1}}
-#define SIXTEEN      {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 16}}
-#define SEQUENTIAL   {.is_divider = true, .form = GLINT_DIVIDER_SEQUENTIAL, .shifts = 12}
-#define PIPELINED_16 {.is_divider = true, .form = GLINT_DIVIDER_PIPELINED, .shifts = 16}
+#define ONE_LANE                                                                                   \
+    {                                                                                              \
+        .specular = { GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1 }                             \
+    }
+#define SIXTEEN                                                                                    \
+    {                                                                                              \
+        .specular = { GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 16 }                            \
+    }
+#define SEQUENTIAL                                                                                 \
+    {                                                                                              \
+        .is_divider = true, .form = GLINT_DIVIDER_SEQUENTIAL, .shifts = 12                         \
+    }
+#define PIPELINED_16                                                                               \
+    {                                                                                              \
+        .is_divider = true, .form = GLINT_DIVIDER_PIPELINED, .shifts = 16                          \
+    }
 
 static const shape shapes[] = {
     {"first of many", ONE_LANE, "reg1", 0, 0x40000, 1, 41, 0},
@@ -92,9 +104,9 @@ static void write_view(const shape *shape)
     glint_error err;
     glint_capture *capture = capture_of(shape);
     assert_int_equal(glint_failure_write_wave(capture, scratch_path("wave.fst"), &err), GLINT_OK);
-    assert_int_equal(glint_failure_write_save_file(capture, "wave.fst", scratch_path("wave.gtkw"),
-                                                   &err),
-                     GLINT_OK);
+    assert_int_equal(
+        glint_failure_write_save_file(capture, "wave.fst", scratch_path("wave.gtkw"), &err),
+        GLINT_OK);
     free(capture);
 }
 
@@ -103,8 +115,8 @@ static void write_view(const shape *shape)
 static void assert_marker_in_view(const shape *shape, const saved *file,
                                   const glint_wave_info *info, uint64_t view)
 {
-    const bool taken = file->first_time >= info->first_time &&
-                       file->first_time + view <= info->last_time;
+    const bool taken =
+        file->first_time >= info->first_time && file->first_time + view <= info->last_time;
     const uint64_t begin = taken ? file->first_time : info->first_time;
     const uint64_t marker = (uint64_t)file->marker;
     if (marker < begin || marker >= begin + view) {
@@ -151,14 +163,14 @@ static void assert_difference_is_read(const shape *shape, const gtkwave_shown *s
 {
     const glint_signal_info signal = glint_setting_signal(&shape->setting, signal_of(shape));
     const uint64_t mask = mask_of(shape, signal_of(shape));
-    const bool has_place = signal.lane >= 0 && (shape->setting.is_divider ||
-                                                shape->setting.specular.lanes > 1);
+    const bool has_place =
+        signal.lane >= 0 && (shape->setting.is_divider || shape->setting.specular.lanes > 1);
     char stem[64];
     char label[96];
     (void)snprintf(stem, sizeof stem, "%s", signal.name);
     if (has_place) {
-        (void)snprintf(stem, sizeof stem, "%s%d %s",
-                       glint_setting_lane_name(&shape->setting), signal.lane, signal.name);
+        (void)snprintf(stem, sizeof stem, "%s%d %s", glint_setting_lane_name(&shape->setting),
+                       signal.lane, signal.name);
     }
     double number[2];
     for (int side = 0; side < 2; side++) {

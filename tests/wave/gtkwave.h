@@ -18,8 +18,8 @@ typedef struct gtkwave_shown {
     char name[GTKWAVE_ROWS_MAX][64];  /* "" for room below a curve */
     char value[GTKWAVE_ROWS_MAX][64]; /* at the marker */
     int count;
-    int64_t from, to, marker; /* ns: what the wave area shows */
-    int64_t first, last;      /* what the waveform has */
+    int64_t from, to, marker;                /* ns: what the wave area shows */
+    int64_t first, last;                     /* what the waveform has */
     int wave_width, wave_height, row_height; /* pixels */
 } gtkwave_shown;
 
@@ -52,8 +52,7 @@ static const char gtkwave_script[] =
 /* Once, before the first gtkwave_open(); 0: done. */
 static inline int gtkwave_prepare(void)
 {
-    scratch_write(scratch_path("ask.tcl"), gtkwave_script,
-                  sizeof gtkwave_script - 1);
+    scratch_write(scratch_path("ask.tcl"), gtkwave_script, sizeof gtkwave_script - 1);
     /* No settings of whoever runs this. */
     return setenv("HOME", scratch_directory, 1) |
            setenv("GLINT_GTKWAVE_REPORT", scratch_path("report"), 1);
@@ -79,12 +78,11 @@ static inline void gtkwave_read_report(gtkwave_shown *shown)
     assert_non_null(stream);
     memset(shown, 0, sizeof *shown);
     assert_non_null(fgets(line, sizeof line, stream));
-    assert_int_equal(sscanf(line,
-                            "window %" SCNd64 " %" SCNd64 " %" SCNd64 " %" SCNd64 " %" SCNd64
-                            " %d %d %d",
-                            &shown->from, &shown->to, &shown->marker, &shown->first, &shown->last,
-                            &shown->wave_width, &shown->wave_height, &shown->row_height),
-                     8);
+    assert_int_equal(
+        sscanf(line, "window %" SCNd64 " %" SCNd64 " %" SCNd64 " %" SCNd64 " %" SCNd64 " %d %d %d",
+               &shown->from, &shown->to, &shown->marker, &shown->first, &shown->last,
+               &shown->wave_width, &shown->wave_height, &shown->row_height),
+        8);
     while (fgets(line, sizeof line, stream) != NULL) {
         gtkwave_read_line(shown, line);
     }
@@ -121,7 +119,7 @@ static inline void gtkwave_resize(const char *save_file, int width, int height, 
 /* Fails the test when GTKWave does not open the files or complains about anything. A width other
  * than 0 is what a window manager gives the window instead of what the save file asks for. */
 static inline void gtkwave_open(const char *waveform, const char *save_file, int width, int height,
-                  gtkwave_shown *shown)
+                                gtkwave_shown *shown)
 {
     char paths[3][1024];
     (void)snprintf(paths[0], sizeof paths[0], "%s", scratch_path("ask.tcl"));
@@ -131,9 +129,9 @@ static inline void gtkwave_open(const char *waveform, const char *save_file, int
         (void)snprintf(paths[2], sizeof paths[2], "%s", scratch_path("resized.gtkw"));
         gtkwave_resize(scratch_path(save_file), width, height, paths[2]);
     }
-    const char *const argv[] = {
-        "xvfb-run", "-a", "-s",     "-screen 0 4096x2160x24", "gtkwave", "-S",
-        paths[0],   paths[1], paths[2], NULL};
+    const char *const argv[] = {"xvfb-run", "-a", "-s",     "-screen 0 4096x2160x24",
+                                "gtkwave",  "-S", paths[0], paths[1],
+                                paths[2],   NULL};
     (void)remove(scratch_path("report"));
     const int status = child_run(argv, GTKWAVE_SECONDS);
     if (status != 0) {

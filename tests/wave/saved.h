@@ -15,10 +15,10 @@
 #define SAVED_FIXED_POINT 0x40000000u
 
 typedef struct saved_trace {
-    char name[112];  /* without its bits */
-    char label[64];  /* what GTKWave shows */
-    int row;         /* from 0 on, as long as no group is folded above it */
-    bool is_folded;  /* in a group that is */
+    char name[112]; /* without its bits */
+    char label[64]; /* what GTKWave shows */
+    int row;        /* from 0 on, as long as no group is folded above it */
+    bool is_folded; /* in a group that is */
     int width;
     unsigned flags;
     int fraction; /* [fpshift_count]; 0: none */

@@ -108,7 +108,8 @@ static void assert_first_look(const gtkwave_shown *shown, const saved *file)
     assert_true(shown->wave_width / clocks >= 8 * 6 + 4);
     for (int t = 0; t < file->count; t++) {
         const saved_trace *trace = &file->trace[t];
-        const int rows = shown->wave_height / shown->row_height - 1; /* less the one with the time */
+        const int rows =
+            shown->wave_height / shown->row_height - 1; /* less the one with the time */
         if (!trace->is_folded && strstr(trace->name, ".out_") != NULL) {
             assert_true(trace->row < rows);
             outputs++;

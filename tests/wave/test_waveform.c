@@ -201,8 +201,8 @@ static void the_save_file_leaves_no_block_out(void **state)
 {
     (void)state;
     static saved file;
-    static const char *const pins[] = {"clk", "reset", "en", "n_we", "n",       "rgb_we",
-                                       "r",   "g",     "b",  "in_valid"};
+    static const char *const pins[] = {"clk",    "reset", "en", "n_we", "n",
+                                       "rgb_we", "r",     "g",  "b",    "in_valid"};
     for (size_t i = 0; i < SETTING_COUNT; i++) {
         write_save_file(&settings[i], 120, scratch_path("blocks.gtkw"));
         saved_read(scratch_path("blocks.gtkw"), &file);
@@ -234,7 +234,7 @@ static void the_save_file_is_in_the_order_of_the_data(void **state)
 {
     (void)state;
     static saved file;
-    static const char *const order[] = {"lane[0].u.cos",   "lane[0].u.out_r",  "lane[0].u.reg1",
+    static const char *const order[] = {"lane[0].u.cos",    "lane[0].u.out_r",  "lane[0].u.reg1",
                                         "lane[0].u.adder6", "lane[0].u.mul7",   "lane[0].u.adder8",
                                         "lane[0].u.mul10",  "lane[0].u.keys12", "lane[0].u.mul13"};
     for (size_t i = 0; i < SETTING_COUNT; i++) {
@@ -294,9 +294,9 @@ static int characters_of(const saved_trace *trace)
     if (trace->fraction > 0) {
         return 1 + (int)ceil(integer * log10(2)) + 1 + trace->fraction;
     }
-    return (trace->flags & SAVED_BINARY) != 0   ? trace->width
-           : (trace->flags & SAVED_HEX) != 0 ? (trace->width + 3) / 4
-                                             : (int)ceil(integer * log10(2)) + 1;
+    return (trace->flags & SAVED_BINARY) != 0 ? trace->width
+           : (trace->flags & SAVED_HEX) != 0  ? (trace->width + 3) / 4
+                                              : (int)ceil(integer * log10(2)) + 1;
 }
 
 /* Names and values at the marker side by side, eight pixels a character. */
