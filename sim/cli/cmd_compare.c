@@ -60,8 +60,10 @@ static bool equal(const glint_image_difference *difference)
 
 static void print_text(FILE *out, const glint_image_difference *difference)
 {
-    fprintf(out, "%" PRIu64 " differing pixels of %" PRIu64 ", largest difference %d of 255\n",
-            difference->differing_pixels, difference->pixels, difference->largest);
+    glint_print_verdict(out, equal(difference), "%" PRIu64 " differing pixels",
+                        difference->differing_pixels);
+    fprintf(out, " of %" PRIu64 ", largest difference %d of 255\n", difference->pixels,
+            difference->largest);
     if (difference->mask_pixels > 0) {
         fprintf(out, "%" PRIu64 " pixels are the object's in one picture only\n",
                 difference->mask_pixels);
@@ -96,7 +98,7 @@ static glint_status write_difference(const glint_image *a, const glint_image *b,
     glint_image *picture;
     glint_status status = glint_image_difference_picture(a, b, &picture, err);
     if (status == GLINT_OK) {
-        status = glint_picture_write(picture, path, err);
+        status = glint_picture_write("compare", picture, path, err);
     }
     glint_image_destroy(picture);
     return status;

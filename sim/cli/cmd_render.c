@@ -59,6 +59,24 @@ static glint_status name_outputs(const char *out, outputs *files, glint_error *e
     return GLINT_OK;
 }
 
+static void show(void *context, uint64_t done, uint64_t total)
+{
+    glint_progress_update(context, done, total);
+}
+
+static glint_status draw_frame(const glint_scene *scene, glint_render_frame *frame,
+                               glint_error *err)
+{
+    glint_progress progress;
+    glint_progress_begin(&progress, "render", "bands of the frame");
+    glint_renderer_show(frame->renderer, show, &progress);
+    const glint_status status =
+        glint_render(frame->renderer, scene, frame->image, glint_stop_flag(), &frame->stats, err);
+    glint_renderer_show(frame->renderer, NULL, NULL);
+    glint_progress_end(&progress);
+    return status;
+}
+
 static glint_status render_frame(const glint_render_options *chosen, glint_backend_kind kind,
                                  const glint_scene *scene, glint_render_frame *frame,
                                  glint_error *err)
@@ -72,11 +90,7 @@ static glint_status render_frame(const glint_render_options *chosen, glint_backe
     if (status == GLINT_OK) {
         status = glint_image_create(chosen->what.width, chosen->what.height, &frame->image, err);
     }
-    if (status == GLINT_OK) {
-        status = glint_render(frame->renderer, scene, frame->image, glint_stop_flag(),
-                              &frame->stats, err);
-    }
-    return status;
+    return status == GLINT_OK ? draw_frame(scene, frame, err) : status;
 }
 
 /* Two empty frames are equal and say nothing. */
@@ -112,18 +126,19 @@ static glint_status write_difference(const glint_render_result *result, const ou
     glint_status status = glint_image_difference_picture(result->frame[0].image,
                                                          result->frame[1].image, &picture, err);
     if (status == GLINT_OK) {
-        status = glint_picture_write(picture, files->diff, err);
+        status = glint_picture_write("render", picture, files->diff, err);
     }
     glint_image_destroy(picture);
-    return status == GLINT_OK ? glint_picture_write(result->frame[0].image, files->frame_c, err)
-                              : status;
+    return status == GLINT_OK
+               ? glint_picture_write("render", result->frame[0].image, files->frame_c, err)
+               : status;
 }
 
 static glint_status write_all(const glint_render_result *result, const outputs *files,
                               glint_error *err)
 {
     const glint_render_frame *last = &result->frame[result->frame_count - 1];
-    const glint_status status = glint_picture_write(last->image, files->frame, err);
+    const glint_status status = glint_picture_write("render", last->image, files->frame, err);
     return status == GLINT_OK && glint_render_differs(result) ? write_difference(result, files, err)
                                                               : status;
 }

@@ -104,7 +104,9 @@ static void print_text(const replay *of)
     char setting[GLINT_SETTING_TEXT];
     const glint_lockstep_result *found = &of->capture->found;
     glint_setting_describe(&of->packet->setting, setting);
-    printf("%s: %s; %" PRIu64 " comparisons\n", setting, verdict(of), found->comparisons);
+    printf("%s: ", setting);
+    glint_print_verdict(stdout, !glint_failure_differs(&of->now), "%s", verdict(of));
+    printf("; %" PRIu64 " comparisons\n", found->comparisons);
     glint_failure_print_mismatches(stdout, of->packet, &of->now, found);
     if (has_answers(of))
         print_answers(of);

@@ -399,9 +399,10 @@ static bool print_json(const verify_options *chosen, const verification *all, co
 
 static void print_text(const verify_options *chosen, const sums *sums, double seconds)
 {
-    printf("%" PRIu64 " mismatches of %" PRIu64 " comparisons: every register and named value, "
+    glint_print_verdict(stdout, sums->mismatches == 0, "%" PRIu64 " mismatches", sums->mismatches);
+    printf(" of %" PRIu64 " comparisons: every register and named value, "
            "%" PRIu64 " clocks, %d settings, seed %" PRId64 ", %.1f s%s\n",
-           sums->mismatches, sums->comparisons, sums->clocks, sums->settings, chosen->seed, seconds,
+           sums->comparisons, sums->clocks, sums->settings, chosen->seed, seconds,
            sums->interrupted ? " (interrupted)" : "");
     glint_reach_sum_print(&sums->reach);
 }

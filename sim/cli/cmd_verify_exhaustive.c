@@ -340,9 +340,10 @@ static void print_text(const exhaustive_options *chosen, run *run)
     const glint_exhaustive_circuit sum = sum_of(run);
     print_mismatches(chosen, run, stdout);
     print_circuits(run);
-    printf("%" PRIu64 " mismatches of %" PRIu64 " comparisons: W and three colours of %" PRIu64
-           " points, %" PRIu32 " values of n, ",
-           sum.mismatches, sum.points * GLINT_ANSWER_VALUES, sum.points, run->result.n_done);
+    glint_print_verdict(stdout, sum.mismatches == 0, "%" PRIu64 " mismatches", sum.mismatches);
+    printf(" of %" PRIu64 " comparisons: W and three colours of %" PRIu64 " points, %" PRIu32
+           " values of n, ",
+           sum.points * GLINT_ANSWER_VALUES, sum.points, run->result.n_done);
     if (chosen->stride != 1)
         printf("stride %" PRId64 ", seed %" PRId64 ", ", chosen->stride, chosen->seed);
     printf("%.1f s%s\n", run->seconds, ending(run));

@@ -81,6 +81,30 @@ int glint_output_finish(const char *command, int status)
                           why != 0 ? strerror(why) : "an earlier write failed");
 }
 
+/* Whether the stream may be sent colours. */
+static bool takes_colors(FILE *out)
+{
+    const char *no_color = getenv("NO_COLOR");
+    const char *term = getenv("TERM");
+    return (no_color == NULL || *no_color == '\0') && (term == NULL || strcmp(term, "dumb") != 0) &&
+           isatty(fileno(out)) == 1;
+}
+
+#define BOLD_RED   "\033[1;31m"
+#define BOLD_GREEN "\033[1;32m"
+#define PLAIN      "\033[0m"
+
+void glint_print_verdict(FILE *out, bool good, const char *format, ...)
+{
+    const bool colors = takes_colors(out);
+    va_list arguments;
+    va_start(arguments, format);
+    fputs(!colors ? "" : good ? BOLD_GREEN : BOLD_RED, out);
+    vfprintf(out, format, arguments);
+    fputs(colors ? PLAIN : "", out);
+    va_end(arguments);
+}
+
 int glint_complain(const char *command, int exit_status, const char *format, ...)
 {
     va_list arguments;
@@ -94,8 +118,9 @@ int glint_complain(const char *command, int exit_status, const char *format, ...
             *c = '?';
         }
     }
-    fprintf(stderr, "glint%s%s: %s\n", command != NULL ? " " : "", command != NULL ? command : "",
-            message);
+    glint_print_verdict(stderr, false, "glint%s%s:", command != NULL ? " " : "",
+                        command != NULL ? command : "");
+    fprintf(stderr, " %s\n", message);
     return exit_status;
 }
 

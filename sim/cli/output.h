@@ -37,6 +37,11 @@ int glint_complain(const char *command, int exit_status, const char *format, ...
 /* Says why a library call failed and returns the exit status for it: 2. */
 int glint_complain_error(const char *command, const glint_error *err);
 
+/* Prints to standard output or error, in bold green when it is good news and bold red when it is
+ * not: on a terminal only, and not where NO_COLOR is set (no-color.org) or TERM is dumb. */
+void glint_print_verdict(FILE *out, bool good, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
 /* Prints a JSON object on standard output, a newline after it, and deletes it. json may be NULL
  * (out of memory while it was built). Returns false when memory ran out. */
 bool glint_output_json(cJSON *json);

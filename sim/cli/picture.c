@@ -50,11 +50,23 @@ glint_status glint_picture_check(const char *option, const char *path, bool forc
                : glint_fail(err, GLINT_BAD_ARGUMENT, "--%s: %s", option, why.text);
 }
 
-glint_status glint_picture_write(const glint_image *image, const char *path, glint_error *err)
+static void show(void *context, uint64_t rows, uint64_t height)
 {
-    return glint_picture_is_stdout(path)
-               ? glint_image_print_png(image, stdout, "standard output", glint_stop_flag(), err)
-               : glint_image_write_png_until(image, path, glint_stop_flag(), err);
+    glint_progress_update(context, rows, height);
+}
+
+glint_status glint_picture_write(const char *command, const glint_image *image, const char *path,
+                                 glint_error *err)
+{
+    glint_progress progress;
+    const glint_image_control control = {glint_stop_flag(), show, &progress};
+    glint_progress_begin(&progress, command, "rows of the picture");
+    const glint_status status =
+        glint_picture_is_stdout(path)
+            ? glint_image_print_png(image, stdout, "standard output", &control, err)
+            : glint_image_write_png_until(image, path, &control, err);
+    glint_progress_end(&progress);
+    return status;
 }
 
 FILE *glint_picture_talk(const char *path)

@@ -18,8 +18,9 @@ bool glint_picture_is_stdout(const char *path);
 glint_status glint_picture_check(const char *option, const char *path, bool force,
                                  glint_error *err);
 
-/* Writes it, until the process is asked to stop. */
-glint_status glint_picture_write(const glint_image *image, const char *path, glint_error *err);
+/* Writes it, until the process is asked to stop; tells a terminal how far it is. */
+glint_status glint_picture_write(const char *command, const glint_image *image, const char *path,
+                                 glint_error *err);
 
 /* Where a command that writes that picture says what it has to say. path NULL: no picture. */
 FILE *glint_picture_talk(const char *path);

@@ -53,8 +53,9 @@ void glint_render_report_text(FILE *out, const glint_render_options *chosen,
         print_frame(out, &result->frame[i]);
     }
     if (result->frame_count == 2) {
-        fprintf(out, "%" PRIu64 " differing pixels of %" PRIu64 "\n",
-                result->difference.differing_pixels, result->difference.pixels);
+        glint_print_verdict(out, !glint_render_differs(result), "%" PRIu64 " differing pixels",
+                            result->difference.differing_pixels);
+        fprintf(out, " of %" PRIu64 "\n", result->difference.pixels);
     }
 }
 

@@ -26,15 +26,21 @@ void glint_image_destroy(glint_image *image); /* NULL is allowed */
  * with the picture. Written beside the target, then renamed: never a half-written file. */
 glint_status glint_image_write_png(const glint_image *image, const char *path, glint_error *err);
 
-/* The same, given up with GLINT_INTERRUPTED when *stop becomes true; stop may be NULL. Of
- * 16384x16384 it takes half a minute. */
+/* What may be wanted while a large picture is written, all of it optional. */
+typedef struct glint_image_control {
+    const volatile bool *stop; /* gives up with GLINT_INTERRUPTED when it becomes true */
+    void (*progress)(void *context, uint64_t rows, uint64_t height); /* after each row */
+    void *context;
+} glint_image_control;
+
+/* The same; control may be NULL. Of 16384x16384 it takes half a minute. */
 glint_status glint_image_write_png_until(const glint_image *image, const char *path,
-                                         const volatile bool *stop, glint_error *err);
+                                         const glint_image_control *control, glint_error *err);
 
 /* The same into a stream that is the caller's to flush and close; path: for what is said when it
  * fails. */
 glint_status glint_image_print_png(const glint_image *image, FILE *stream, const char *path,
-                                   const volatile bool *stop, glint_error *err);
+                                   const glint_image_control *control, glint_error *err);
 
 /* Reads any PNG that libpng reads: grey becomes R = G = B, palettes and fewer bits are expanded,
  * 16 bits are rounded to 8; no gamma or colour profile is applied, and alpha does not change the

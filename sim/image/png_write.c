@@ -11,14 +11,14 @@
 /* What libpng's callbacks reach. */
 typedef struct writer {
     const char *path;
-    const volatile bool *stop; /* may be NULL */
+    const glint_image_control *control;
     FILE *stream;
     glint_error *err;
 } writer;
 
-static bool stopped(const volatile bool *stop)
+static bool stopped(const glint_image_control *control)
 {
-    return stop != NULL && *stop;
+    return control != NULL && control->stop != NULL && *control->stop;
 }
 
 /* libpng leaves the failing call through here and may not return. A write that waits for the reader
@@ -26,7 +26,7 @@ static bool stopped(const volatile bool *stop)
 static void give_up(png_structp png, png_const_charp message)
 {
     const writer *to = png_get_error_ptr(png);
-    if (!stopped(to->stop)) {
+    if (!stopped(to->control)) {
         glint_fail(to->err, GLINT_IO_ERROR, "cannot write %.400s: %s", to->path, message);
     }
     png_longjmp(png, 1);
@@ -69,19 +69,22 @@ static glint_status write_rows(const glint_image *image, const writer *to, png_s
                                png_infop info, png_bytep row)
 {
     if (setjmp(png_jmpbuf(png))) {
-        return stopped(to->stop) ? glint_fail(to->err, GLINT_INTERRUPTED, "interrupted")
-                                 : GLINT_IO_ERROR;
+        return stopped(to->control) ? glint_fail(to->err, GLINT_INTERRUPTED, "interrupted")
+                                    : GLINT_IO_ERROR;
     }
     png_set_IHDR(png, info, (png_uint_32)image->width, (png_uint_32)image->height, 8,
                  PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
     for (int y = 0; y < image->height; y++) {
-        if (stopped(to->stop)) {
+        if (stopped(to->control)) {
             return glint_fail(to->err, GLINT_INTERRUPTED, "interrupted");
         }
         join_row(image, (size_t)y, row);
         png_write_row(png, row);
+        if (to->control != NULL && to->control->progress != NULL) {
+            to->control->progress(to->control->context, (uint64_t)y + 1, (uint64_t)image->height);
+        }
     }
     png_write_end(png, info);
     return GLINT_OK;
@@ -110,27 +113,28 @@ glint_status glint_image_write_png(const glint_image *image, const char *path, g
 }
 
 glint_status glint_image_print_png(const glint_image *image, FILE *stream, const char *path,
-                                   const volatile bool *stop, glint_error *err)
+                                   const glint_image_control *control, glint_error *err)
 {
-    writer to = {.path = path, .stop = stop, .stream = stream, .err = err};
+    writer to = {.path = path, .control = control, .stream = stream, .err = err};
     return write_stream(image, &to);
 }
 
 glint_status glint_image_write_png_until(const glint_image *image, const char *path,
-                                         const volatile bool *stop, glint_error *err)
+                                         const glint_image_control *control, glint_error *err)
 {
     glint_new_file *file;
-    glint_status status = glint_new_file_open_until(path, stop, &file, err);
+    glint_status status =
+        glint_new_file_open_until(path, control != NULL ? control->stop : NULL, &file, err);
     if (status != GLINT_OK) {
         return status;
     }
-    status = glint_image_print_png(image, glint_new_file_stream(file), path, stop, err);
+    status = glint_image_print_png(image, glint_new_file_stream(file), path, control, err);
     if (status != GLINT_OK) {
         glint_new_file_discard(file);
         return status;
     }
     status = glint_new_file_commit(file, err);
-    return status == GLINT_IO_ERROR && stopped(stop)
+    return status == GLINT_IO_ERROR && stopped(control)
                ? glint_fail(err, GLINT_INTERRUPTED, "interrupted")
                : status;
 }

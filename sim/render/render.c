@@ -41,7 +41,9 @@ struct glint_renderer {
     glint_extent extent;
     int threads;
     glint_backend_kind kind;
-    glint_backend_watch *watch; /* of one thread, or NULL */
+    glint_backend_watch *watch;      /* of one thread, or NULL */
+    glint_render_progress *progress; /* or NULL */
+    void *progress_context;
     glint_pool *pool;
     worker *workers;
     glint_record record;
@@ -213,6 +215,9 @@ static void band_phase(void *context, int worker_index)
     const size_t bands = pieces((size_t)f->renderer->extent.height, GLINT_BAND_ROWS);
     size_t band;
     while (take(f, w, bands, &band)) {
+        if (worker_index == 0 && f->renderer->progress != NULL) { /* the caller's own thread */
+            f->renderer->progress(f->renderer->progress_context, band, bands);
+        }
         draw_band(f, w, band);
     }
 }
@@ -401,6 +406,12 @@ static glint_status run_frame(glint_renderer *renderer, const glint_scene *scene
     f->lighting = glint_lighting_of(scene, &f->camera, specular);
     status = prepare_workers(f, err);
     return status == GLINT_OK ? run_phases(f, err) : status;
+}
+
+void glint_renderer_show(glint_renderer *renderer, glint_render_progress *progress, void *context)
+{
+    renderer->progress = progress;
+    renderer->progress_context = context;
 }
 
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, glint_image *image,

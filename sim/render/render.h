@@ -92,6 +92,11 @@ void glint_renderer_destroy(glint_renderer *renderer); /* NULL is allowed */
 glint_status glint_renderer_watch(glint_renderer *renderer, glint_backend_watch *watch,
                                   glint_error *err);
 
+/* Called by glint_render() from its own thread, now and then, with how many bands of the frame are
+ * begun; NULL: not at all. */
+typedef void glint_render_progress(void *context, uint64_t done, uint64_t total);
+void glint_renderer_show(glint_renderer *renderer, glint_render_progress *progress, void *context);
+
 /* Renders one frame into image (of the renderer's size; every pixel is written, the object mask
  * too; the background is 0). stop (may be NULL): when it becomes true the frame is given up with
  * GLINT_INTERRUPTED. GLINT_BAD_ARGUMENT for a scene value out of range, naming it, n outside the

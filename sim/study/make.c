@@ -35,8 +35,8 @@ static glint_status write_picture(const making *m, const glint_sheet *sheet, con
     snprintf(path, sizeof path, "%.400s/%s", m->options->directory, name);
     glint_status status = glint_study_files_add(m->files, name, &stream, err);
     if (status == GLINT_OK) {
-        status =
-            glint_image_print_png(glint_sheet_image(sheet), stream, path, m->options->stop, err);
+        status = glint_image_print_png(glint_sheet_image(sheet), stream, path,
+                                       &(glint_image_control){.stop = m->options->stop}, err);
     }
     return status == GLINT_OK ? glint_study_files_end(m->files, err) : status;
 }
