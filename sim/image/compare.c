@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "image/image.h"
 
@@ -152,6 +153,17 @@ static void show_pixel(const glint_image *a, const glint_image *b, size_t pixel,
     } else {
         dim(a->rgb + 3 * pixel, to);
     }
+}
+
+int glint_image_difference_rank(const uint8_t rgb[3])
+{
+    const int colors = (int)(sizeof legend / sizeof legend[0]);
+    for (int i = 0; i < colors; i++) {
+        if (memcmp(rgb, legend[i].color, 3) == 0) {
+            return colors - i + 1;
+        }
+    }
+    return memcmp(rgb, mask_color, 3) == 0;
 }
 
 glint_status glint_image_difference_picture(const glint_image *a, const glint_image *b,

@@ -83,4 +83,7 @@ const char *glint_image_reading(double nmse);
 glint_status glint_image_difference_picture(const glint_image *a, const glint_image *b,
                                             glint_image **picture, glint_error *err);
 
+/* How much of a difference a colour of that picture stands for, larger for more; 0: none. */
+int glint_image_difference_rank(const uint8_t rgb[3]);
+
 #endif

@@ -59,7 +59,7 @@ static void put_row(const making *m, glint_sheet *sheet, int at, const glint_stu
              glint_image_reading(row->difference.nmse));
     snprintf(second, sizeof second, "PSNR %.4g dB, largest difference %d levels",
              row->difference.psnr, row->difference.largest);
-    glint_sheet_put(sheet, at, 2, difference, first, second);
+    glint_sheet_put_difference(sheet, at, 2, difference, first, second);
 }
 
 static glint_status write_sheet(making *m, int at, const glint_study_row *row,

@@ -110,8 +110,10 @@ void glint_sheet_destroy(glint_sheet *sheet)
     }
 }
 
-/* The mean of the picture's pixels in a square of shrink × shrink, what is beyond its edge left
+/* What a square of shrink × shrink pixels of the picture becomes, what is beyond its edge left
  * out. */
+typedef void shrinking(const glint_image *picture, int shrink, int column, int row, uint8_t to[3]);
+
 static void mean_of(const glint_image *picture, int shrink, int column, int row, uint8_t mean[3])
 {
     unsigned sum[3] = {0, 0, 0};
@@ -131,8 +133,27 @@ static void mean_of(const glint_image *picture, int shrink, int column, int row,
     }
 }
 
-void glint_sheet_put(glint_sheet *sheet, int row, int column, const glint_image *picture,
-                     const char *first_line, const char *second_line)
+/* The mean where none differs. */
+static void largest_difference_of(const glint_image *picture, int shrink, int column, int row,
+                                  uint8_t to[3])
+{
+    int largest = 0;
+    mean_of(picture, shrink, column, row, to);
+    for (int y = row * shrink; y < (row + 1) * shrink && y < picture->height; y++) {
+        for (int x = column * shrink; x < (column + 1) * shrink && x < picture->width; x++) {
+            const uint8_t *rgb =
+                &picture->rgb[3 * ((size_t)y * (size_t)picture->width + (size_t)x)];
+            const int rank = glint_image_difference_rank(rgb);
+            if (rank > largest) {
+                largest = rank;
+                memcpy(to, rgb, 3);
+            }
+        }
+    }
+}
+
+static void put(glint_sheet *sheet, int row, int column, const glint_image *picture,
+                shrinking *become, const char *const lines[2])
 {
     const int width = shrunk(sheet->width, sheet->shrink);
     const int height = shrunk(sheet->height, sheet->shrink);
@@ -140,16 +161,29 @@ void glint_sheet_put(glint_sheet *sheet, int row, int column, const glint_image 
     const int top = MARGIN + row * (LABEL + height + MARGIN);
     if (sheet->text != NULL) {
         const int end = left + sheet->cell_width;
-        glint_text_draw(sheet->text, sheet->image, left, top, end, 235, first_line);
-        glint_text_draw(sheet->text, sheet->image, left, top + LINE, end, 170, second_line);
+        glint_text_draw(sheet->text, sheet->image, left, top, end, 235, lines[0]);
+        glint_text_draw(sheet->text, sheet->image, left, top + LINE, end, 170, lines[1]);
     }
     for (int y = 0; y < height; y++) {
         for (int x = 0; x < width; x++) {
             const size_t to =
                 (size_t)(top + LABEL + y) * (size_t)sheet->image->width + (size_t)(left + x);
-            mean_of(picture, sheet->shrink, x, y, &sheet->image->rgb[3 * to]);
+            become(picture, sheet->shrink, x, y, &sheet->image->rgb[3 * to]);
         }
     }
+}
+
+void glint_sheet_put(glint_sheet *sheet, int row, int column, const glint_image *picture,
+                     const char *first_line, const char *second_line)
+{
+    put(sheet, row, column, picture, mean_of, (const char *const[]){first_line, second_line});
+}
+
+void glint_sheet_put_difference(glint_sheet *sheet, int row, int column, const glint_image *picture,
+                                const char *first_line, const char *second_line)
+{
+    put(sheet, row, column, picture, largest_difference_of,
+        (const char *const[]){first_line, second_line});
 }
 
 const glint_image *glint_sheet_image(const glint_sheet *sheet)

@@ -22,6 +22,11 @@ int glint_sheet_shrink_for(int rows, int columns, int width, int height, int max
 void glint_sheet_put(glint_sheet *sheet, int row, int column, const glint_image *picture,
                      const char *first_line, const char *second_line);
 
+/* The same for a difference picture: of shrink × shrink pixels the one that differs most stands for
+ * all, so that a lone pixel is not lost. */
+void glint_sheet_put_difference(glint_sheet *sheet, int row, int column, const glint_image *picture,
+                                const char *first_line, const char *second_line);
+
 /* All object. */
 const glint_image *glint_sheet_image(const glint_sheet *sheet);
 

@@ -400,6 +400,39 @@ static void a_sheet_holds_the_pictures(void **state)
     glint_image_destroy(picture);
 }
 
+/* One pixel of a million that differs by one step, in a sheet that shrinks 16 times: it is there,
+ * in the colour of the legend; of several the largest is. */
+static void a_sheet_loses_no_difference(void **state)
+{
+    (void)state;
+    glint_image *a = NULL;
+    glint_image *b = NULL;
+    glint_image *difference = NULL;
+    glint_sheet *sheet = NULL;
+    assert_int_equal(glint_image_create(1000, 1000, &a, NULL), GLINT_OK);
+    assert_int_equal(glint_image_create(1000, 1000, &b, NULL), GLINT_OK);
+    memset(a->rgb, 100, 3000000);
+    memset(b->rgb, 100, 3000000);
+    memset(a->object, 1, 1000000);
+    memset(b->object, 1, 1000000);
+    const int levels[] = {1, 2, 80};
+    static const int colors[][3] = {{64, 128, 255}, {0, 220, 100}, {255, 0, 0}};
+    for (int i = 0; i < 3; i++) {
+        b->rgb[3 * (617 * 1000 + 417 + i)] = (uint8_t)(100 + levels[i]);
+        assert_int_equal(glint_image_difference_picture(a, b, &difference, NULL), GLINT_OK);
+        assert_int_equal(glint_sheet_create(1, 1, 1000, 1000, 16, "", &sheet, NULL), GLINT_OK);
+        glint_sheet_put_difference(sheet, 0, 0, difference, "", "");
+        const glint_image *page = glint_sheet_image(sheet);
+        assert_true(find_pixel(page, colors[i][0], colors[i][1], colors[i][2]) >= 0);
+        assert_true(i == 0 ||
+                    find_pixel(page, colors[i - 1][0], colors[i - 1][1], colors[i - 1][2]) < 0);
+        glint_sheet_destroy(sheet);
+        glint_image_destroy(difference);
+    }
+    glint_image_destroy(a);
+    glint_image_destroy(b);
+}
+
 static int bright_pixels(const glint_image *image)
 {
     int count = 0;
@@ -457,6 +490,7 @@ int main(void)
         cmocka_unit_test(a_comparison_is_that_of_a_run),
         cmocka_unit_test(what_cannot_be_studied_is_refused),
         cmocka_unit_test(a_sheet_holds_the_pictures),
+        cmocka_unit_test(a_sheet_loses_no_difference),
         cmocka_unit_test(a_sheet_has_words),
         cmocka_unit_test(a_sheet_fits),
     };
