@@ -170,6 +170,7 @@ static glint_status run(const glint_render_options *chosen, const outputs *files
         status = glint_scene_options_mesh(&chosen->what, mesh, err);
     }
     if (status == GLINT_OK) {
+        glint_tell_remarks("render", chosen->what.model, (*mesh)->remarks);
         status = render_all(chosen, *mesh, result, err);
     }
     if (status == GLINT_OK) {
@@ -222,6 +223,10 @@ static int report(const glint_render_options *chosen, const char *command, const
 {
     const bool differs = glint_render_differs(result);
     bool explained = false;
+    if (result->frame[0].stats.fragments == 0) {
+        (void)glint_complain("render", GLINT_EXIT_OK,
+                             "the frame is empty: no pixel of the object is in it");
+    }
     if (!chosen->json) {
         FILE *out = glint_picture_talk(files->frame);
         glint_render_report_text(out, chosen, result);

@@ -268,6 +268,7 @@ static glint_status work(const study_options *chosen, glint_study_options *study
         status = glint_scene_options_mesh(&chosen->scene, &mesh, err);
     }
     if (status == GLINT_OK) {
+        glint_tell_remarks("study", chosen->scene.model, mesh->remarks);
         study->setup.scene.mesh = mesh;
         study->progress = show_progress;
         study->context = &progress;

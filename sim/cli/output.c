@@ -129,6 +129,13 @@ int glint_complain_error(const char *command, const glint_error *err)
     return glint_complain(command, GLINT_EXIT_TROUBLE, "%s", err->text);
 }
 
+void glint_tell_remarks(const char *command, const char *path, const char *remarks)
+{
+    if (remarks[0] != '\0') {
+        (void)glint_complain(command, GLINT_EXIT_OK, "%s: %s", path, remarks);
+    }
+}
+
 bool glint_output_json(cJSON *json)
 {
     char *text = glint_json_text(json);

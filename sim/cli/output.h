@@ -42,6 +42,9 @@ int glint_complain_error(const char *command, const glint_error *err);
 void glint_print_verdict(FILE *out, bool good, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+/* Says, where there is anything to say, what of a mesh file is not in the mesh. */
+void glint_tell_remarks(const char *command, const char *path, const char *remarks);
+
 /* Prints a JSON object on standard output, a newline after it, and deletes it. json may be NULL
  * (out of memory while it was built). Returns false when memory ran out. */
 bool glint_output_json(cJSON *json);

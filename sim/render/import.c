@@ -8,20 +8,37 @@
 #include "render/detail.h"
 #include "render/import.h"
 #include "render/imported.h"
+#include "render/left_out.h"
+#include "render/source.h"
 #include "render/triangulate.h"
 
+/* A file on its way. */
+typedef struct reading {
+    const char *path;
+    glint_source *source;
+    glint_groups3ds *groups; /* NULL for what is no .3ds file */
+    glint_remarks remarks;
+    glint_error *err;
+} reading;
+
 /* assimp's message as one line of modest length. */
-static glint_status refused(const char *path, glint_error *err)
+static glint_status refused(const reading *in)
 {
+    const char *beside = glint_source_refused(in->source);
     char why[256];
+    if (beside[0] != '\0') {
+        return glint_fail(in->err, GLINT_BAD_INPUT,
+                          "%.200s: it cannot be read without %.200s, which is no regular file",
+                          in->path, beside);
+    }
     strncpy(why, aiGetErrorString(), sizeof why - 1);
     why[sizeof why - 1] = '\0';
     why[strcspn(why, "\r\n")] = '\0';
     if (strstr(why, "bad_alloc") != NULL || strstr(why, "length_error") != NULL) {
-        return glint_fail(err, GLINT_NO_MEMORY,
-                          "%.300s: not enough memory to read it: damaged, or too large", path);
+        return glint_fail(in->err, GLINT_NO_MEMORY,
+                          "%.300s: not enough memory to read it: damaged, or too large", in->path);
     }
-    return glint_fail(err, GLINT_BAD_INPUT, "%.300s: assimp cannot read it: %s", path,
+    return glint_fail(in->err, GLINT_BAD_INPUT, "%.300s: assimp cannot read it: %s", in->path,
                       why[0] != '\0' ? why : "no reason given");
 }
 
@@ -51,7 +68,7 @@ static void listen(const char *message, char *user)
     }
 }
 
-static const struct aiScene *read_scene(const char *path, const glint_groups3ds *groups)
+static const struct aiScene *read_scene(const reading *in)
 {
     struct aiPropertyStore *settings = aiCreatePropertyStore();
     if (settings == NULL) {
@@ -59,73 +76,84 @@ static const struct aiScene *read_scene(const char *path, const glint_groups3ds 
     }
     const unsigned steps = aiProcess_ValidateDataStructure;
     const struct aiScene *scene =
-        groups != NULL
-            ? aiImportFileFromMemoryWithProperties((const char *)groups->bytes,
-                                                   (unsigned)groups->count, steps, "3ds", settings)
-            : aiImportFileExWithProperties(path, steps, NULL, settings);
+        in->groups != NULL
+            ? aiImportFileFromMemoryWithProperties((const char *)in->groups->bytes,
+                                                   (unsigned)in->groups->count, steps, "3ds",
+                                                   settings)
+            : aiImportFileExWithProperties(in->path, steps, glint_source_io(in->source), settings);
     aiReleasePropertyStore(settings);
     return scene;
 }
 
 /* The scene as the file has it, looked through. */
-static glint_status read_checked(const char *path, const glint_groups3ds *groups,
-                                 const struct aiScene **scene, glint_error *err)
+static glint_status read_checked(reading *in, const struct aiScene **scene)
 {
     bool replaced = false;
     const struct aiLogStream log = {listen, (char *)&replaced};
     aiAttachLogStream(&log);
-    *scene = read_scene(path, groups);
+    *scene = read_scene(in);
     (void)aiDetachLogStream(&log);
     if (*scene == NULL) {
-        return refused(path, err);
+        return refused(in);
     }
     const glint_status status =
-        replaced ? glint_fail(err, GLINT_BAD_INPUT,
-                              "%.300s: a face names a vertex that is not there", path)
-                 : glint_imported_check(path, *scene, err);
+        replaced ? glint_fail(in->err, GLINT_BAD_INPUT,
+                              "%.300s: a face names a vertex that is not there", in->path)
+                 : glint_imported_check(in->path, *scene, in->err);
     if (status != GLINT_OK) {
         aiReleaseImport(*scene);
     }
     return status;
 }
 
-static glint_status read_triangles(const char *path, const glint_groups3ds *groups,
-                                   glint_imported *imported, glint_error *err)
+static glint_status read_triangles(reading *in, glint_imported *imported)
 {
     const struct aiScene *scene;
-    glint_status status = read_checked(path, groups, &scene, err);
+    glint_status status = read_checked(in, &scene);
     if (status != GLINT_OK) {
         return status;
     }
+    glint_left_out(scene, &in->remarks);
     scene = glint_triangulate(scene);
     if (scene == NULL) {
-        return glint_fail(err, GLINT_NO_MEMORY, "%.300s: no memory for its triangles", path);
+        return glint_fail(in->err, GLINT_NO_MEMORY, "%.300s: no memory for its triangles",
+                          in->path);
     }
-    status = glint_detail_check(path, scene, err);
+    status = glint_detail_check(in->path, scene, in->err);
     if (status == GLINT_OK) {
-        status = glint_imported_mesh(path, scene, groups, imported, err);
+        status = glint_imported_mesh(in->path, scene, in->groups, imported, in->err);
     }
     aiReleaseImport(scene);
     return status;
 }
 
-glint_status glint_mesh_import(const char *path, glint_mesh **mesh, glint_error *err)
+static glint_status make_mesh(reading *in, glint_mesh **mesh)
 {
-    glint_groups3ds *groups;
-    glint_status status = glint_groups3ds_read(path, &groups, err);
-    if (status != GLINT_OK) {
-        return status;
-    }
     glint_imported imported = {.mesh = NULL};
-    status = read_triangles(path, groups, &imported, err);
-    glint_groups3ds_destroy(groups);
+    glint_status status = read_triangles(in, &imported);
     if (status == GLINT_OK) { /* assimp's memory is given back by now */
-        status = glint_smooth(path, &imported.smoothing, &imported.mesh, err);
+        status = glint_smooth(in->path, &imported.smoothing, &imported.mesh, in->err);
     }
     if (status == GLINT_OK) {
         *mesh = imported.mesh;
         imported.mesh = NULL;
+        memcpy((*mesh)->remarks, in->remarks.text, sizeof in->remarks.text);
     }
     glint_imported_clear(&imported);
+    return status;
+}
+
+glint_status glint_mesh_import(const char *path, glint_mesh **mesh, glint_error *err)
+{
+    reading in = {.path = path, .err = err};
+    glint_status status = glint_source_open(path, &in.source, &in.remarks, err);
+    if (status == GLINT_OK) {
+        status = glint_groups3ds_read(path, &in.groups, err);
+    }
+    if (status == GLINT_OK) {
+        status = make_mesh(&in, mesh);
+    }
+    glint_groups3ds_destroy(in.groups);
+    glint_source_close(in.source);
     return status;
 }

@@ -19,6 +19,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "render/import.h"
@@ -26,13 +27,11 @@
 
 #define POLL_MILLISECONDS 50
 
-/* A reader that waits for ever uses no processor time: it ends after this many times its limit. */
-#define IDLE_FACTOR 10u
-
 /* What the child sends first; the mesh's three arrays follow when status is GLINT_OK. */
 typedef struct answer {
     glint_status status;
     size_t vertices, triangles;
+    char remarks[GLINT_MESH_REMARKS];
     glint_error err;
 } answer;
 
@@ -42,6 +41,7 @@ typedef struct reader {
     const volatile bool *stop;
     pid_t child;
     int pipe;
+    double left; /* of the time it may take, seconds */
     glint_error *err;
 } reader;
 
@@ -92,8 +92,8 @@ static rlim_t address_space(void)
  * carry on here, as a second caller. Ctrl-C, which reaches both, is the parent's to answer. */
 static void reset_signals(void)
 {
-    static const int deadly[] = {SIGSEGV, SIGBUS,  SIGFPE,  SIGILL,  SIGABRT,
-                                 SIGSYS,  SIGTRAP, SIGXCPU, SIGALRM, SIGPIPE};
+    static const int deadly[] = {SIGSEGV, SIGBUS, SIGFPE,  SIGILL,
+                                 SIGABRT, SIGSYS, SIGTRAP, SIGPIPE};
     for (size_t i = 0; i < sizeof deadly / sizeof deadly[0]; i++) {
         (void)signal(deadly[i], SIG_DFL);
     }
@@ -118,8 +118,6 @@ static void confine(const glint_load_limits *limits, pid_t parent)
     reset_signals();
     const rlim_t used = address_space();
     limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_CPU, limits->seconds);
-    (void)alarm(IDLE_FACTOR * limits->seconds);
     if (used != 0) {
         limit(RLIMIT_AS, used + limits->bytes);
     }
@@ -136,6 +134,7 @@ static _Noreturn void be_child(const char *path, const glint_load_limits *limits
     if (a.status == GLINT_OK) {
         a.vertices = mesh->vertex_count;
         a.triangles = mesh->triangle_count;
+        memcpy(a.remarks, mesh->remarks, sizeof a.remarks);
     }
     bool sent = send_bytes(pipe, &a, sizeof a);
     if (sent && a.status == GLINT_OK) {
@@ -149,16 +148,36 @@ static _Noreturn void be_child(const char *path, const glint_load_limits *limits
 /* ---- The parent --------------------------------------------------------------------------------
  */
 
-/* GLINT_BAD_INPUT when the child sends no more. */
-static glint_status receive(const reader *from, void *bytes, size_t count)
+static double now(void)
+{
+    struct timespec time;
+    (void)clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+/* Waits a moment for the child. A wait counts as no longer than twice what it should last: it does
+ * not while this process is stopped, which the child is, too. */
+static bool is_ready(reader *from)
+{
+    struct pollfd ready = {.fd = from->pipe, .events = POLLIN};
+    const double start = now();
+    const bool is = poll(&ready, 1, POLL_MILLISECONDS) > 0;
+    from->left -= fmin(now() - start, 2e-3 * POLL_MILLISECONDS);
+    return is;
+}
+
+/* GLINT_BAD_INPUT when the child sends no more, or has no time left. */
+static glint_status receive(reader *from, void *bytes, size_t count)
 {
     char *next = bytes;
     while (count > 0) {
-        struct pollfd ready = {.fd = from->pipe, .events = POLLIN};
         if (from->stop != NULL && *from->stop) {
             return glint_fail(from->err, GLINT_INTERRUPTED, "interrupted");
         }
-        if (poll(&ready, 1, POLL_MILLISECONDS) <= 0) {
+        if (from->left <= 0.0) {
+            return GLINT_BAD_INPUT;
+        }
+        if (!is_ready(from)) {
             continue;
         }
         const ssize_t got = read(from->pipe, next, count);
@@ -195,7 +214,7 @@ static bool is_sound(const glint_mesh *mesh)
            all_finite(mesh->normal, 3 * mesh->vertex_count);
 }
 
-static glint_status receive_arrays(const reader *from, const answer *a, glint_mesh *mesh)
+static glint_status receive_arrays(reader *from, const answer *a, glint_mesh *mesh)
 {
     mesh->vertex_count = a->vertices;
     mesh->triangle_count = a->triangles;
@@ -210,7 +229,7 @@ static glint_status receive_arrays(const reader *from, const answer *a, glint_me
 }
 
 /* *refused: the child has said itself why there is no mesh. */
-static glint_status receive_mesh(const reader *from, bool *refused, glint_mesh **mesh)
+static glint_status receive_mesh(reader *from, bool *refused, glint_mesh **mesh)
 {
     answer a;
     *refused = false;
@@ -232,6 +251,8 @@ static glint_status receive_mesh(const reader *from, bool *refused, glint_mesh *
         *refused = true;
         return status;
     }
+    a.remarks[sizeof a.remarks - 1] = '\0';
+    memcpy((*mesh)->remarks, a.remarks, sizeof a.remarks);
     status = receive_arrays(from, &a, *mesh);
     if (status != GLINT_OK) {
         glint_mesh_destroy(*mesh);
@@ -252,7 +273,7 @@ static int collect(pid_t child)
 /* The child went without a word. */
 static glint_status explain(const reader *from, int ended, const glint_load_limits *limits)
 {
-    if (WIFSIGNALED(ended) && (WTERMSIG(ended) == SIGXCPU || WTERMSIG(ended) == SIGALRM)) {
+    if (from->left <= 0.0) {
         return glint_fail(from->err, GLINT_BAD_INPUT,
                           "%.300s: assimp had not read it after %u s and was stopped: damaged, or "
                           "not what its name says",
@@ -264,12 +285,11 @@ static glint_status explain(const reader *from, int ended, const glint_load_limi
                       WIFSIGNALED(ended) ? strsignal(WTERMSIG(ended)) : "its answer is not whole");
 }
 
-static glint_status be_parent(const reader *from, const glint_load_limits *limits,
-                              glint_mesh **mesh)
+static glint_status be_parent(reader *from, const glint_load_limits *limits, glint_mesh **mesh)
 {
     bool refused;
     const glint_status status = receive_mesh(from, &refused, mesh);
-    if (status == GLINT_INTERRUPTED) {
+    if (status == GLINT_INTERRUPTED || from->left <= 0.0) {
         (void)kill(from->child, SIGKILL);
     }
     (void)close(from->pipe); /* one that still writes ends by that */
@@ -304,7 +324,7 @@ glint_status glint_mesh_load_within(const char *path, const glint_load_limits *l
         return glint_fail(err, GLINT_IO_ERROR, "%.300s: cannot start a process to read it: %s",
                           path, strerror(reason));
     }
-    const reader from = {path, stop, child, ends[0], err};
+    reader from = {path, stop, child, ends[0], (double)limits->seconds, err};
     return be_parent(&from, limits, mesh);
 }
 
@@ -312,7 +332,7 @@ glint_load_limits glint_load_limits_for(size_t file_bytes)
 {
     const size_t megabytes = file_bytes >> 20;
     return (glint_load_limits){
-        .seconds = megabytes < 1u << 20 ? 2 + 2 * (unsigned)megabytes : 1u << 22,
+        .seconds = megabytes < 1u << 20 ? 5 + 2 * (unsigned)megabytes : 1u << 22,
         .bytes = ((size_t)1 << 30) + (megabytes < 1u << 20 ? 256 * file_bytes : (size_t)256 << 40),
     };
 }

@@ -6,11 +6,11 @@
 
 /* What reading one file may take. */
 typedef struct glint_load_limits {
-    unsigned seconds; /* of processor time, at least 1 */
+    unsigned seconds; /* at least 1 */
     size_t bytes;     /* of address space, beyond what this process has */
 } glint_load_limits;
 
-/* 2 s and 2 s for each megabyte of the file; 1 GB and 256 times the file. Of assimp's own test
+/* 5 s and 2 s for each megabyte of the file; 1 GB and 256 times the file. Of assimp's own test
  * models the slowest takes 0.12 s a megabyte. */
 glint_load_limits glint_load_limits_for(size_t file_bytes);
 

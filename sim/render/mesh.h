@@ -8,12 +8,15 @@
 
 #include "glint_status.h"
 
+#define GLINT_MESH_REMARKS 256
+
 typedef struct glint_mesh {
     size_t vertex_count;
     float *position; /* vertex_count × 3, finite */
     float *normal;   /* vertex_count × 3, unit length */
     size_t triangle_count;
     uint32_t *index; /* triangle_count × 3, each < vertex_count, counter-clockwise from outside */
+    char remarks[GLINT_MESH_REMARKS]; /* what its file has and it has not: one line, or "" */
 } glint_mesh;
 
 void glint_mesh_destroy(glint_mesh *mesh); /* NULL is allowed */
@@ -46,8 +49,10 @@ glint_status glint_mesh_quad(glint_mesh **mesh, glint_error *err);
 #define GLINT_MESH_TRIANGLES_MAX ((size_t)32 << 20)
 
 /* Reads a mesh file through assimp (.3ds .obj .ply .stl …): all meshes under their node
- * transforms, triangulated; points and lines are left out. The middle of the whole is moved to the
- * origin, and half its largest extent is 1.
+ * transforms, triangulated. The middle of the whole is moved to the origin, and half its largest
+ * extent is 1. What is left out is in the mesh's remarks: points, lines, curves, meshes that no
+ * node shows, statements, elements and extensions of a format that are not read. What cannot be
+ * left out is refused.
  *
  * Normals are the file's, made as long as 1. Where it has none, or 0 0 0 or what is not a number, a
  * corner gets the mean of the triangles about its place that lie within 66 degrees of its own:

@@ -79,6 +79,10 @@ static const mesh_case meshes[] = {
     {"no_faces.ply", PLY("3", "0 1 0", "0", ""), REFUSED},
     {"2_32_vertices.ply", PLY("4294967295", "0 1 0", "1", "3 0 1 2"), REFUSED},
     {"2_32_faces.ply", PLY("3", "0 1 0", "4294967295", "3 0 1 2"), REFUSED},
+    {"pipe_beside.obj", "mtllib pipe.obj\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n", DRAWN},
+    {"device_beside.obj", "mtllib /dev/zero\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n",
+     DRAWN},
+    {"endless.smd", "version 1\nnodes\n", REFUSED},
     {"cut_header.ply", "ply\nformat ascii 1", REFUSED},
     {"cut.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nend_header\n", REFUSED},
     {"good.stl", STL("0 1 0"), DRAWN},
@@ -137,6 +141,7 @@ static void bad_meshes(void **state)
 {
     (void)state;
     assert_int_equal(mkdir(scratch_path("out"), 0777), 0);
+    assert_int_equal(mkfifo(scratch_path("pipe.obj"), 0666), 0);
     for (size_t i = 0; i < sizeof meshes / sizeof meshes[0]; i++) {
         const char *path = scratch_path(meshes[i].name);
         scratch_write(path, meshes[i].text, strlen(meshes[i].text));
@@ -183,7 +188,6 @@ static void what_is_no_mesh_file(void **state)
     char longest[300];
     memset(longest, 'x', sizeof longest - 1);
     longest[sizeof longest - 1] = '\0';
-    assert_int_equal(mkfifo(scratch_path("pipe.obj"), 0666), 0);
     assert_int_equal(mkdir(scratch_path("directory.obj"), 0777), 0);
     assert_int_equal(symlink("loop.obj", scratch_path("loop.obj")), 0);
     assert_int_equal(symlink("nowhere", scratch_path("dangling.obj")), 0);

@@ -33,7 +33,7 @@ typedef struct moment {
 static const victim victims[] = {
     {"render --size 5000x5000 --backend both --threads 2 --out D/a.png", NULL, false, 2,
      "interrupted"},
-    {"render --model S/endless.ply --out D/a.png", NULL, false, 2, "interrupted"},
+    {"render --model S/endless.smd --out D/a.png", NULL, false, 2, "interrupted"},
     {"render --out S/unread.png", NULL, false, 2, "interrupted"},
     {"render --size 3000x3000 --out S/stuck.png", NULL, false, 2, "interrupted"},
     {"verify --clocks 1000000000000 --out D/p", NULL, false, 2, "(interrupted)"},
@@ -218,7 +218,7 @@ static int set_up(void **state)
     }
     (void)snprintf(out, sizeof out, "%s", scratch_path("out"));
     (void)snprintf(own, sizeof own, "%s", scratch_directory);
-    scratch_write(scratch_path("endless.ply"), "ply\nformat ascii 1", 18);
+    scratch_write(scratch_path("endless.smd"), "version 1\nnodes\n", 16);
     const char *glint = getenv("GLINT");
     const char *const large[] = {glint != NULL ? glint : "build/glint",
                                  "render",

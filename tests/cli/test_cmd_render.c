@@ -96,6 +96,25 @@ static void both_backends_are_equal(void **state)
     }
 }
 
+/* On standard error, and the frame is made all the same. */
+static void what_is_missing_is_said(void **state)
+{
+    (void)state;
+    static const char text[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\nl 1 4\n";
+    char options[1200], said[1200];
+    scratch_write(scratch_path("line.obj"), text, sizeof text - 1);
+    snprintf(options, sizeof options, "--size 20x20 --model %s", scratch_path("line.obj"));
+    snprintf(said, sizeof said, "glint render: %s: 1 line left out\n", scratch_path("line.obj"));
+    outcome done = render("missing.png", options);
+    assert_outcome(&done, 0, said);
+    assert_string_equal(done.err, said);
+    forget(&done);
+    done = render("missing.png", "--size 4x4 --distance 1000");
+    assert_outcome(&done, 0, "glint render: the frame is empty: no pixel of the object is in it\n");
+    assert_says(done.out, " 0 fragments");
+    forget(&done);
+}
+
 /* Meshes that nobody here made, from Debian's assimp-testmodels. */
 static void foreign_meshes_are_equal_by_both_backends(void **state)
 {
@@ -474,6 +493,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_picture_of_the_size_asked_for),
         cmocka_unit_test(both_backends_are_equal),
+        cmocka_unit_test(what_is_missing_is_said),
         cmocka_unit_test(foreign_meshes_are_equal_by_both_backends),
         cmocka_unit_test(each_option_changes_the_picture),
         cmocka_unit_test(a_color_is_the_same_in_every_form),

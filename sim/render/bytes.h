@@ -1,0 +1,22 @@
+/* Bytes in memory that grow at their end. */
+#ifndef GLINT_SIM_BYTES_H
+#define GLINT_SIM_BYTES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct glint_bytes {
+    char *at; /* NULL while there are none */
+    size_t count, room;
+    bool failed; /* for want of memory: something is missing */
+} glint_bytes;
+
+/* Where `count` more bytes are to be written, which are then part of it; NULL without memory. */
+char *glint_bytes_more(glint_bytes *bytes, size_t count);
+
+void glint_bytes_add(glint_bytes *bytes, const void *from, size_t count);
+
+/* Makes it empty and gives the memory back. */
+void glint_bytes_free(glint_bytes *bytes);
+
+#endif

@@ -1,0 +1,235 @@
+#include "render/gltf.h"
+
+#include <cjson/cJSON.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Extensions that change how a surface looks, or what else is in the scene, but not a triangle; and
+ * the one that Debian's assimp reads. */
+static const char *const understood[] = {
+    "EXT_lights_ies",
+    "EXT_lights_image_based",
+    "EXT_texture_webp",
+    "EXT_texture_avif",
+    "KHR_animation_pointer",
+    "KHR_audio",
+    "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",
+    "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",
+    "KHR_materials_common",
+    "KHR_materials_dispersion",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_iridescence",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",
+    "KHR_materials_specular",
+    "KHR_materials_transmission",
+    "KHR_materials_unlit",
+    "KHR_materials_variants",
+    "KHR_materials_volume",
+    "KHR_technique_webgl",
+    "KHR_techniques_webgl",
+    "KHR_texture_basisu",
+    "KHR_texture_transform",
+    "KHR_xmp",
+    "KHR_xmp_json_ld",
+    "MSFT_texture_dds",
+};
+
+static bool is_understood(const char *name)
+{
+    for (size_t i = 0; i < sizeof understood / sizeof understood[0]; i++) {
+        if (strcmp(name, understood[i]) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The first name in the list that is not understood, and not in the other list; NULL: none. */
+static const char *first_unread(const cJSON *list, const cJSON *other)
+{
+    const cJSON *entry;
+    cJSON_ArrayForEach(entry, list)
+    {
+        const char *name = cJSON_GetStringValue(entry);
+        bool found = name == NULL || is_understood(name);
+        const cJSON *second;
+        cJSON_ArrayForEach(second, other)
+        {
+            found = found || (cJSON_IsString(second) && strcmp(name, second->valuestring) == 0);
+        }
+        if (!found) {
+            return name;
+        }
+    }
+    return NULL;
+}
+
+static glint_status check_extensions(const glint_text *text, const cJSON *json,
+                                     glint_remarks *remarks, glint_error *err)
+{
+    const cJSON *required = cJSON_GetObjectItemCaseSensitive(json, "extensionsRequired");
+    const cJSON *used = cJSON_GetObjectItemCaseSensitive(json, "extensionsUsed");
+    const char *name = first_unread(required, NULL);
+    if (name != NULL) {
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "%.300s: it requires the glTF extension %s, which is not read: save it "
+                          "without",
+                          text->path, glint_word_of(name, strlen(name)).text);
+    }
+    name = first_unread(used, required);
+    if (name != NULL) {
+        glint_remark(remarks, "glTF extension %s is not read",
+                     glint_word_of(name, strlen(name)).text);
+    }
+    return GLINT_OK;
+}
+
+static bool has_weight(const cJSON *owner)
+{
+    const cJSON *weight;
+    cJSON_ArrayForEach(weight, cJSON_GetObjectItemCaseSensitive(owner, "weights"))
+    {
+        if (cJSON_IsNumber(weight) && weight->valuedouble != 0.0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Morph targets that are blended in from the start: by their mesh, or by its node. */
+static void look_for_weights(const cJSON *json, glint_remarks *remarks)
+{
+    static const char *const owners[] = {"meshes", "nodes"};
+    for (size_t i = 0; i < sizeof owners / sizeof owners[0]; i++) {
+        const cJSON *owner;
+        cJSON_ArrayForEach(owner, cJSON_GetObjectItemCaseSensitive(json, owners[i]))
+        {
+            if (has_weight(owner)) {
+                glint_remark(remarks, "morph targets are not blended in");
+                return;
+            }
+        }
+    }
+}
+
+/* What inverseBindMatrices left out means, assimp 5.2 does not know: it crashes. */
+static glint_status check_skins(const glint_text *text, const cJSON *json, glint_error *err)
+{
+    int at = 0;
+    const cJSON *skin;
+    cJSON_ArrayForEach(skin, cJSON_GetObjectItemCaseSensitive(json, "skins"))
+    {
+        if (cJSON_GetObjectItemCaseSensitive(skin, "inverseBindMatrices") == NULL) {
+            return glint_fail(err, GLINT_BAD_INPUT,
+                              "%.300s: skin %d has no inverseBindMatrices, without which it is not "
+                              "read: write them out",
+                              text->path, at);
+        }
+        at++;
+    }
+    return GLINT_OK;
+}
+
+/* ---- What the scene shows -----------------------------------------------------------------------
+ */
+
+#define DEPTH_MAX 256 /* of nodes; those below are refused later */
+
+typedef struct all_nodes {
+    size_t count;
+    const cJSON **at;
+    bool *shown;
+} all_nodes;
+
+static bool list_nodes(const cJSON *json, all_nodes *nodes)
+{
+    const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "nodes");
+    const size_t count = (size_t)cJSON_GetArraySize(list);
+    nodes->at = calloc(count + 1, sizeof(const cJSON *));
+    nodes->shown = calloc(count + 1, sizeof *nodes->shown);
+    const cJSON *node;
+    cJSON_ArrayForEach(node, list)
+    {
+        if (nodes->at != NULL) {
+            nodes->at[nodes->count++] = node;
+        }
+    }
+    return nodes->at != NULL && nodes->shown != NULL;
+}
+
+/* Marks these nodes and all below them. */
+static void mark_shown(all_nodes *nodes, const cJSON *indices, int depth)
+{
+    const cJSON *index;
+    cJSON_ArrayForEach(index, indices)
+    {
+        const double at = cJSON_IsNumber(index) ? index->valuedouble : -1.0;
+        if (depth < DEPTH_MAX && at >= 0.0 && at < (double)nodes->count &&
+            !nodes->shown[(size_t)at]) {
+            nodes->shown[(size_t)at] = true;
+            mark_shown(nodes, cJSON_GetObjectItemCaseSensitive(nodes->at[(size_t)at], "children"),
+                       depth + 1);
+        }
+    }
+}
+
+/* The scene that assimp reads: the one that is named, else the first. */
+static const cJSON *scene_of(const cJSON *json)
+{
+    const cJSON *scenes = cJSON_GetObjectItemCaseSensitive(json, "scenes");
+    const cJSON *chosen = cJSON_GetObjectItemCaseSensitive(json, "scene");
+    return cJSON_GetArrayItem(scenes, cJSON_IsNumber(chosen) ? chosen->valueint : 0);
+}
+
+static void look_for_hidden(const cJSON *json, glint_remarks *remarks)
+{
+    all_nodes nodes = {0};
+    const cJSON *scene = scene_of(json);
+    size_t hidden = 0;
+    if (scene != NULL && list_nodes(json, &nodes)) {
+        mark_shown(&nodes, cJSON_GetObjectItemCaseSensitive(scene, "nodes"), 0);
+        for (size_t i = 0; i < nodes.count; i++) {
+            hidden += cJSON_HasObjectItem(nodes.at[i], "mesh") != 0 && !nodes.shown[i] ? 1 : 0;
+        }
+    }
+    glint_remark_count(remarks, hidden, "mesh that is not of the scene",
+                       "meshes that are not of the scene");
+    free(nodes.at);
+    free(nodes.shown);
+}
+
+/* The JSON of a binary file is its first chunk, behind twelve bytes of header. */
+static cJSON *parse(const glint_text *text)
+{
+    if (text->length < 20 || memcmp(text->at, "glTF", 4) != 0) {
+        return cJSON_ParseWithLength(text->at, text->length);
+    }
+    uint32_t length = 0;
+    for (int i = 3; i >= 0; i--) {
+        length = length << 8 | (unsigned char)text->at[12 + i];
+    }
+    return length <= text->length - 20 ? cJSON_ParseWithLength(text->at + 20, length) : NULL;
+}
+
+glint_status glint_gltf_check(const glint_text *text, glint_bytes *plain, glint_remarks *remarks,
+                              glint_error *err)
+{
+    (void)plain;
+    cJSON *json = parse(text);
+    glint_status status = GLINT_OK;
+    if (json != NULL) {
+        status = check_extensions(text, json, remarks, err);
+        look_for_weights(json, remarks);
+        look_for_hidden(json, remarks);
+    }
+    if (json != NULL && status == GLINT_OK) {
+        status = check_skins(text, json, err);
+    }
+    cJSON_Delete(json);
+    return status;
+}
