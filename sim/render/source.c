@@ -209,11 +209,12 @@ glint_status glint_source_open(const char *path, glint_source **source, glint_re
     struct stat info;
     *source = NULL;
     const int descriptor = open_regular(path, &info);
-    if (descriptor < 0 || info.st_size == 0) {
-        if (descriptor >= 0) {
-            (void)close(descriptor);
-        }
+    if (descriptor < 0) {
         return glint_fail(err, GLINT_IO_ERROR, "%.300s: cannot read it", path);
+    }
+    if (info.st_size == 0) {
+        (void)close(descriptor);
+        return glint_fail(err, GLINT_BAD_INPUT, "%.300s: empty file", path);
     }
     glint_source *made = calloc(1, sizeof *made);
     glint_status status = GLINT_NO_MEMORY;
