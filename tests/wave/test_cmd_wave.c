@@ -66,6 +66,8 @@ static void both_pipelines_are_written(void **state)
         assert_string_equal(file.dumpfile, strrchr(waveform, '/') + 1);
         assert_true((uint64_t)file.marker > info.first_time);
         assert_true((uint64_t)file.marker < info.last_time);
+        assert_true(file.first_time >= info.first_time);
+        assert_true(file.first_time + 200 <= info.last_time);
     }
     forget(&done);
 }
@@ -83,6 +85,11 @@ static void the_window_can_be_chosen(void **state)
     /* Clock 8 is the circuit's clock 9: from its falling edge to the one after clock 12. */
     assert_int_equal(info.first_time, 85);
     assert_int_equal(info.last_time, 135);
+    /* The centre, clock 14, is not in it: the marker stands on the nearest clock. */
+    static saved file;
+    saved_read(scratch_path("window/specular_sign_pipelined.gtkw"), &file);
+    assert_int_equal(file.marker, 130);
+    assert_int_equal(file.first_time, 85);
     forget(&done);
 }
 
