@@ -1,0 +1,35 @@
+/* Differences planted between a circuit and whoever compares it: what is read from it is altered on
+ * the way, so that it is known to the last bit what a comparison has to find.
+ *
+ * The programs of this directory are linked with ld's --wrap: the functions of rtl/rtl.h and
+ * rtl/divider_rtl.h by which values are read are those of planted.c, which call the real ones.
+ *
+ * build/planted/glint is the command linked so. It takes what is planted from the environment:
+ * GLINT_PLANTED_SIGNAL and GLINT_PLANTED_CLOCK: the lowest bit of this signal after this clock, in
+ * every circuit; GLINT_PLANTED_ANSWER and GLINT_PLANTED_VALUE: as below. */
+#ifndef GLINT_TESTS_PLANTED_H
+#define GLINT_TESTS_PLANTED_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "lockstep/answer.h"
+
+enum { PLANTED_NOWHERE = -1, PLANTED_EVERYWHERE = -2 };
+
+typedef struct planted {
+    /* Clock by clock: the signal whose bits are altered, or PLANTED_…, and the bits that are
+     * inverted after a clock; clock 1 is the first after the reset of creation. */
+    int signal;
+    uint64_t (*inverted)(uint64_t clock);
+
+    /* By runs: which of the points or divisions asked for, counted from 0 over all runs; or
+     * PLANTED_NOWHERE; and which of its values, whose lowest bit is inverted. */
+    long answer;
+    glint_answer_value value;
+    long asked; /* points or divisions so far */
+} planted;
+
+extern planted plant; /* nothing to begin with; a program of one thread */
+
+#endif

@@ -1,0 +1,183 @@
+/* Whether the command loses anything of what is found, on the way from its threads to what it says:
+ * $GLINT_BUILD/planted/glint reads one planted difference of each circuit, or of one frame. */
+#define _XOPEN_SOURCE 700
+
+#include <inttypes.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cjson/cJSON.h>
+#include <cmocka.h>
+
+#include "../scratch.h"
+
+#include "../cli/run.h"
+
+enum { SETTINGS = 52, PLANTED_AT = 7 };
+
+static char planted_command[1024];
+
+static int choose_command(void **state)
+{
+    const char *build = getenv("GLINT_BUILD");
+    (void)snprintf(planted_command, sizeof planted_command, "GLINT=%s/planted/glint",
+                   build != NULL ? build : "build");
+    return putenv(planted_command) == 0 ? scratch_make(state) : -1;
+}
+
+static void plant_number(const char *name, long number)
+{
+    char text[32];
+    (void)snprintf(text, sizeof text, "%ld", number);
+    assert_int_equal(setenv(name, text, 1), 0);
+}
+
+static int pull_out(void **state)
+{
+    (void)state;
+    return unsetenv("GLINT_PLANTED_SIGNAL") | unsetenv("GLINT_PLANTED_CLOCK") |
+           unsetenv("GLINT_PLANTED_ANSWER") | unsetenv("GLINT_PLANTED_VALUE");
+}
+
+static double number(const cJSON *json, const char *name)
+{
+    const cJSON *item = cJSON_GetObjectItemCaseSensitive(json, name);
+    assert_true(cJSON_IsNumber(item));
+    return item->valuedouble;
+}
+
+/* ---- A random run -------------------------------------------------------------------------------
+ */
+
+static cJSON *verify(int threads, int signal)
+{
+    char line[600];
+    plant_number("GLINT_PLANTED_SIGNAL", signal);
+    plant_number("GLINT_PLANTED_CLOCK", PLANTED_AT);
+    (void)snprintf(line, sizeof line, "verify --clocks 50 --seed 3 --threads %d --json --out %s",
+                   threads, scratch_path("packets"));
+    outcome done = run(line, "");
+    assert_int_equal(done.status, 1);
+    cJSON *json = cJSON_Parse(done.out);
+    assert_non_null(json);
+    forget(&done);
+    return json;
+}
+
+/* One of each setting, none lost and none twice, whatever thread had it. */
+static void each_thread_s_mismatches_are_told(void **state)
+{
+    (void)state;
+    static const int threads[] = {1, 2, 5, 64};
+    for (size_t t = 0; t < sizeof threads / sizeof threads[0]; t++) {
+        const int signal = (int)t;
+        cJSON *json = verify(threads[t], signal);
+        const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "settings");
+        double comparisons = 0;
+        assert_true(number(json, "mismatches") == SETTINGS);
+        assert_int_equal(cJSON_GetArraySize(list), SETTINGS);
+        for (int i = 0; i < SETTINGS; i++) {
+            const cJSON *entry = cJSON_GetArrayItem(list, i);
+            const cJSON *found = cJSON_GetObjectItemCaseSensitive(entry, "first_mismatches");
+            assert_true(number(entry, "mismatches") == 1);
+            assert_int_equal(cJSON_GetArraySize(found), 1);
+            assert_true(number(cJSON_GetArrayItem(found, 0), "clock") == PLANTED_AT);
+            comparisons += number(entry, "comparisons");
+        }
+        assert_true(number(json, "comparisons") == comparisons && comparisons == 5222 * 50);
+        cJSON_Delete(json);
+    }
+}
+
+/* In words as well; and a packet of each, which shows it again. */
+static void each_setting_s_mismatch_leaves_a_packet(void **state)
+{
+    (void)state;
+    char line[600];
+    cJSON *json = verify(2, 0);
+    const cJSON *entry;
+    int packets = 0;
+    cJSON_ArrayForEach(entry, cJSON_GetObjectItemCaseSensitive(json, "settings"))
+    {
+        const cJSON *packet = cJSON_GetObjectItemCaseSensitive(entry, "packet");
+        assert_true(cJSON_IsString(packet));
+        (void)snprintf(line, sizeof line, "replay %s", packet->valuestring);
+        outcome again = run(line, "");
+        assert_int_equal(again.status, 1);
+        assert_says(again.out, ": the same mismatch; ");
+        forget(&again);
+        packets++;
+    }
+    assert_int_equal(packets, SETTINGS);
+    cJSON_Delete(json);
+    (void)snprintf(line, sizeof line, "verify --clocks 50 --seed 3 --out %s",
+                   scratch_path("packets"));
+    outcome told = run(line, "");
+    assert_int_equal(told.status, 1);
+    assert_says(told.out, "\n52 mismatches of 261100 comparisons: ");
+    forget(&told);
+}
+
+/* ---- A frame ------------------------------------------------------------------------------------
+ */
+
+/* Highlights and nothing else, with the light where the eye is, so that each is seen and a
+ * difference of one shows in its pixel. */
+static cJSON *render(bool planted, long answer, int value)
+{
+    char line[600];
+    if (planted) {
+        plant_number("GLINT_PLANTED_ANSWER", answer);
+        plant_number("GLINT_PLANTED_VALUE", value);
+    } else {
+        (void)pull_out(NULL);
+    }
+    (void)snprintf(
+        line, sizeof line,
+        "render --model sphere --size 40x30 --ka 0 --kd 0 --light 0,0,1 --yaw 0 --pitch 0 "
+        "--threads 1 --backend both "
+        "--json --out %s",
+        scratch_path("frame.png"));
+    outcome done = run(line, "");
+    assert_int_equal(done.status, planted);
+    cJSON *json = cJSON_Parse(done.out);
+    assert_non_null(json);
+    forget(&done);
+    return json;
+}
+
+static void each_value_of_a_frame_is_looked_at(void **state)
+{
+    (void)state;
+    cJSON *json = render(false, 0, 0);
+    const long points = (long)number(json, "highlights");
+    assert_true(points > 100);
+    cJSON_Delete(json);
+    const long answers[] = {0, 1, points / 2, points - 1};
+    for (size_t a = 0; a < sizeof answers / sizeof answers[0]; a++) {
+        for (int value = 1; value <= 3; value++) { /* red, green, blue */
+            json = render(true, answers[a], value);
+            const cJSON *found = cJSON_GetObjectItemCaseSensitive(json, "comparison");
+            assert_true(number(found, "pixels") == 1200);
+            assert_true(number(found, "differing_pixels") == 1);
+            assert_true(number(found, "largest") == 1);
+            cJSON_Delete(json);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_teardown(each_thread_s_mismatches_are_told, pull_out),
+        cmocka_unit_test_teardown(each_setting_s_mismatch_leaves_a_packet, pull_out),
+        cmocka_unit_test_teardown(each_value_of_a_frame_is_looked_at, pull_out),
+    };
+    return cmocka_run_group_tests(tests, choose_command, scratch_remove);
+}
