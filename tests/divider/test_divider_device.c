@@ -501,6 +501,61 @@ static int width_due(const char *name, int n)
     return strstr(name, "d_") != NULL ? 9 : 9 + n;
 }
 
+/* Differences, and what is added up of them, have a sign; and what is shifted or added up has n
+ * digits behind the point. */
+static bool is_difference(const char *name)
+{
+    return strstr(name, "d_r") != NULL || strstr(name, "d_g") != NULL ||
+           strstr(name, "d_b") != NULL;
+}
+
+static bool is_sum(const char *name)
+{
+    static const char *const sums[] = {"shift_rg", "shifted", "term", "sum", "acc_", "quotient"};
+    for (size_t i = 0; i < sizeof sums / sizeof sums[0]; i++) {
+        if (strncmp(name, sums[i], strlen(sums[i])) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static glint_signal_kind kind_due(const glint_signal_info *info)
+{
+    static const char *const outputs[] = {"done", "out_", "quotient"};
+    static const char *const blocks[] = {"rom_", "shifted", "term", "sum"};
+    for (size_t i = 0; i < sizeof outputs / sizeof outputs[0]; i++) {
+        if (strncmp(info->name, outputs[i], strlen(outputs[i])) == 0) {
+            return GLINT_SIGNAL_OUTPUT;
+        }
+    }
+    for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) {
+        if (strncmp(info->name, blocks[i], strlen(blocks[i])) == 0) {
+            return GLINT_SIGNAL_BLOCK;
+        }
+    }
+    return info->lane > 0 ? GLINT_SIGNAL_STAGE : GLINT_SIGNAL_REGISTER;
+}
+
+static void every_signal_is_the_number_it_stands_for(void **state)
+{
+    (void)state;
+    for (int f = 0; f < GLINT_DIVIDER_FORM_COUNT; f++) {
+        for (int n = N_FIRST; n <= N_LAST; n++) {
+            for (int a = 0; a < glint_divider_signal_count((glint_divider_form)f, n); a++) {
+                const glint_signal_info info =
+                    glint_divider_signal_info((glint_divider_form)f, n, a);
+                if (info.frac_bits != (is_sum(info.name) ? n : 0) ||
+                    info.is_signed != (is_sum(info.name) || is_difference(info.name)) ||
+                    info.kind != kind_due(&info)) {
+                    fail_msg("%s: kind %d, %c%d.%d", info.name, (int)info.kind,
+                             info.is_signed ? 'S' : 'U', info.int_bits, info.frac_bits);
+                }
+            }
+        }
+    }
+}
+
 static void every_signal_is_described_once(void **state)
 {
     (void)state;
@@ -592,6 +647,7 @@ int main(void)
         cmocka_unit_test(settings_out_of_range_are_refused),
         cmocka_unit_test(names_of_forms),
         cmocka_unit_test(every_signal_is_described_once),
+        cmocka_unit_test(every_signal_is_the_number_it_stands_for),
         cmocka_unit_test(bits_are_those_of_the_signal),
     };
     return cmocka_run_group_tests(tests, seed_draw, NULL);

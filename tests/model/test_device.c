@@ -447,6 +447,66 @@ static void every_signal_is_described_once(void **state)
     }
 }
 
+/* What the figure and the header of rtl/specular_lane.v say of a signal: its block, its digits
+ * before and after the point, whether one of them is a sign. Width 0: a bit a lane. */
+typedef struct said {
+    const char *name; /* without the prefix of its stage */
+    int block, int_bits, frac_bits, is_signed;
+} said;
+
+static const said all_said[] = {
+    {"valid", 0, 0, 0, 0},    {"out_valid", 0, 0, 0, 0}, {"reg1", 1, 1, 18, 0},
+    {"reg2", 2, 10, 0, 0},    {"reg3", 3, 8, 0, 0},      {"reg4", 4, 8, 0, 0},
+    {"reg5", 5, 8, 0, 0},     {"rom33", 33, 9, 13, 0},   {"rom9", 9, 1, 18, 0},
+    {"adder6", 6, 1, 18, 1},  {"mul7", 7, 10, 18, 1},    {"adder8", 8, 10, 18, 1},
+    {"cmp11", 11, 1, 0, 0},   {"mul10", 10, 1, 18, 0},   {"sat10", 10, 1, 18, 0},
+    {"keys12", 12, 1, 18, 0}, {"mul13", 13, 8, 0, 0},    {"mul14", 14, 8, 0, 0},
+    {"mul15", 15, 8, 0, 0},   {"out_w", 12, 1, 18, 0},   {"out_r", 13, 8, 0, 0},
+    {"out_g", 14, 8, 0, 0},   {"out_b", 15, 8, 0, 0},
+};
+
+static const said *find_said(const char *name)
+{
+    const bool has_stage = name[0] == 's' && name[1] >= '1' && name[1] <= '3' && name[2] == '_';
+    for (size_t i = 0; i < sizeof all_said / sizeof all_said[0]; i++) {
+        if (strcmp(all_said[i].name, has_stage ? name + 3 : name) == 0) {
+            return &all_said[i];
+        }
+    }
+    fail_msg("nothing is said of %s", name);
+    return NULL;
+}
+
+static glint_signal_kind kind_due(const char *name)
+{
+    return strncmp(name, "out_", 4) == 0  ? GLINT_SIGNAL_OUTPUT
+           : strchr(name, '_') != NULL    ? GLINT_SIGNAL_STAGE
+           : strncmp(name, "reg", 3) == 0 ? GLINT_SIGNAL_REGISTER
+                                          : GLINT_SIGNAL_BLOCK;
+}
+
+/* A report names the block, and shows as a number what the bits stand for. */
+static void every_signal_is_what_the_figure_says(void **state)
+{
+    (void)state;
+    for (int i = 0; i < SETTINGS; i++) {
+        const glint_specular_config config = setting(i);
+        for (int a = 0; a < glint_specular_signal_count(&config); a++) {
+            const glint_signal_info info = glint_specular_signal_info(&config, a);
+            const said *due = find_said(info.name);
+            /* With gate drawn the square of any t, down to -340 1/3: below 2^17. */
+            const bool is_wide = config.gate == GLINT_GATE_DRAWN && strcmp(info.name, "mul10") == 0;
+            const int digits = is_wide ? 17 : due->int_bits == 0 ? config.lanes : due->int_bits;
+            if (info.block != due->block || info.int_bits != digits ||
+                info.frac_bits != due->frac_bits || info.is_signed != due->is_signed ||
+                info.kind != kind_due(info.name)) {
+                fail_msg("%s: block %d, kind %d, %c%d.%d", info.name, info.block, (int)info.kind,
+                         info.is_signed ? 'S' : 'U', info.int_bits, info.frac_bits);
+            }
+        }
+    }
+}
+
 static int find_signal(const glint_specular_config *config, const char *name, int lane)
 {
     for (int i = 0; i < glint_specular_signal_count(config); i++) {
@@ -521,6 +581,7 @@ int main(void)
         cmocka_unit_test(settings_out_of_range_are_refused),
         cmocka_unit_test(names_of_settings),
         cmocka_unit_test(every_signal_is_described_once),
+        cmocka_unit_test(every_signal_is_what_the_figure_says),
         cmocka_unit_test(bits_are_those_of_the_signal),
         cmocka_unit_test(widths_that_depend_on_the_setting),
     };

@@ -251,6 +251,81 @@ static void the_real_formula_at_points_known_by_hand(void **state)
     assert_real(GLINT_GATE_COSINE, 1000, ONE + 5, 1.0); /* saturated as the device does */
 }
 
+/* ---- The real formula in whole numbers
+ * ----------------------------------------------------------- t = ((n+1)(c − 1) + 3)/3 with c =
+ * code/2^18 is m/(3·2^18), m a whole number; so W ≥ 1/510, half a step of the eight bits of a
+ * colour, is 510·m² ≥ (3·2^18)², and t ≥ 0 is m ≥ 0. */
+
+enum { T_ONE = 3 * ONE };
+
+static int64_t whole_t(uint32_t n, uint32_t code)
+{
+    return ((int64_t)n + 1) * ((int64_t)code - ONE) + T_ONE;
+}
+
+static double exact_w(glint_gate gate, int64_t t)
+{
+    const int64_t size = t < 0 ? -t : t;
+    const double w = (double)size / T_ONE * ((double)size / T_ONE);
+    if (gate != GLINT_GATE_DRAWN) {
+        return t < 0 ? 0.0 : w;
+    }
+    if (size > T_ONE) {
+        return 1.0;
+    }
+    return 510 * size * size >= (int64_t)T_ONE * T_ONE ? w : 0.0;
+}
+
+static void assert_real_w(glint_gate gate, uint32_t n, uint32_t code)
+{
+    const double expected = exact_w(gate, whole_t(n, code));
+    const double found = glint_specular_real(gate, n, code);
+    /* What is shut out is 0, and what is not is not. */
+    if ((found == 0.0) != (expected == 0.0) || !(fabs(found - expected) <= 1e-13)) {
+        fail_msg("gate %d, n %u, code %u: %.17g, expected %.17g", (int)gate, n, code, found,
+                 expected);
+    }
+}
+
+/* The codes around the one at which t is `least`, a real number. */
+static void assert_real_about(glint_gate gate, uint32_t n, double least)
+{
+    const double code = ONE + (least - 1.0) * T_ONE / (n + 1.0);
+    for (int i = -3; i <= 4; i++) {
+        const double at = floor(code) + i;
+        if (at >= 0 && at <= ONE) {
+            assert_real_w(gate, n, (uint32_t)at);
+        }
+    }
+}
+
+/* Where each gate begins and ends to shut out, in the highlight and in the back lobe, of every n;
+ * and all over the domain. */
+static void the_real_limits_are_exact(void **state)
+{
+    (void)state;
+    const double half_step = sqrt(1.0 / 510.0);
+    for (uint32_t n = 0; n <= GLINT_N_MAX; n++) {
+        for (int gate = 0; gate < GLINT_GATE_COUNT; gate++) {
+            assert_real_about((glint_gate)gate, n, half_step);
+            assert_real_about((glint_gate)gate, n, -half_step);
+            assert_real_about((glint_gate)gate, n, -1.0);
+            if (n > 2 && gate != GLINT_GATE_DRAWN) {
+                /* t = 0 itself is let through, as 0. */
+                const uint32_t edge = ONE - T_ONE / (n + 1);
+                for (uint32_t code = edge - 2; code <= edge + 2; code++) {
+                    const double found = glint_specular_real((glint_gate)gate, n, code);
+                    assert_true((found != 0.0) == (whole_t(n, code) > 0));
+                }
+            }
+            for (uint32_t code = n % 499; code <= ONE; code += 499) {
+                assert_true(fabs(glint_specular_real((glint_gate)gate, n, code) -
+                                 exact_w((glint_gate)gate, whole_t(n, code))) <= 1e-12);
+            }
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -260,6 +335,7 @@ int main(void)
         cmocka_unit_test(bad_arguments_are_refused),
         cmocka_unit_test(cosine_codes_round_half_up_and_clamp),
         cmocka_unit_test(the_real_formula_at_points_known_by_hand),
+        cmocka_unit_test(the_real_limits_are_exact),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
