@@ -10,8 +10,9 @@
  * what is too fine there, nobody sees. */
 #define STEPS_ENOUGH 0x1p18
 
-/* Triangles lower than so many steps of the coordinates' rounding are lost in it. */
-#define STEPS_NEEDED 32.0
+/* A triangle lower than so many of these steps is lost in the rounding, which can tilt it by more
+ * than a quarter of a degree. */
+#define STEPS_NEEDED 128.0
 
 typedef struct extent {
     glint_vec3 low, high;
