@@ -44,7 +44,7 @@ static int parse(int argc, char **argv, bench_options *chosen)
     };
     static const glint_example examples[] = {
         {"a quick look", "glint bench --seconds 0.05"},
-        {"for a script, frames by one thread", "glint bench --threads 1 --json"},
+        {"for a script, frames by one thread", "glint bench --seconds 0.05 --threads 1 --json"},
         {NULL, NULL},
     };
     const glint_command_line line = {

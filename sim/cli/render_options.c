@@ -119,7 +119,7 @@ static int parse_raw(int argc, char **argv, raw_options *raw)
         {"a teapot, every highlight by the Verilog", "glint render --backend rtl --out a.png"},
         {"by C and by Verilog, compared", "glint render --backend both --n 50 --out b.png"},
         {"a mesh of one's own", "glint render mesh.obj --color '#3060a0' --out c.png"},
-        {"straight into another program", "glint render --size 320x240 --out - | file -"},
+        {"through standard output", "glint render --size 320x240 --out - > d.png"},
         {NULL, NULL},
     };
     const glint_command_line line = {
