@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "cli/commands.h"
@@ -104,7 +105,8 @@ static int check_files(const report_options *chosen)
         if (glint_place_in(chosen->out, names[i], &place, &err) != GLINT_OK ||
             glint_file_replaceable(place.path, &err) != GLINT_OK)
             return glint_complain_error("report", &err);
-        const bool there = access(place.path, F_OK) == 0;
+        struct stat found;
+        const bool there = stat(place.path, &found) == 0 && S_ISREG(found.st_mode);
         numbers = i == 0 ? there : numbers;
         if (there && !numbers)
             return glint_complain("report", GLINT_EXIT_TROUBLE,
