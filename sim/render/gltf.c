@@ -117,6 +117,24 @@ static void look_for_weights(const cJSON *json, glint_remarks *remarks)
     }
 }
 
+/* A second set of joints for each vertex, which assimp 5.2 does not read. */
+static void look_for_joints(const cJSON *json, glint_remarks *remarks)
+{
+    const cJSON *mesh;
+    cJSON_ArrayForEach(mesh, cJSON_GetObjectItemCaseSensitive(json, "meshes"))
+    {
+        const cJSON *primitive;
+        cJSON_ArrayForEach(primitive, cJSON_GetObjectItemCaseSensitive(mesh, "primitives"))
+        {
+            if (cJSON_HasObjectItem(cJSON_GetObjectItemCaseSensitive(primitive, "attributes"),
+                                    "JOINTS_1")) {
+                glint_remark(remarks, "of a vertex' joints only four are used");
+                return;
+            }
+        }
+    }
+}
+
 /* What inverseBindMatrices left out means, assimp 5.2 does not know: it crashes. */
 static glint_status check_skins(const glint_text *text, const cJSON *json, glint_error *err)
 {
@@ -226,6 +244,7 @@ glint_status glint_gltf_check(const glint_text *text, glint_bytes *plain, glint_
         status = check_extensions(text, json, remarks, err);
         look_for_weights(json, remarks);
         look_for_hidden(json, remarks);
+        look_for_joints(json, remarks);
     }
     if (json != NULL && status == GLINT_OK) {
         status = check_skins(text, json, err);

@@ -9,6 +9,7 @@
 #include "render/import.h"
 #include "render/imported.h"
 #include "render/left_out.h"
+#include "render/skin.h"
 #include "render/source.h"
 #include "render/triangulate.h"
 
@@ -96,10 +97,13 @@ static glint_status read_checked(reading *in, const struct aiScene **scene)
     if (*scene == NULL) {
         return refused(in);
     }
-    const glint_status status =
+    glint_status status =
         replaced ? glint_fail(in->err, GLINT_BAD_INPUT,
                               "%.300s: a face names a vertex that is not there", in->path)
                  : glint_imported_check(in->path, *scene, in->err);
+    if (status == GLINT_OK) {
+        status = glint_skin_pose(in->path, *scene, in->err);
+    }
     if (status != GLINT_OK) {
         aiReleaseImport(*scene);
     }

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "render/mesh_build.h"
+#include "render/skin.h"
 
 /* Larger coordinates are taken for damage: their squares would leave the range of a float. */
 #define COORDINATE_MAX 1e18
@@ -65,6 +66,9 @@ static bool usable_point(glint_vec3 p)
 typedef struct transform {
     glint_vec3 x, y, z, shift;
 } transform;
+
+static const transform identity = {
+    {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, 0.0, 0.0}};
 
 static transform transform_of(const struct aiMatrix4x4 *m)
 {
@@ -253,8 +257,10 @@ static glint_status walk(reading *in, const struct aiNode *node, const transform
         if (node->mMeshes[i] >= in->scene->mNumMeshes) {
             return bad(in, "a node names a mesh that is not there");
         }
-        const glint_status status = in->to->mesh == NULL ? measure_mesh(in, node->mMeshes[i], &t)
-                                                         : add_mesh(in, node->mMeshes[i], &t);
+        const bool placed = glint_skin_places(in->scene, in->scene->mMeshes[node->mMeshes[i]]);
+        const transform *place = placed ? &identity : &t;
+        const glint_status status = in->to->mesh == NULL ? measure_mesh(in, node->mMeshes[i], place)
+                                                         : add_mesh(in, node->mMeshes[i], place);
         if (status != GLINT_OK) {
             return status;
         }
@@ -299,7 +305,6 @@ static void find_place(reading *in)
 
 static glint_status convert(reading *in)
 {
-    const transform identity = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, 0.0, 0.0}};
     if (in->scene->mRootNode == NULL) {
         return bad(in, "no triangles in it");
     }
@@ -336,8 +341,7 @@ glint_status glint_imported_check(const char *path, const struct aiScene *scene,
     return GLINT_OK;
 }
 
-/* "" when the scene does not say who made it. */
-static const char *importer_of(const struct aiScene *scene)
+const char *glint_imported_from(const struct aiScene *scene)
 {
     const struct aiMetadata *data = scene->mMetaData;
     for (unsigned i = 0; data != NULL && i < data->mNumProperties; i++) {
@@ -360,7 +364,7 @@ static rule rule_for(const struct aiScene *scene)
         {"glTF2 Importer", FLAT_MESH},
         {"Discreet 3DS Importer", BY_GROUPS},
     };
-    const char *importer = importer_of(scene);
+    const char *importer = glint_imported_from(scene);
     for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++) {
         if (strcmp(importer, rules[i].importer) == 0) {
             return rules[i].rule;

@@ -20,6 +20,9 @@ void glint_imported_clear(glint_imported *imported);
  * not a number or beyond 1e18. `path` is for the message only. */
 glint_status glint_imported_check(const char *path, const struct aiScene *scene, glint_error *err);
 
+/* Which of assimp's importers has read the scene, by its name; "" when it does not say. */
+const char *glint_imported_from(const struct aiScene *scene);
+
 /* All meshes of the scene under the transforms of their nodes; see glint_mesh_load(). Only
  * triangles are taken. They are centred and scaled in double precision before a coordinate is
  * rounded or two are compared: an object is the same whatever its size and place. Nothing of the

@@ -491,6 +491,55 @@ static void gltf_is_refused_by_its_cause(void **state)
     expect_refused(files, COUNT(files));
 }
 
+#define SKIN(first, second)                                                                        \
+    "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,1,2]}],\"nodes\":["    \
+    "{\"name\":\"m\",\"mesh\":0,\"skin\":0,\"scale\":[7,1,1],\"translation\":[0,0,5]},"            \
+    "{" first "\"matrix\":[0,1,0,0,-1,0,0,0,0,0,1,0,0,0,0,1]},"                                    \
+    "{" second "\"matrix\":[0,1,0,0,-1,0,0,0,0,0,1,0,0,4,0,1]}],"                                  \
+    "\"skins\":[{\"joints\":[1,2],\"inverseBindMatrices\":3}],\"meshes\":[{\"primitives\":["       \
+    "{\"attributes\":{\"POSITION\":0,\"JOINTS_0\":1,\"WEIGHTS_0\":2}}]}],\"accessors\":["          \
+    "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"                     \
+    "{\"bufferView\":1,\"componentType\":5121,\"count\":3,\"type\":\"VEC4\"},"                     \
+    "{\"bufferView\":2,\"componentType\":5126,\"count\":3,\"type\":\"VEC4\"},"                     \
+    "{\"bufferView\":3,\"componentType\":5126,\"count\":2,\"type\":\"MAT4\"}],\"bufferViews\":["   \
+    "{\"buffer\":0,\"byteLength\":36},{\"buffer\":0,\"byteOffset\":36,\"byteLength\":12},"         \
+    "{\"buffer\":0,\"byteOffset\":48,\"byteLength\":48},"                                          \
+    "{\"buffer\":0,\"byteOffset\":96,\"byteLength\":128}],"                                        \
+    "\"buffers\":[{\"byteLength\":224,\"uri\":\"skin.bin\"}]}"
+
+/* Three vertices, their two joints, their weights, and the joints' inverse bind matrices, which
+ * make x twice as large. The last vertex is half the second joint's. */
+static void write_skin(void)
+{
+    static const float vertex[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    static const float weight[12] = {1, 0, 0, 0, 1, 0, 0, 0, 0.5f, 0.5f, 0, 0};
+    static const float inverse[16] = {2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    static const uint8_t joint[12] = {0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0};
+    uint8_t bytes[224];
+    memcpy(bytes, vertex, 36);
+    memcpy(bytes + 36, joint, 12);
+    memcpy(bytes + 48, weight, 48);
+    memcpy(bytes + 96, inverse, 64);
+    memcpy(bytes + 160, inverse, 64);
+    (void)write_bytes("skin.bin", bytes, sizeof bytes);
+}
+
+/* The joints turn x into y and lift the last vertex by half of 4; what the mesh's node says of its
+ * place counts for nothing. */
+static void a_skin_is_where_its_joints_are(void **state)
+{
+    (void)state;
+    static const triangle posed[] = {{{-0.5f, 1, 0}, {0.5f, -1, 0}, {0.5f, 1, 0}}};
+    write_skin();
+    const reading skin = {"posed.gltf", SKIN("", ""), ""};
+    expect_read(&skin, 1, posed, 1);
+    const reading named = {"named.gltf", SKIN("\"name\":\"a\",", "\"name\":\"b\","), ""};
+    expect_read(&named, 1, posed, 1);
+    const reading twins = {"twins.gltf", SKIN("\"name\":\"m\",", ""),
+                           "two nodes have the name of a joint: m"};
+    expect_refused(&twins, 1);
+}
+
 /* The same in the binary container. */
 static void glb_is_looked_through(void **state)
 {
@@ -547,6 +596,7 @@ int main(void)
         cmocka_unit_test(ply_is_refused_by_its_cause),
         cmocka_unit_test(gltf_modes_are_triangles),
         cmocka_unit_test(gltf_is_refused_by_its_cause),
+        cmocka_unit_test(a_skin_is_where_its_joints_are),
         cmocka_unit_test(glb_is_looked_through),
         cmocka_unit_test(a_pipe_beside_it_is_not_waited_for),
     };
