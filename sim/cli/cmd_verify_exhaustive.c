@@ -16,12 +16,15 @@
 #include "lockstep/exhaustive.h"
 
 typedef struct exhaustive_options {
-    bool exhaustive, json, seed_given, threads_given, out_given;
+    bool exhaustive, json, every_lane, seed_given, threads_given, out_given;
     int gate, pipeline;
     int64_t lanes, from, stride, seed, threads;
     const char *shard, *out;
     int64_t shard_number, shard_count;
 } exhaustive_options;
+
+/* Said wherever a result stands: what is equal here may still differ there. */
+#define NOT_REACHED "material changes in flight, lanes valid one by one, stalls, resets, registers"
 
 /* One run and what the progress line needs. */
 typedef struct run {
@@ -89,6 +92,10 @@ static int parse(int argc, char **argv, exhaustive_options *chosen)
          .help = "cosines a clock: 1, 2, 4, 8 or 16; 0: the most that were built",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->lanes, 0, GLINT_LANES_MAX}},
+        {.name = "every-lane",
+         .help = "every code through every lane, with every n: 16 lanes take 16 times as long",
+         .kind = GLINT_OPTION_FLAG,
+         .flag = &chosen->every_lane},
         {.name = "shard",
          .placeholder = "I/N",
          .help = "only those n with n mod N = I-1",
@@ -135,6 +142,8 @@ static int parse(int argc, char **argv, exhaustive_options *chosen)
         .command = "verify",
         .summary = "Compares the Verilog's W and colours with the C model's for every n and every "
                    "cosine code, and for every W code that occurs with every colour.",
+        .details = "Each code goes through one lane with an n, through the next with the next n.\n"
+                   "Not reached, but by glint verify and make formal:\n" NOT_REACHED ".\n",
         .done = "no mismatch",
         .different = "a mismatch was found, or a circuit kept an answer back",
         .examples = examples,
@@ -186,6 +195,7 @@ static glint_exhaustive_circuit sum_of(const run *run)
     glint_exhaustive_circuit sum = {0};
     for (int c = 0; c < run->options.configs; c++) {
         sum.points += run->result.circuit[c].points;
+        sum.comparisons += run->result.circuit[c].comparisons;
         sum.mismatches += run->result.circuit[c].mismatches;
         sum.w_untried += run->result.circuit[c].w_untried;
     }
@@ -195,22 +205,24 @@ static glint_exhaustive_circuit sum_of(const run *run)
 /* ---- What it prints -----------------------------------------------------------------------------
  */
 
-/* " --stride N --seed N", or nothing. */
-#define STRIDE_TEXT 80
-static void stride_options(const exhaustive_options *chosen, char text[STRIDE_TEXT])
+/* " --every-lane --stride N --seed N", each where it was chosen. */
+#define POINTS_TEXT 96
+static void points_options(const exhaustive_options *chosen, char text[POINTS_TEXT])
 {
-    text[0] = '\0';
+    const char *lanes = chosen->every_lane ? " --every-lane" : "";
     if (chosen->stride != 1)
-        (void)snprintf(text, STRIDE_TEXT, " --stride %" PRId64 " --seed %" PRId64, chosen->stride,
-                       chosen->seed);
+        (void)snprintf(text, POINTS_TEXT, "%s --stride %" PRId64 " --seed %" PRId64, lanes,
+                       chosen->stride, chosen->seed);
+    else
+        (void)snprintf(text, POINTS_TEXT, "%s", lanes);
 }
 
 /* All that was chosen and matters for what is compared, from an n on. */
 static void write_command_from(const exhaustive_options *chosen, uint32_t from, char *text,
                                size_t size)
 {
-    char stride[STRIDE_TEXT];
-    stride_options(chosen, stride);
+    char points[POINTS_TEXT];
+    points_options(chosen, points);
     text[0] = '\0';
     glint_shell_append(text, size, glint_failure_program());
     const size_t used = strlen(text);
@@ -218,15 +230,15 @@ static void write_command_from(const exhaustive_options *chosen, uint32_t from, 
                    " verify --exhaustive --gate %s --pipeline %s --lanes %" PRId64
                    " --shard %s --from %" PRIu32 "%s",
                    gate_choices[chosen->gate], pipeline_choices[chosen->pipeline], chosen->lanes,
-                   chosen->shard, from, stride);
+                   chosen->shard, from, points);
 }
 
 /* All that was tried with this n. */
 static void write_command(const exhaustive_options *chosen, const glint_exhaustive_mismatch *first,
                           char *text, size_t size)
 {
-    char stride[STRIDE_TEXT];
-    stride_options(chosen, stride);
+    char points[POINTS_TEXT];
+    points_options(chosen, points);
     text[0] = '\0';
     glint_shell_append(text, size, glint_failure_program());
     const size_t used = strlen(text);
@@ -234,7 +246,7 @@ static void write_command(const exhaustive_options *chosen, const glint_exhausti
                    " verify --exhaustive --gate %s --pipeline %s --lanes %d --shard "
                    "%" PRIu32 "/%u%s",
                    glint_gate_name(first->config.gate), glint_pipeline_name(first->config.pipeline),
-                   first->config.lanes, first->n + 1, GLINT_N_COUNT, stride);
+                   first->config.lanes, first->n + 1, GLINT_N_COUNT, points);
 }
 
 static void print_mismatch(const glint_exhaustive_mismatch *m, FILE *out)
@@ -313,18 +325,38 @@ static void print_resume(const exhaustive_options *chosen, const run *run, FILE 
     fprintf(out, "resume: %s\n", command);
 }
 
-static void print_circuits(const run *run)
+static void print_circuits(const exhaustive_options *chosen, const run *run)
 {
     for (int c = 0; c < run->options.configs; c++) {
         const glint_specular_config *config = &run->options.config[c];
         const glint_exhaustive_circuit *circuit = &run->result.circuit[c];
         printf("gate %s, pipeline %s, lanes %d: %" PRIu64 " mismatches; %" PRIu32
                " of %u W codes occurred; multipliers: %" PRIu64 " of %" PRIu64
-               " pairs of such a W and a colour\n",
+               " pairs of such a W and a colour%s\n",
                glint_gate_name(config->gate), glint_pipeline_name(config->pipeline), config->lanes,
-               circuit->mismatches, circuit->w_codes, GLINT_EXHAUSTIVE_CODES, circuit->pairs,
-               circuit->pairs_total);
+               circuit->mismatches, circuit->w_codes, GLINT_EXHAUSTIVE_WS, circuit->pairs,
+               circuit->pairs_total, chosen->every_lane ? ", in every lane" : "");
     }
+}
+
+/* Of the points, which; and what no run of this kind reaches. */
+static void print_reach(const exhaustive_options *chosen, const run *run)
+{
+    int lanes = 1;
+    for (int c = 0; c < run->options.configs; c++)
+        if (run->options.config[c].lanes > lanes)
+            lanes = run->options.config[c].lanes;
+    printf("reached: of the %u codes of the cosine pin ", GLINT_EXHAUSTIVE_CODES);
+    if (chosen->stride == 1)
+        printf("all");
+    else
+        printf("1 in %" PRId64, chosen->stride);
+    printf(", with each n done, white and in colour; of these each lane saw ");
+    if (lanes == 1 || chosen->every_lane)
+        printf("all\n");
+    else
+        printf("1 in %d, turning from n to n\n", lanes);
+    printf("not reached: %s\n", NOT_REACHED);
 }
 
 /* After the seconds: why this is not the whole. */
@@ -339,11 +371,12 @@ static void print_text(const exhaustive_options *chosen, run *run)
 {
     const glint_exhaustive_circuit sum = sum_of(run);
     print_mismatches(chosen, run, stdout);
-    print_circuits(run);
+    print_circuits(chosen, run);
+    print_reach(chosen, run);
     glint_print_verdict(stdout, sum.mismatches == 0, "%" PRIu64 " mismatches", sum.mismatches);
     printf(" of %" PRIu64 " comparisons: W and three colours of %" PRIu64 " points, %" PRIu32
            " values of n, ",
-           sum.points * GLINT_ANSWER_VALUES, sum.points, run->result.n_done);
+           sum.comparisons, sum.points, run->result.n_done);
     if (chosen->stride != 1)
         printf("stride %" PRId64 ", seed %" PRId64 ", ", chosen->stride, chosen->seed);
     printf("%.1f s%s\n", run->seconds, ending(run));
@@ -398,7 +431,7 @@ static bool print_json(const exhaustive_options *chosen, const run *run)
     const glint_exhaustive_circuit sum = sum_of(run);
     cJSON *json = cJSON_CreateObject();
     cJSON_AddNumberToObject(json, "mismatches", (double)sum.mismatches);
-    cJSON_AddNumberToObject(json, "comparisons", (double)(sum.points * GLINT_ANSWER_VALUES));
+    cJSON_AddNumberToObject(json, "comparisons", (double)sum.comparisons);
     cJSON_AddNumberToObject(json, "points", (double)sum.points);
     cJSON_AddNumberToObject(json, "n_done", run->result.n_done);
     cJSON_AddNumberToObject(json, "next", run->result.next);
@@ -407,6 +440,8 @@ static bool print_json(const exhaustive_options *chosen, const run *run)
     (void)snprintf(seed, sizeof seed, "%" PRId64, chosen->seed);
     if (chosen->stride != 1)
         cJSON_AddStringToObject(json, "seed", seed);
+    cJSON_AddBoolToObject(json, "every_lane", chosen->every_lane);
+    cJSON_AddStringToObject(json, "not_reached", NOT_REACHED);
     cJSON_AddBoolToObject(json, "interrupted", run->status == GLINT_INTERRUPTED);
     cJSON_AddNumberToObject(json, "seconds", run->seconds);
     if (run->status != GLINT_OK && run->status != GLINT_INTERRUPTED)
@@ -458,6 +493,7 @@ static int verify(const exhaustive_options *chosen)
                            .shards = (uint32_t)chosen->shard_count,
                            .stride = (uint32_t)chosen->stride,
                            .seed = (uint64_t)chosen->seed,
+                           .every_lane = chosen->every_lane,
                            .threads = (int)chosen->threads,
                            .stop = glint_stop_flag(),
                            .progress = show_progress,

@@ -10,12 +10,17 @@
 #include "lockstep/random.h"
 
 enum {
-    RUN = 4096,        /* points shaded at a time: small enough for the caches */
+    RUN = 4096,        /* points shaded at a time: small enough for the caches, and full clocks */
     N_MULTIPLIERS = 2, /* σ = 1: t is the cosine */
     COLORS = GLINT_COLOR_MAX + 1,
     QUARTERS = GLINT_N_COUNT / COLORS,
     RUNS_REMEMBERED = 256, /* with 16 lanes the clocks of a history */
 };
+
+_Static_assert(RUN % GLINT_LANES_MAX == 0, "a run begins with a clock");
+
+/* The three sweeps of an n. */
+typedef enum sweep_kind { WHITE, COLORED, MULTIPLIERS, SWEEPS } sweep_kind;
 
 /* Points of one material: the codes list[begin…end−1], without a list the codes begin…end−1. */
 typedef struct sweep {
@@ -24,11 +29,22 @@ typedef struct sweep {
     glint_material material;
 } sweep;
 
+/* The way of a sweep through a circuit. Place p goes through lane p mod lanes and has item
+ * p + turn, around the end: so item i goes through lane i − turn (mod lanes). That this holds
+ * around the end too, there are as many places as fill whole clocks; what is left over repeats item
+ * 0. */
+typedef struct walk {
+    sweep sweep;
+    uint32_t offset,
+        stride; /* item i is the code in place begin + offset + i·stride of the sweep */
+    uint32_t items, places, turn;
+} walk;
+
 /* The cosine codes that with n = 2 give each W once. */
 typedef struct w_list {
     uint32_t count;
-    uint32_t cos_code[GLINT_EXHAUSTIVE_CODES];
-    bool has[GLINT_EXHAUSTIVE_CODES]; /* by W */
+    uint32_t cos_code[GLINT_EXHAUSTIVE_WS];
+    bool has[GLINT_EXHAUSTIVE_WS]; /* by W */
 } w_list;
 
 typedef struct answers {
@@ -47,10 +63,10 @@ typedef struct work {
     uint64_t total;
 } work;
 
-/* What was asked in a run: count codes of the sweep, from `at` on. */
+/* What was asked in a run: the places of the walk from `at` on. */
 typedef struct asked {
-    sweep sweep;
-    uint32_t at, count;
+    walk walk;
+    uint32_t at;
 } asked;
 
 /* The last runs of a circuit; number i is at i mod RUNS_REMEMBERED. */
@@ -63,8 +79,8 @@ typedef struct worker {
     work *work;
     pthread_t thread;
     glint_rtl *rtl[GLINT_EXHAUSTIVE_CIRCUITS_MAX];
-    bool (*seen)[GLINT_EXHAUSTIVE_CODES]; /* the W codes that occurred, for each config */
-    memory *memory;                       /* for each config; NULL: no history is wanted */
+    bool (*seen)[GLINT_EXHAUSTIVE_WS]; /* the W codes that occurred, for each config */
+    memory *memory;                    /* for each config; NULL: no history is wanted */
     uint32_t cos_code[RUN];
     answers model, circuit;
     glint_exhaustive_result found;
@@ -104,34 +120,63 @@ static sweep multiplier_sweep(uint32_t n, const w_list *list)
                    .material = {N_MULTIPLIERS, (uint8_t)n, (uint8_t)(n + 85), (uint8_t)(n + 170)}};
 }
 
-static uint64_t sweep_points(const sweep *sweep, uint32_t offset, uint32_t stride)
+static sweep sweep_of(const work *work, int config, uint32_t n, sweep_kind kind)
 {
-    const uint32_t codes = sweep->end - sweep->begin;
-    return offset < codes ? (codes - offset - 1) / stride + 1 : 0;
+    switch (kind) {
+    case WHITE:
+        return white_sweep(n);
+    case COLORED:
+        return colored_sweep(n);
+    default:
+        return multiplier_sweep(n, &work->lists[config]);
+    }
+}
+
+/* How many walks there are for an n. */
+static int walks_of(const glint_exhaustive_options *options, int config)
+{
+    return SWEEPS * (options->every_lane ? options->config[config].lanes : 1);
+}
+
+/* With a digit of n more than n mod lanes, so that the shards of N see all turns too. */
+static uint32_t turn_of(uint32_t lanes, uint32_t n, sweep_kind kind, uint32_t repetition)
+{
+    const uint32_t ahead = kind == COLORED ? lanes / 2 : 0;
+    return (n + n / GLINT_LANES_MAX + ahead + repetition) % lanes;
+}
+
+static walk walk_of(const work *work, int config, uint32_t n, int number)
+{
+    const glint_exhaustive_options *options = work->options;
+    const uint32_t lanes = (uint32_t)options->config[config].lanes;
+    const sweep_kind kind = (sweep_kind)(number % SWEEPS);
+    walk walk = {.sweep = sweep_of(work, config, n, kind),
+                 .offset = glint_exhaustive_offset(options, n),
+                 .stride = options->stride,
+                 .turn = turn_of(lanes, n, kind, (uint32_t)(number / SWEEPS))};
+    const uint32_t codes = walk.sweep.end - walk.sweep.begin;
+    walk.items = walk.offset < codes ? (codes - walk.offset - 1) / walk.stride + 1 : 0;
+    walk.places = (walk.items + lanes - 1) / lanes * lanes;
+    return walk;
 }
 
 static uint64_t count_points(const work *work)
 {
     const glint_exhaustive_options *options = work->options;
     uint64_t points = 0;
-    for (uint32_t part = 0; part < work->parts; part++) {
-        const uint32_t n = work->first + part * options->shards;
-        const uint32_t offset = glint_exhaustive_offset(options, n);
-        const sweep white = white_sweep(n);
-        const uint64_t each = 2 * sweep_points(&white, offset, options->stride);
-        for (int c = 0; c < options->configs; c++) {
-            const sweep multipliers = multiplier_sweep(n, &work->lists[c]);
-            points += each + sweep_points(&multipliers, offset, options->stride);
-        }
-    }
+    for (uint32_t part = 0; part < work->parts; part++)
+        for (int c = 0; c < options->configs; c++)
+            for (int w = 0; w < walks_of(options, c); w++)
+                points += walk_of(work, c, work->first + part * options->shards, w).places;
     return points;
 }
 
+/* Codes above 1.0 have the W of 1.0. */
 static glint_status list_ws(glint_gate gate, w_list *list)
 {
     const glint_material material = {.n = N_MULTIPLIERS};
     glint_status status = GLINT_OK;
-    for (uint32_t code = 0; code < GLINT_EXHAUSTIVE_CODES && status == GLINT_OK; code++) {
+    for (uint32_t code = 0; code < GLINT_EXHAUSTIVE_WS && status == GLINT_OK; code++) {
         uint32_t w;
         uint8_t r, g, b;
         status = glint_specular_batch(gate, &material, &code, 1, &w, &r, &g, &b);
@@ -147,6 +192,11 @@ static glint_status check_options(const glint_exhaustive_options *options, glint
 {
     if (options->configs < 1 || options->configs > GLINT_EXHAUSTIVE_CIRCUITS_MAX)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "%d circuits", options->configs);
+    for (int c = 0; c < options->configs; c++) {
+        const int lanes = options->config[c].lanes;
+        if (lanes < 1 || lanes > GLINT_LANES_MAX || (lanes & (lanes - 1)) != 0)
+            return glint_fail(err, GLINT_BAD_ARGUMENT, "%d lanes are not 1, 2, 4, 8 or 16", lanes);
+    }
     if (options->from > GLINT_N_MAX)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "n = %u is not in 0…%u", options->from,
                           GLINT_N_MAX);
@@ -189,20 +239,29 @@ static glint_status plan(work *work, const glint_exhaustive_options *options, gl
  */
 
 /* The codes of a run; returns their count. */
-static uint32_t codes_of(const sweep *sweep, uint32_t at, uint32_t stride, uint32_t codes[RUN])
+static uint32_t codes_of(const walk *walk, uint32_t at, uint32_t codes[RUN])
 {
-    uint32_t count = 0;
-    for (; at < sweep->end && count < RUN; at += stride)
-        codes[count++] = sweep->list != NULL ? sweep->list[at] : at;
+    const uint32_t left = walk->places - at;
+    const uint32_t count = left < RUN ? left : RUN;
+    const uint32_t first = walk->sweep.begin + walk->offset;
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t item = at + i + walk->turn;
+        item -= item >= walk->places ? walk->places : 0;
+        item = item < walk->items ? item : 0;
+        codes[i] = first + item * walk->stride;
+    }
+    if (walk->sweep.list != NULL)
+        for (uint32_t i = 0; i < count; i++)
+            codes[i] = walk->sweep.list[codes[i]];
     return count;
 }
 
-static void remember(worker *worker, int config, const sweep *sweep, uint32_t at, uint32_t count)
+static void remember(worker *worker, int config, const walk *walk, uint32_t at)
 {
     if (worker->memory == NULL)
         return;
     memory *memory = &worker->memory[config];
-    memory->asked[memory->runs++ % RUNS_REMEMBERED] = (asked){*sweep, at, count};
+    memory->asked[memory->runs++ % RUNS_REMEMBERED] = (asked){*walk, at};
 }
 
 /* The run under way is the last of them. */
@@ -218,11 +277,11 @@ static void keep_history(worker *worker, int config)
     uint64_t run = memory->runs > RUNS_REMEMBERED ? memory->runs - RUNS_REMEMBERED : 0;
     for (; run < memory->runs; run++) {
         const asked *asked = &memory->asked[run % RUNS_REMEMBERED];
-        (void)codes_of(&asked->sweep, asked->at, options->stride, codes);
+        const uint32_t count = codes_of(&asked->walk, asked->at, codes);
         glint_history_add(&worker->found.history, &setting,
-                          &(glint_batch){.material = &asked->sweep.material,
+                          &(glint_batch){.material = &asked->walk.sweep.material,
                                          .cos_code = codes,
-                                         .count = asked->count});
+                                         .count = count});
     }
 }
 
@@ -274,10 +333,20 @@ static void find_mismatches(worker *worker, int config, uint32_t n, const glint_
         }
 }
 
-static bool equal(const answers *a, const answers *b, size_t count)
+/* count values of so many bytes; adds to *compared what it compared. */
+static bool same(const void *a, const void *b, size_t count, size_t bytes, uint64_t *compared)
 {
-    return memcmp(a->w, b->w, count * sizeof a->w[0]) == 0 && memcmp(a->r, b->r, count) == 0 &&
-           memcmp(a->g, b->g, count) == 0 && memcmp(a->b, b->b, count) == 0;
+    *compared += count;
+    return memcmp(a, b, count * bytes) == 0;
+}
+
+static bool equal(const answers *a, const answers *b, size_t count, uint64_t *compared)
+{
+    const bool w = same(a->w, b->w, count, sizeof a->w[0], compared);
+    const bool r = same(a->r, b->r, count, sizeof a->r[0], compared);
+    const bool g = same(a->g, b->g, count, sizeof a->g[0], compared);
+    const bool blue = same(a->b, b->b, count, sizeof a->b[0], compared);
+    return w && r && g && blue;
 }
 
 /* The points that stand in worker->cos_code. */
@@ -298,39 +367,38 @@ static glint_status compare_run(worker *worker, int config, uint32_t n,
         return status;
     for (size_t i = 0; i < count; i++)
         worker->seen[config][model->w[i]] = true;
-    if (!equal(model, circuit, count))
+    if (!equal(model, circuit, count, &worker->found.circuit[config].comparisons))
         find_mismatches(worker, config, n, material, count);
     worker->found.circuit[config].points += count;
     worker->work->done += count;
     return GLINT_OK;
 }
 
-static glint_status compare_sweep(worker *worker, int config, uint32_t n, const sweep *sweep)
+static glint_status compare_walk(worker *worker, int config, uint32_t n, const walk *walk)
 {
-    const glint_exhaustive_options *options = worker->work->options;
     glint_status status = GLINT_OK;
-    uint32_t at = sweep->begin + glint_exhaustive_offset(options, n);
-    while (at < sweep->end && status == GLINT_OK) {
-        const uint32_t count = codes_of(sweep, at, options->stride, worker->cos_code);
-        remember(worker, config, sweep, at, count);
-        status = compare_run(worker, config, n, &sweep->material, count);
-        at += count * options->stride;
+    uint32_t at = 0;
+    while (at < walk->places && status == GLINT_OK) {
+        const uint32_t count = codes_of(walk, at, worker->cos_code);
+        remember(worker, config, walk, at);
+        status = compare_run(worker, config, n, &walk->sweep.material, count);
+        at += count;
     }
     return status;
 }
 
 static glint_status compare_n(worker *worker, int config, uint32_t n)
 {
-    const sweep white = white_sweep(n), colored = colored_sweep(n);
-    const sweep multipliers = multiplier_sweep(n, &worker->work->lists[config]);
+    const work *work = worker->work;
     glint_exhaustive_circuit *circuit = &worker->found.circuit[config];
-    glint_status status = compare_sweep(worker, config, n, &white);
-    if (status == GLINT_OK)
-        status = compare_sweep(worker, config, n, &colored);
-    const uint64_t before = circuit->points;
-    if (status == GLINT_OK)
-        status = compare_sweep(worker, config, n, &multipliers);
-    circuit->pairs += circuit->points - before;
+    glint_status status = GLINT_OK;
+    for (int w = 0; w < walks_of(work->options, config) && status == GLINT_OK; w++) {
+        const walk walk = walk_of(work, config, n, w);
+        const uint64_t before = circuit->points;
+        status = compare_walk(worker, config, n, &walk);
+        if (w % SWEEPS == MULTIPLIERS && status == GLINT_OK)
+            circuit->pairs += circuit->points - before - (walk.places - walk.items);
+    }
     return status;
 }
 
@@ -435,14 +503,17 @@ static void run_threads(worker *const *workers, int count)
 static void add_circuit(glint_exhaustive_circuit *sum, worker *const *workers, int count,
                         int config)
 {
-    const w_list *list = &workers[0]->work->lists[config];
-    sum->pairs_total = (uint64_t)list->count * COLORS;
+    const work *work = workers[0]->work;
+    const w_list *list = &work->lists[config];
+    sum->pairs_total =
+        (uint64_t)list->count * COLORS * (uint64_t)(walks_of(work->options, config) / SWEEPS);
     for (int i = 0; i < count; i++) {
         sum->points += workers[i]->found.circuit[config].points;
+        sum->comparisons += workers[i]->found.circuit[config].comparisons;
         sum->mismatches += workers[i]->found.circuit[config].mismatches;
         sum->pairs += workers[i]->found.circuit[config].pairs;
     }
-    for (uint32_t w = 0; w < GLINT_EXHAUSTIVE_CODES; w++) {
+    for (uint32_t w = 0; w < GLINT_EXHAUSTIVE_WS; w++) {
         bool seen = false;
         for (int i = 0; i < count; i++)
             seen |= workers[i]->seen[config][w];

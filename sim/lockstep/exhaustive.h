@@ -1,14 +1,26 @@
-/* The Verilog against the C model over the whole domain: W and the three colours of every cosine
- * code 0…2^18 with every n 0…1023, and every pair of a W code that occurs and a colour in the
- * multipliers 13, 14 and 15.
+/* The Verilog against the C model over the whole domain: W and the three colours of every code of
+ * the cosine pin, 0…2^19−1, with every n 0…1023, and every pair of a W code that occurs and a
+ * colour in the multipliers 13, 14 and 15.
  *
- * The work is cut by n. For each n and each circuit:
+ * The work is cut by n. For each n and each circuit there are three sweeps:
  *   1. every cosine code with the colour 255,255,255;
  *   2. every cosine code with a colour that n chooses;
  *   3. the multipliers: with n = 2, where σ = 1 and t = cos γ, so that every t and with it every W
  *      that can occur does occur, a quarter of those W codes with the colours c, c+85, c+170 (mod
  *      256). The quarter is n / 256 and c is n mod 256: all n together try every W with every
- *      colour in each multiplier. */
+ *      colour in each multiplier.
+ *
+ * Which lane sees what. A sweep fills every lane in every clock, so with `lanes` lanes each of them
+ * sees one code in `lanes` of a sweep. Which one, turns: code c of sweep 1 (with a stride, the c-th
+ * that is taken) goes through lane c − n − n/16 (mod lanes), of sweep 2 through the one lanes/2
+ * away. So any 16 values of n from a multiple of 16 on take each code through each lane, equally
+ * often; but a lane does not see each code with each n. With every_lane it does: each sweep comes
+ * `lanes` times, a lane further each time.
+ *
+ * What it does not reach: the inputs are one steady flow. A material is written with the first
+ * clock of a run of at most 4096 points, when nothing is in flight; all lanes are valid or none;
+ * enable is always 1; the one reset is that of the circuit's creation. Only outputs are compared.
+ * Lockstep and `make formal` are for the rest. */
 #ifndef GLINT_SIM_EXHAUSTIVE_H
 #define GLINT_SIM_EXHAUSTIVE_H
 
@@ -20,7 +32,8 @@
 #define GLINT_EXHAUSTIVE_CIRCUITS_MAX (GLINT_GATE_COUNT * GLINT_PIPELINE_COUNT)
 #define GLINT_EXHAUSTIVE_THREADS_MAX  64
 #define GLINT_EXHAUSTIVE_KEPT         16
-#define GLINT_EXHAUSTIVE_CODES        (GLINT_COS_ONE + 1u) /* of the cosine, and of W */
+#define GLINT_EXHAUSTIVE_CODES        (GLINT_COS_CODE_MAX + 1u) /* of the cosine pin */
+#define GLINT_EXHAUSTIVE_WS           (GLINT_W_ONE + 1u)        /* codes of W */
 
 typedef struct glint_exhaustive_options {
     glint_specular_config config[GLINT_EXHAUSTIVE_CIRCUITS_MAX];
@@ -30,6 +43,7 @@ typedef struct glint_exhaustive_options {
     uint32_t shard, shards; /* those n with n mod shards = shard − 1; 1…shards, 1…1024 */
     uint32_t stride; /* of the codes only every stride-th, 1…GLINT_EXHAUSTIVE_CODES; 1: all */
     uint64_t seed;   /* of where the stride begins, for each n */
+    bool every_lane; /* each sweep once for each lane, so that each lane sees all of it */
     int threads;     /* 1…GLINT_EXHAUSTIVE_THREADS_MAX */
     const volatile bool *stop;                                      /* may be NULL */
     void (*progress)(void *context, uint64_t done, uint64_t total); /* points; may be NULL */
@@ -45,9 +59,11 @@ typedef struct glint_exhaustive_mismatch {
 
 /* What came of one circuit. */
 typedef struct glint_exhaustive_circuit {
-    uint64_t points;      /* compared, GLINT_ANSWER_VALUES values each */
+    uint64_t points;      /* asked for; up to lanes − 1 of a sweep may be there twice */
+    uint64_t comparisons; /* values compared, counted where they are: GLINT_ANSWER_VALUES a point */
     uint64_t mismatches;  /* values that differ */
-    uint64_t pairs;       /* of W and a colour that each multiplier was tried with */
+    uint64_t pairs;       /* of W and a colour that each multiplier was tried with; with every_lane
+                           * that of each lane */
     uint64_t pairs_total; /* with all n and stride 1 */
     uint32_t w_codes;     /* different W codes that occurred */
     uint32_t w_untried;   /* of them, those that are not among the multipliers' */

@@ -43,7 +43,7 @@ static glint_status run_sweep(const glint_rtl_model *model, uint64_t seed, count
                                               .seed = seed,
                                               .threads = 1};
     const glint_status status = glint_exhaustive_run(&options, &result, err);
-    counts->comparisons += result.circuit[0].points * GLINT_ANSWER_VALUES;
+    counts->comparisons += result.circuit[0].comparisons;
     counts->mismatches += result.circuit[0].mismatches;
     return status;
 }

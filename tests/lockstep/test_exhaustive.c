@@ -19,7 +19,8 @@
 #include "../terminal.h"
 
 enum {
-    SECONDS = 120 /* it takes one; a busy machine, many times that */
+    CODES = 1 << 19, /* of the cosine pin */
+    SECONDS = 120    /* it takes one; a busy machine, many times that */
 };
 
 static double number(const cJSON *json, const char *name)
@@ -49,10 +50,9 @@ static void one_n_is_covered_whole(void **state)
     cJSON *json = result_of("--shard 81/1024", 0);
     const cJSON *circuit =
         cJSON_GetArrayItem(cJSON_GetObjectItemCaseSensitive(json, "circuits"), 0);
-    const double codes = GLINT_COS_ONE + 1.0;
     assert_true(number(json, "n_done") == 1);
     assert_true(number(json, "mismatches") == 0);
-    assert_true(number(json, "points") == 2 * codes + number(circuit, "pairs"));
+    assert_true(number(json, "points") == 2.0 * CODES + number(circuit, "pairs"));
     assert_true(number(json, "comparisons") == 4 * number(json, "points"));
     assert_true(number(circuit, "pairs") > 0);
     cJSON_Delete(json);
@@ -68,9 +68,61 @@ static void every_gate_and_pipeline_is_equal(void **state)
     const cJSON *circuit;
     cJSON_ArrayForEach(circuit, cJSON_GetObjectItemCaseSensitive(json, "circuits"))
     {
-        assert_true(number(circuit, "points") >= 2.0 * 1024 * (GLINT_COS_ONE / 4093));
+        assert_true(number(circuit, "points") >= 2.0 * 1024 * (CODES / 4093));
     }
     assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItemCaseSensitive(json, "circuits")), 6);
+    cJSON_Delete(json);
+}
+
+/* Each lane sees all that one of them would. */
+static void every_lane_takes_every_code(void **state)
+{
+    (void)state;
+    cJSON *turning = result_of("--shard 81/1024", 0);
+    cJSON *every = result_of("--shard 81/1024 --every-lane", 0);
+    assert_true(number(every, "points") == 16 * number(turning, "points"));
+    assert_true(number(every, "comparisons") == 4 * number(every, "points"));
+    assert_true(cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(every, "every_lane")));
+    assert_true(cJSON_IsFalse(cJSON_GetObjectItemCaseSensitive(turning, "every_lane")));
+    cJSON_Delete(turning);
+    cJSON_Delete(every);
+}
+
+/* "0 mismatches" stands beside what they were looked for in, and what not. */
+static void a_result_says_what_it_reaches(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *options, *codes, *lanes;
+    } cases[] = {
+        {"", "pin all, ", "each lane saw 1 in 16, turning from n to n\n"},
+        {" --every-lane", "pin all, ", "each lane saw all\n"},
+        {" --lanes 1", "pin all, ", "each lane saw all\n"},
+        {" --lanes 4", "pin all, ", "each lane saw 1 in 4, turning from n to n\n"},
+        {" --stride 97 --seed 1", "pin 1 in 97, ", "each lane saw 1 in 16, turning from n to n\n"},
+    };
+    static const char not [] =
+        "not reached: material changes in flight, lanes valid one by one, stalls, resets, "
+        "registers\n";
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char command_line[128];
+        (void)snprintf(command_line, sizeof command_line, "verify --exhaustive --shard 9/1024%s",
+                       cases[i].options);
+        outcome done = run(command_line, "");
+        assert_outcome(&done, 0, "");
+        assert_says(done.out, "reached: of the 524288 codes of the cosine ");
+        assert_says(done.out, cases[i].codes);
+        assert_says(done.out, cases[i].lanes);
+        assert_says(done.out, not );
+        forget(&done);
+    }
+    outcome help = run("verify --exhaustive --help", "");
+    assert_says(help.out, "material changes in flight, ");
+    forget(&help);
+    cJSON *json = result_of("--shard 9/1024 --stride 97 --seed 1", 0);
+    const cJSON *said = cJSON_GetObjectItemCaseSensitive(json, "not_reached");
+    assert_true(cJSON_IsString(said));
+    assert_non_null(strstr(not, said->valuestring));
     cJSON_Delete(json);
 }
 
@@ -139,7 +191,7 @@ static void an_interrupted_run_says_how_to_go_on(void **state)
 {
     (void)state;
     static const char options[] =
-        "--gate all --pipeline all --stride 97 --seed 9 --threads 1 --out a$b";
+        "--every-lane --gate all --pipeline all --stride 997 --seed 9 --threads 1 --out a$b";
     char shown[4096];
     char resume[512];
     cJSON *whole = result_of(options, 0);
@@ -155,6 +207,7 @@ static void an_interrupted_run_says_how_to_go_on(void **state)
     assert_non_null(line);
     line += strlen(" verify --exhaustive ");
     (void)snprintf(resume, sizeof resume, "%.*s", (int)strcspn(line, "\n"), line);
+    assert_says(resume, " --every-lane ");
     assert_says(resume, " --threads 1 --out 'a$b'");
     *strstr(resume, " --out") = '\0'; /* the quotes are for a shell */
     cJSON *rest = result_of(resume, 0);
@@ -236,6 +289,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_n_is_covered_whole),
         cmocka_unit_test(every_gate_and_pipeline_is_equal),
+        cmocka_unit_test(every_lane_takes_every_code),
+        cmocka_unit_test(a_result_says_what_it_reaches),
         cmocka_unit_test(shards_make_up_the_domain),
         cmocka_unit_test(a_run_can_be_resumed),
         cmocka_unit_test(an_interrupted_run_says_how_to_go_on),
