@@ -68,16 +68,20 @@ missing=${missing% }
 [ -n "$missing" ] || exit 0
 
 as_root=
-[ "$(id -u)" -eq 0 ] || as_root='sudo '
+ask='missing packages; run'
+if [ "$(id -u)" -ne 0 ]; then
+    if command -v sudo >/dev/null 2>&1; then
+        as_root='sudo '
+    else
+        ask='missing packages and no sudo; as root run'
+    fi
+fi
+ask="$ask: ${as_root}apt-get update && ${as_root}apt-get install --no-install-recommends $missing"
 if [ "${NO_INSTALL:-}" = 1 ]; then
-    echo "sim/deps.sh: missing packages; run: ${as_root}apt-get update &&" \
-        "${as_root}apt-get install --no-install-recommends $missing" >&2
+    echo "sim/deps.sh: $ask" >&2
     exit 1
 fi
-if [ -n "$as_root" ] && ! command -v sudo >/dev/null 2>&1; then
-    fail "missing packages and no sudo; as root run:" \
-        "apt-get install --no-install-recommends $missing"
-fi
+[ "$(id -u)" -eq 0 ] || [ -n "$as_root" ] || fail "$ask"
 
 echo "sim/deps.sh: installing $missing" >&2
 log=$(mktemp) || fail "cannot make a temporary file"
