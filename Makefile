@@ -32,7 +32,6 @@ LDFLAGS    += -fsanitize=address,undefined
 endif
 
 .DELETE_ON_ERROR:
-.SECONDARY:
 .PHONY: all demo test bench wave report lint clean help install generate build-all sanitize
 
 all: $(BUILD)/glint
@@ -106,6 +105,11 @@ compile_shim = $(CXX) $(SHIM_FLAGS) -isystem $(VERILATED)/$1 -DMODEL=V$(subst -,
 
 SHIM_SHARED  := sim/rtl/circuit.hpp $(wildcard cmodel/*.h)
 SHIM_SOURCES := sim/rtl/model_shim.cpp sim/rtl/rtl_model.h $(SHIM_SHARED)
+
+# What pattern rules make on the way to something else is kept (.SECONDARY, with names): make would
+# delete it. Without names that would be said of every file, and none that is missing be made again
+# while what is made of it is there.
+.SECONDARY: $(MODELS:%=$(VERILATED)/%/verilated.stamp)
 
 $(VERILATED)/%/verilated.stamp: $(RTL) sim/rtl/specular_signals.vlt $(VERILATED)/version
 	@mkdir -p $(@D)
@@ -206,6 +210,7 @@ $(BUILD)/glint: $(CLI_OBJECTS) $(LIBRARIES)
 # tests/<thing>/test_*.c, each a program of its own.
 TEST_SOURCES  := $(wildcard tests/*/test_*.c)
 TEST_PROGRAMS := $(TEST_SOURCES:%.c=$(BUILD)/%)
+.SECONDARY: $(TEST_PROGRAMS:%=%.o)
 
 # Circuits that are wrong on purpose, for the tests of the bench itself: gate cosine, pipelined, one
 # lane. tests/lockstep/wrong/<what>/<module>.sed is the fault, an edit of rtl/<module>.v; one that no
@@ -338,23 +343,31 @@ yosys_check_divider = read_verilog -Irtl $(wildcard rtl/*.v) ; chparam -set SHIF
 .PHONY: lint-verilog lint-c $(SETTINGS:%=lint-%) $(DIVIDER_SETTINGS:%=lint-divider-%)
 lint:
 	sim/deps.sh lint
-	+$(MAKE) -j$(JOBS) lint-verilog lint-c
+	+@mode=$$(stat -c %a /dev/null) && $(MAKE) -j$(JOBS) lint-verilog lint-c && \
+	    { [ "$$(stat -c %a /dev/null)" = "$$mode" ] || \
+	        { echo "lint has changed the mode of /dev/null from $$mode" >&2; exit 1; }; }
 
 lint-verilog: $(SETTINGS:%=lint-%) $(DIVIDER_SETTINGS:%=lint-divider-%)
+
+# What Icarus makes is not wanted, but goes to a file: it sets the mode of what it writes, and run by
+# root on /dev/null it would take that away from everyone else.
+LINTED = $(BUILD)/lint/$@.vvp
 
 # Each gate and pipeline: Verilator with 1 and 16 lanes, Icarus, and Yosys down to gates, where a
 # warning, a latch or a problem found by its checks is an error.
 $(SETTINGS:%=lint-%): lint-%:
+	@mkdir -p $(BUILD)/lint
 	$(VERILATOR) --lint-only -Wall $(call lint_setting,$*) -GLANES=1 -Irtl rtl/specular_device.v
 	$(VERILATOR) --lint-only -Wall $(call lint_setting,$*) -GLANES=16 -Irtl rtl/specular_device.v
-	warnings=$$(iverilog -g2005 -Wall -Irtl -o /dev/null -s specular_device \
+	warnings=$$(iverilog -g2005 -Wall -Irtl -o $(LINTED) -s specular_device \
 	    -Pspecular_device.GATE=$(call field,$*,1) -Pspecular_device.PIPELINED=$(call field,$*,2) \
 	    $(wildcard rtl/*.v) 2>&1) && [ -z "$$warnings" ] || { echo "$$warnings"; exit 1; }
 	yosys -q -e . -p '$(call yosys_check,$(call field,$*,1),$(call field,$*,2))'
 
 $(DIVIDER_SETTINGS:%=lint-divider-%): lint-divider-%:
+	@mkdir -p $(BUILD)/lint
 	$(VERILATOR) --lint-only -Wall -GSHIFTS=$(call field,$*,2) -Irtl rtl/$(call divider_top,$*).v
-	warnings=$$(iverilog -g2005 -Wall -Irtl -o /dev/null -s $(call divider_top,$*) \
+	warnings=$$(iverilog -g2005 -Wall -Irtl -o $(LINTED) -s $(call divider_top,$*) \
 	    -P$(call divider_top,$*).SHIFTS=$(call field,$*,2) $(wildcard rtl/*.v) 2>&1) && \
 	    [ -z "$$warnings" ] || { echo "$$warnings"; exit 1; }
 	yosys -q -e . -p '$(call yosys_check_divider,$(call divider_top,$*),$(call field,$*,2))'
@@ -381,7 +394,7 @@ demo:
 	@echo "the picture:   $(BUILD)/demo/teapot.png"
 	@echo "the waveform:  gtkwave $(BUILD)/demo/specular_cosine_pipelined.fst" \
 	    "$(BUILD)/demo/specular_cosine_pipelined.gtkw"
-	@command -v gtkwave >/dev/null || echo "(GTKWave is not installed: apt-get install gtkwave)"
+	@command -v gtkwave >/dev/null || echo "(GTKWave is not installed; sim/deps.sh gtkwave installs it)"
 	@echo "what it shows: docs/waveforms.md"
 
 bench:

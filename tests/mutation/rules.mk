@@ -23,6 +23,9 @@ mutation_macros = -DMODEL=$(call mutation_class,$1) -DMUTATION_CIRCUIT='"$1"' \
         -DMUTATION_PIPELINE=GLINT_PIPELINE_$(call upper,$(call field,$1,3)), \
         -DMUTATION_SHIFTS=$(call field,$1,3) $(if $(filter pipelined,$(call field,$1,2)),-DMUTATION_PIPELINED))
 
+.SECONDARY: $(foreach m,$(MUTATED) $(MUTATED_SHORT),$(addprefix $(MUTATION)/$m/,mutants.v netlist.stamp shim.o) \
+    $(BUILD)/mutation/$m/bench)
+
 # Rewritten only when it changes, so that other faults make the netlist anew.
 $(MUTATED:%=$(MUTATION)/%/chosen): CHOSEN = $(MUTANTS) $(MUTATION_SEED)
 $(MUTATED_SHORT:%=$(MUTATION)/%/chosen): CHOSEN = $(MUTANTS_SHORT) 1

@@ -6,7 +6,7 @@
 set -eu
 
 command -v bc >/dev/null 2>&1 || {
-    echo "tests/reflectance/reference.sh: no bc: install it (apt-get install bc)" >&2
+    echo "tests/reflectance/reference.sh: no bc; sim/deps.sh test installs it" >&2
     exit 2
 }
 
