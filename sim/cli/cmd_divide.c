@@ -4,6 +4,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "backend/divider_backend.h"
@@ -31,11 +32,12 @@ typedef struct row {
 
 /* The numbers of a row, as text. There are as many divisions as differences and lengths, far fewer
  * than rows: finding the fewest decimals takes much longer than a division. */
+#define NUMBER      32
 #define DIFFERENCES (2 * GLINT_DIVIDER_DIFFERENCE_MAX + 1)
 typedef struct numbers {
     bool known;
     int32_t code;
-    char text[3][32]; /* quotient, exact, error */
+    char text[3][NUMBER]; /* quotient, exact, error */
 } numbers;
 
 /* Rows that are divided together. Neighbours of one k are components of one division. */
@@ -103,13 +105,15 @@ static int parse(int argc, char **argv, divide_options *chosen)
 
 /* The fewest decimals that read back as the same number, never with an exponent: values are below
  * 256, and above 10⁻⁸ where they are not 0. */
-static void write_real(double value, char text[32])
+static void write_real(double value, char text[NUMBER])
 {
+    char tried[NUMBER];
     for (int decimals = 0; decimals <= 28; decimals++) {
-        (void)snprintf(text, 32, "%.*f", decimals, value);
-        if (strtod(text, NULL) == value)
+        (void)snprintf(tried, sizeof tried, "%.*f", decimals, value);
+        if (strtod(tried, NULL) == value)
             break;
     }
+    memcpy(text, tried, sizeof tried);
 }
 
 static void fill_numbers(numbers *of, int shifts, int32_t difference, int32_t k, int32_t code)
