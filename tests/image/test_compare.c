@@ -2,6 +2,7 @@
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -70,6 +71,32 @@ static void counts_and_errors(void **state)
     assert_near(difference.psnr, 10 * log10(255.0 * 255.0 * 24.0 / 125.0));
     glint_image_destroy(a);
     glint_image_destroy(b);
+}
+
+/* A difference of one in one component of one pixel, or in its mask, and nothing else. */
+static void each_component_of_each_pixel_is_looked_at(void **state)
+{
+    (void)state;
+    glint_image *a = make_grey();
+    for (int i = 0; i < 4 * 8; i++) {
+        glint_image *b = make_grey();
+        const int pixel = i / 4;
+        const bool is_mask = i % 4 == 3;
+        if (is_mask) {
+            b->object[pixel] = 0;
+        } else {
+            b->rgb[3 * pixel + i % 4] = 101;
+        }
+        const glint_image_difference difference = compare(a, b);
+        assert_int_equal(difference.differing_pixels, !is_mask);
+        assert_int_equal(difference.mask_pixels, is_mask);
+        assert_int_equal(difference.largest, !is_mask);
+        assert_int_equal(difference.first_x, pixel % 4);
+        assert_int_equal(difference.first_y, pixel / 4);
+        assert_near(difference.nmse, is_mask ? 0.0 : 1.0 / (24 * 100.0 * 100.0));
+        glint_image_destroy(b);
+    }
+    glint_image_destroy(a);
 }
 
 static void the_background_counts_as_differing_but_not_in_nmse(void **state)
@@ -173,6 +200,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(equal_pictures),
         cmocka_unit_test(counts_and_errors),
+        cmocka_unit_test(each_component_of_each_pixel_is_looked_at),
         cmocka_unit_test(the_background_counts_as_differing_but_not_in_nmse),
         cmocka_unit_test(the_object_of_either_counts),
         cmocka_unit_test(nmse_is_relative_to_the_first),

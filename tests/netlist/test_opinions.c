@@ -176,12 +176,151 @@ static void a_run_stops_at_the_first_mismatch(void **state)
     assert_true(runs > 0);
 }
 
+/* ---- Whether every pin is looked at
+ * -------------------------------------------------------------- The ports of a circuit that is
+ * right, copied after each clock with one bit inverted. */
+
+enum { PORTS_MAX = 8, PORT_BYTES = 64 };
+
+typedef struct port {
+    const uint8_t *real;
+    uint8_t shown[PORT_BYTES];
+    int size;
+    bool is_planted;
+} port;
+
+static struct {
+    const opinion *sound;
+    port ports[PORTS_MAX];
+    int port_count;
+    const char *name; /* of the port */
+    int low;          /* its first bit that is inverted, after clock 1; then bit after bit … */
+    int width;        /* … of so many */
+    int clock;
+} planted;
+
+static void show_ports(void)
+{
+    for (int i = 0; i < planted.port_count; i++) {
+        port *shown = &planted.ports[i];
+        memcpy(shown->shown, shown->real, (size_t)shown->size);
+        if (shown->is_planted && planted.clock >= 1 && planted.clock <= planted.width) {
+            const int bit = planted.low + planted.clock - 1;
+            shown->shown[bit / 8] ^= (uint8_t)(1 << bit % 8);
+        }
+    }
+}
+
+/* In place of the port itself, its copy. */
+static void take_port(const char *name, const void **data, int size)
+{
+    assert_true(planted.port_count < PORTS_MAX && size <= PORT_BYTES);
+    port *taken = &planted.ports[planted.port_count++];
+    *taken = (port){.real = *data, .size = size, .is_planted = strcmp(name, planted.name) == 0};
+    *data = taken->shown;
+}
+
+static bool find_specular(void *instance, int lane, const char *name, const void **data, int *size)
+{
+    const bool found = planted.sound->specular->find(instance, lane, name, data, size);
+    if (found) {
+        take_port(name, data, *size);
+    }
+    return found;
+}
+
+static bool find_divider(void *instance, int stage, const char *name, const void **data, int *size)
+{
+    const bool found = planted.sound->divider->find(instance, stage, name, data, size);
+    if (found) {
+        take_port(name, data, *size);
+    }
+    return found;
+}
+
+static void clock_specular(void *instance, const glint_specular_inputs *inputs)
+{
+    planted.sound->specular->clock(instance, inputs);
+    planted.clock++;
+    show_ports();
+}
+
+static void clock_divider(void *instance, const glint_divider_inputs *inputs)
+{
+    planted.sound->divider->clock(instance, inputs);
+    planted.clock++;
+    show_ports();
+}
+
+static void assert_pin_looked_at(const opinion *entry, const glint_signal_info *pin)
+{
+    glint_rtl_model specular;
+    glint_divider_model divider;
+    pins_options options = {.setting = opinion_setting(entry), .seed = seed};
+    pins_result found;
+    glint_error err;
+    const int width = pin->int_bits + pin->frac_bits;
+    memset(&planted, 0, sizeof planted);
+    planted.sound = entry;
+    planted.name = pin->name;
+    planted.low = pin->lane < 0 ? 0 : pin->lane * width;
+    planted.width = width;
+    if (entry->specular != NULL) {
+        specular = *entry->specular;
+        specular.find = find_specular;
+        specular.clock = clock_specular;
+        options.setting.specular_model = &specular;
+    } else {
+        divider = *entry->divider;
+        divider.find = find_divider;
+        divider.clock = clock_divider;
+        options.setting.divider_model = &divider;
+    }
+    options.clocks = (uint64_t)width;
+    assert_int_equal(pins_run(&options, &found, &err), GLINT_OK);
+    if (found.mismatches != (uint64_t)width) {
+        fail_msg("%s, %s, lane %d: %" PRIu64 " mismatches, %d were planted", entry->name, pin->name,
+                 pin->lane, found.mismatches, width);
+    }
+    assert_true(found.first_clock == 1 && (found.first_model ^ found.first_circuit) == 1);
+    assert_string_equal(found.first_pin, pin->name);
+    assert_int_equal(found.first_lane, pin->lane);
+    assert_true(found.comparisons == (uint64_t)width * (uint64_t)planted.port_count);
+}
+
+static bool is_pin(const glint_signal_info *info)
+{
+    return info->kind == GLINT_SIGNAL_OUTPUT || strcmp(info->name, "busy") == 0;
+}
+
+static void each_bit_of_each_pin_is_looked_at(void **state)
+{
+    (void)state;
+    int pins = 0;
+    for (int i = 0; i < opinion_count; i++) {
+        const glint_setting setting = opinion_setting(&opinions[i]);
+        if (kind_of(&opinions[i]) != NETLIST ||
+            (!setting.is_divider && setting.specular.lanes > 1)) {
+            continue; /* with several lanes one port is many pins */
+        }
+        for (int s = 0; s < glint_setting_signal_count(&setting); s++) {
+            const glint_signal_info info = glint_setting_signal(&setting, s);
+            if (is_pin(&info)) {
+                assert_pin_looked_at(&opinions[i], &info);
+                pins++;
+            }
+        }
+    }
+    assert_true(pins > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(netlists_do_what_the_model_does),
         cmocka_unit_test(the_verilog_verilated_otherwise_too),
         cmocka_unit_test(every_wrong_netlist_is_found),
+        cmocka_unit_test(each_bit_of_each_pin_is_looked_at),
         cmocka_unit_test(no_clocks_and_no_circuit_are_refused),
         cmocka_unit_test(a_run_stops_at_the_first_mismatch),
     };

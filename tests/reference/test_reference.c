@@ -212,6 +212,66 @@ static void products_are_by_definition(void **state)
     }
 }
 
+/* ---- Whether the comparison looks at everything
+ * -------------------------------------------------- This program is linked with ld's --wrap:
+ * glint_specular_batch() comes through here, where one value of one point may be altered. */
+
+enum { PLANTED_W, PLANTED_R, PLANTED_G, PLANTED_B, PLANTED_VALUES };
+
+static struct {
+    bool is;
+    uint32_t code;
+    int value;
+} planted;
+
+glint_status __real_glint_specular_batch(glint_gate gate, const glint_material *material,
+                                         const uint32_t *cos_code, size_t count, uint32_t *w_code,
+                                         uint8_t *r, uint8_t *g, uint8_t *b);
+glint_status __wrap_glint_specular_batch(glint_gate gate, const glint_material *material,
+                                         const uint32_t *cos_code, size_t count, uint32_t *w_code,
+                                         uint8_t *r, uint8_t *g, uint8_t *b);
+
+glint_status __wrap_glint_specular_batch(glint_gate gate, const glint_material *material,
+                                         const uint32_t *cos_code, size_t count, uint32_t *w_code,
+                                         uint8_t *r, uint8_t *g, uint8_t *b)
+{
+    uint8_t *const colors[] = {r, g, b};
+    const glint_status status =
+        __real_glint_specular_batch(gate, material, cos_code, count, w_code, r, g, b);
+    if (planted.is && planted.value == PLANTED_W) {
+        w_code[planted.code] ^= 1;
+    } else if (planted.is) {
+        colors[planted.value - PLANTED_R][planted.code] ^= 1;
+    }
+    return status;
+}
+
+static void each_value_of_each_gate_is_looked_at(void **state)
+{
+    (void)state;
+    static worker one;
+    static const uint32_t codes[] = {0, 1, REFERENCE_ONE / 2, REFERENCE_ONE, REFERENCE_CODES - 1};
+    const uint32_t n = 100;
+    uint32_t limit;
+    reference_w(n, one.expected, one.drawn, &limit);
+    for (int gate = 0; gate < GLINT_GATE_COUNT; gate++) {
+        for (size_t c = 0; c < sizeof codes / sizeof codes[0]; c++) {
+            for (int value = 0; value < PLANTED_VALUES; value++) {
+                planted.is = true;
+                planted.code = codes[c];
+                planted.value = value;
+                one.tally = (tally){0};
+                compare_gate(&one, (glint_gate)gate, n,
+                             gate == GLINT_GATE_DRAWN ? one.drawn : one.expected);
+                planted.is = false;
+                assert_int_equal(one.tally.points, REFERENCE_CODES);
+                assert_int_equal(one.tally.w_differ, value == PLANTED_W);
+                assert_int_equal(one.tally.colors_differ, value != PLANTED_W);
+            }
+        }
+    }
+}
+
 /* ---- Blocks between input and output -----------------------------------------------------------
  */
 
@@ -296,6 +356,7 @@ int main(void)
         cmocka_unit_test(colors_are_the_reference_in_every_bit),
         cmocka_unit_test(roms_are_the_reference),
         cmocka_unit_test(multiplier13_is_the_reference),
+        cmocka_unit_test(each_value_of_each_gate_is_looked_at),
         cmocka_unit_test(products_are_by_definition),
         cmocka_unit_test(blocks_are_exact_or_nearest),
         cmocka_unit_test(a_hosts_cosine_becomes_the_nearest_code),
