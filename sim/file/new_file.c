@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <stdbool.h>
+#include <stdio_ext.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -221,6 +222,16 @@ FILE *glint_new_file_stream(const glint_new_file *file)
     return file->stream;
 }
 
+/* Closes the stream without what it still holds: a pipe that nobody reads would keep a write of it
+ * waiting for ever. Returns 0 or an errno. */
+static int drop_stream(glint_new_file *file)
+{
+    __fpurge(file->stream);
+    const int reason = fclose(file->stream) == 0 ? 0 : errno;
+    file->stream = NULL;
+    return reason;
+}
+
 /* Closes the stream, unless it is. Returns 0, or the errno of whatever was not written. */
 static int close_stream(glint_new_file *file)
 {
@@ -230,11 +241,11 @@ static int close_stream(glint_new_file *file)
     errno = 0;
     bool whole = fflush(file->stream) == 0 && !ferror(file->stream);
     int reason = errno;
-    if (fclose(file->stream) != 0) {
+    const int at_the_end = drop_stream(file); /* it is flushed, or cannot be */
+    if (at_the_end != 0) {
         whole = false;
-        reason = reason != 0 ? reason : errno;
+        reason = reason != 0 ? reason : at_the_end;
     }
-    file->stream = NULL;
     return whole ? 0 : (reason != 0 ? reason : EIO);
 }
 
@@ -308,7 +319,7 @@ void glint_new_file_discard(glint_new_file *file)
         return;
     }
     if (file->stream != NULL) {
-        fclose(file->stream);
+        (void)drop_stream(file);
     }
     if (file->temporary != NULL) {
         unlink(file->temporary);

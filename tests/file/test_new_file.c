@@ -380,6 +380,40 @@ static void a_pipe_is_written_to(void **state)
     free(got);
 }
 
+/* Given up while the pipe is full and something is still in the stream: nobody waits for a reader.
+ */
+static void be_given_up(const char *path)
+{
+    static const char filler[4096];
+    glint_error err;
+    glint_new_file *file;
+    const int reader = open(path, O_RDONLY | O_NONBLOCK);
+    const int writer = open(path, O_WRONLY | O_NONBLOCK);
+    while (write(writer, filler, sizeof filler) > 0) {
+    }
+    if (reader >= 0 && glint_new_file_open(path, &file, &err) == GLINT_OK) {
+        fputs("what is left", glint_new_file_stream(file));
+        glint_new_file_discard(file);
+        _exit(0);
+    }
+    _exit(1);
+}
+
+static void a_full_pipe_keeps_nobody_who_gives_up(void **state)
+{
+    (void)state;
+    int status;
+    assert_int_equal(mkfifo(scratch_path("full"), 0666), 0);
+    const pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        alarm(20); /* which ends it */
+        be_given_up(scratch_path("full"));
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+}
+
 static void what_cannot_be_written_is_refused(void **state)
 {
     (void)state;
@@ -430,6 +464,7 @@ int main(void)
         cmocka_unit_test(a_pipe_that_nobody_reads_is_refused),
         cmocka_unit_test(waiting_for_a_reader_can_be_stopped),
         cmocka_unit_test(a_pipe_is_written_to),
+        cmocka_unit_test(a_full_pipe_keeps_nobody_who_gives_up),
         cmocka_unit_test(what_cannot_be_written_is_refused),
         cmocka_unit_test(check_leaves_nothing),
     };
