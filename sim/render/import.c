@@ -17,7 +17,7 @@
 typedef struct reading {
     const char *path;
     glint_source *source;
-    glint_groups3ds *groups; /* NULL for what is no .3ds file */
+    glint_groups *groups; /* NULL for what is no .3ds file */
     glint_remarks remarks;
     glint_error *err;
 } reading;
@@ -79,8 +79,8 @@ static const struct aiScene *read_scene(const reading *in)
     const struct aiScene *scene =
         in->groups != NULL
             ? aiImportFileFromMemoryWithProperties((const char *)in->groups->bytes,
-                                                   (unsigned)in->groups->count, steps, "3ds",
-                                                   settings)
+                                                   (unsigned)in->groups->count, steps,
+                                                   in->groups->format, settings)
             : aiImportFileExWithProperties(in->path, steps, glint_source_io(in->source), settings);
     aiReleasePropertyStore(settings);
     return scene;
@@ -152,12 +152,12 @@ glint_status glint_mesh_import(const char *path, glint_mesh **mesh, glint_error 
     reading in = {.path = path, .err = err};
     glint_status status = glint_source_open(path, &in.source, &in.remarks, err);
     if (status == GLINT_OK) {
-        status = glint_groups3ds_read(path, &in.groups, err);
+        status = glint_groups_read(path, &in.groups, err);
     }
     if (status == GLINT_OK) {
         status = make_mesh(&in, mesh);
     }
-    glint_groups3ds_destroy(in.groups);
+    glint_groups_destroy(in.groups);
     glint_source_close(in.source);
     return status;
 }

@@ -24,14 +24,14 @@ typedef enum rule {
     BY_CREASES, /* smooth but for sharp edges */
     FLAT,       /* STL: a facet's normal is its own */
     FLAT_MESH,  /* glTF: likewise, in a mesh that has none at all; so its specification */
-    BY_GROUPS,  /* 3ds */
+    BY_GROUPS,  /* 3ds, ASE */
 } rule;
 
 /* What the walk over the nodes carries along. */
 typedef struct reading {
     const char *path;
     const struct aiScene *scene;
-    const glint_groups3ds *groups; /* with BY_GROUPS */
+    const glint_groups *groups; /* with BY_GROUPS */
     rule rule;
     glint_imported *to;
     size_t vertices, triangles; /* counted first, to make room */
@@ -140,18 +140,18 @@ static void add_vertices(reading *in, const struct aiMesh *source, const transfo
 }
 
 /* The smoothing group of a face of the mesh. */
-static uint32_t group_of(const reading *in, const struct aiMesh *source,
-                         const glint_groups3ds_object *object, unsigned face)
+static uint32_t group_of(const reading *in, const struct aiMesh *source, const uint32_t *groups,
+                         unsigned face)
 {
-    if (object != NULL) {
-        return object->group[face];
+    if (groups != NULL) {
+        return groups[face];
     }
     return in->rule == FLAT || (in->rule == FLAT_MESH && source->mNormals == NULL) ? 0 : 1;
 }
 
 /* A transform that mirrors turns triangles over: two corners are exchanged to turn them back. */
-static void add_triangles(reading *in, const struct aiMesh *source,
-                          const glint_groups3ds_object *object, uint32_t base, bool mirrored)
+static void add_triangles(reading *in, const struct aiMesh *source, const uint32_t *groups,
+                          uint32_t base, bool mirrored)
 {
     glint_mesh *mesh = in->to->mesh;
     for (unsigned i = 0; i < source->mNumFaces; i++) {
@@ -164,7 +164,7 @@ static void add_triangles(reading *in, const struct aiMesh *source,
                                 base + face->mIndices[mirrored ? 2 : 1],
                                 base + face->mIndices[mirrored ? 1 : 2]);
         if (mesh->triangle_count > at) {
-            in->to->smoothing.group[at] = group_of(in, source, object, i);
+            in->to->smoothing.group[at] = group_of(in, source, groups, i);
             if (in->to->smoothing.object != NULL) {
                 in->to->smoothing.object[at] = in->objects;
             }
@@ -172,36 +172,30 @@ static void add_triangles(reading *in, const struct aiMesh *source,
     }
 }
 
-/* assimp's meshes are the file's objects that have faces, and named by their numbers. */
-static glint_status find_object(const reading *in, unsigned index,
-                                const glint_groups3ds_object **object)
+/* assimp's meshes are the file's objects, in their order. */
+static bool groups_fit(const struct aiScene *scene, const glint_groups *groups)
 {
-    *object = NULL;
-    if (in->rule != BY_GROUPS) {
-        return GLINT_OK;
+    if (groups == NULL || scene->mNumMeshes != groups->objects) {
+        return false;
     }
-    if (in->groups == NULL || in->scene->mNumMeshes != in->groups->objects ||
-        in->scene->mMeshes[index]->mNumFaces != in->groups->object[index].faces) {
-        return bad(in, "damaged: which smoothing group belongs to which triangle cannot be told");
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        if (scene->mMeshes[i]->mNumFaces != groups->object[i].faces) {
+            return false;
+        }
     }
-    *object = &in->groups->object[index];
-    return GLINT_OK;
+    return true;
 }
 
-static glint_status add_mesh(reading *in, unsigned index, const transform *t)
+static void add_mesh(reading *in, unsigned index, const transform *t)
 {
     const struct aiMesh *source = in->scene->mMeshes[index];
     const double determinant = glint_vec3_dot(t->x, glint_vec3_cross(t->y, t->z));
     const bool mirrored = determinant < 0.0;
     const uint32_t base = (uint32_t)in->to->mesh->vertex_count;
-    const glint_groups3ds_object *object;
-    const glint_status status = find_object(in, index, &object);
-    if (status == GLINT_OK) {
-        add_vertices(in, source, t, mirrored ? -1.0 : 1.0);
-        add_triangles(in, source, object, base, mirrored);
-        in->objects++;
-    }
-    return status;
+    add_vertices(in, source, t, mirrored ? -1.0 : 1.0);
+    add_triangles(in, source, in->rule == BY_GROUPS ? in->groups->object[index].group : NULL, base,
+                  mirrored);
+    in->objects++;
 }
 
 static void include(reading *in, glint_vec3 p)
@@ -259,8 +253,11 @@ static glint_status walk(reading *in, const struct aiNode *node, const transform
         }
         const bool placed = glint_skin_places(in->scene, in->scene->mMeshes[node->mMeshes[i]]);
         const transform *place = placed ? &identity : &t;
-        const glint_status status = in->to->mesh == NULL ? measure_mesh(in, node->mMeshes[i], place)
-                                                         : add_mesh(in, node->mMeshes[i], place);
+        if (in->to->mesh != NULL) {
+            add_mesh(in, node->mMeshes[i], place);
+            continue;
+        }
+        const glint_status status = measure_mesh(in, node->mMeshes[i], place);
         if (status != GLINT_OK) {
             return status;
         }
@@ -303,6 +300,15 @@ static void find_place(reading *in)
     in->scale = size > 0.0 ? 2.0 / size : 1.0;
 }
 
+/* Which group belongs to which triangle must be beyond doubt. */
+static glint_status check_groups(reading *in)
+{
+    if (in->rule != BY_GROUPS || groups_fit(in->scene, in->groups)) {
+        return GLINT_OK;
+    }
+    return bad(in, "damaged: which smoothing group belongs to which triangle cannot be told");
+}
+
 static glint_status convert(reading *in)
 {
     if (in->scene->mRootNode == NULL) {
@@ -311,6 +317,9 @@ static glint_status convert(reading *in)
     glint_status status = walk(in, in->scene->mRootNode, &identity, 0);
     if (status == GLINT_OK && in->triangles == 0) {
         return bad(in, "no triangles in it");
+    }
+    if (status == GLINT_OK) {
+        status = check_groups(in);
     }
     if (status == GLINT_OK) {
         find_place(in);
@@ -363,6 +372,7 @@ static rule rule_for(const struct aiScene *scene)
         {"glTF Importer", FLAT_MESH},
         {"glTF2 Importer", FLAT_MESH},
         {"Discreet 3DS Importer", BY_GROUPS},
+        {"ASE Importer", BY_GROUPS},
     };
     const char *importer = glint_imported_from(scene);
     for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++) {
@@ -382,7 +392,7 @@ void glint_imported_clear(glint_imported *imported)
 }
 
 glint_status glint_imported_mesh(const char *path, const struct aiScene *scene,
-                                 const glint_groups3ds *groups, glint_imported *imported,
+                                 const glint_groups *groups, glint_imported *imported,
                                  glint_error *err)
 {
     *imported = (glint_imported){.mesh = NULL};

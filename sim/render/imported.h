@@ -4,7 +4,7 @@
 
 #include <assimp/scene.h>
 
-#include "render/groups3ds.h"
+#include "render/groups.h"
 #include "render/mesh.h"
 #include "render/smooth.h"
 
@@ -29,7 +29,7 @@ const char *glint_imported_from(const struct aiScene *scene);
  * scene is believed but its counts and its pointers. `groups` is the same file's; NULL for what is
  * no .3ds file. */
 glint_status glint_imported_mesh(const char *path, const struct aiScene *scene,
-                                 const glint_groups3ds *groups, glint_imported *imported,
+                                 const glint_groups *groups, glint_imported *imported,
                                  glint_error *err);
 
 #endif

@@ -58,7 +58,7 @@ glint_status glint_mesh_quad(glint_mesh **mesh, glint_error *err);
  * corner gets the mean of the triangles about its place that lie within 66 degrees of its own:
  * smooth but for sharp edges, whatever the format, the order of triangles and the sharing of
  * vertices. Exceptions are .stl (the facet's own) and glTF meshes without normals (flat, as its
- * specification says). A .3ds file has no normals but smoothing groups: triangles that share one
+ * specification says). Of a .3ds or .ase file the smoothing groups count: triangles that share one
  * are smooth over each other at any angle, one of no group is flat.
  *
  * GLINT_IO_ERROR for a path that cannot be read; GLINT_BAD_INPUT for what is no mesh file, has no

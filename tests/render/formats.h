@@ -594,4 +594,60 @@ static inline void put_3ds(const solid *const *solids, size_t count, bool groups
     end_chunk(file);
 }
 
+/* ---- .ase --------------------------------------------------------------------------------------
+ */
+
+/* The numbers of a face's groups, as they stand in the file. */
+static inline void put_ase_groups(uint32_t group)
+{
+    const char *before = " *MESH_SMOOTHING ";
+    for (int k = 0; k < 32; k++) {
+        if ((group >> k & 1) != 0) {
+            put("%s%d", before, k + 1);
+            before = ",";
+        }
+    }
+}
+
+/* z is up. */
+static inline void put_ase(const solid *s, bool groups, bool materials)
+{
+    put("*3DSMAX_ASCIIEXPORT 200\n");
+    if (materials) {
+        put("*MATERIAL_LIST {\n*MATERIAL_COUNT 1\n*MATERIAL 0 {\n*MATERIAL_NAME \"m\"\n"
+            "*NUMSUBMTLS 2\n*SUBMATERIAL 0 {\n*MATERIAL_NAME \"m0\"\n}\n"
+            "*SUBMATERIAL 1 {\n*MATERIAL_NAME \"m1\"\n}\n}\n}\n");
+    }
+    put("*GEOMOBJECT {\n*NODE_NAME \"a\"\n*MESH {\n*MESH_NUMVERTEX %zu\n*MESH_NUMFACES %zu\n",
+        s->vertices, s->triangles);
+    put("*MESH_VERTEX_LIST {\n");
+    for (size_t i = 0; i < s->vertices; i++) {
+        put("*MESH_VERTEX %zu %.10g %.10g %.10g\n", i, s->at[i][0], -s->at[i][2], s->at[i][1]);
+    }
+    put("}\n*MESH_FACE_LIST {\n");
+    for (size_t i = 0; i < s->triangles; i++) {
+        put("*MESH_FACE %zu: A: %u B: %u C: %u AB: 1 BC: 1 CA: 1", i, s->corner[i][0],
+            s->corner[i][1], s->corner[i][2]);
+        if (groups) {
+            put_ase_groups(s->group[i]);
+        }
+        put(" *MESH_MTLID %d\n", i % 3 == 0);
+    }
+    put("}\n}\n%s}\n", materials ? "*MATERIAL_REF 0\n" : "");
+}
+
+/* What is on the page, as UTF-16 with a byte order mark. */
+static inline void widen_page(bool big)
+{
+    static char plain[1 << 20];
+    const size_t count = page.count;
+    memcpy(plain, page.at, count);
+    page.count = 0;
+    put_bytes(big ? "\xfe\xff" : "\xff\xfe", 2);
+    for (size_t i = 0; i < count; i++) {
+        const char unit[2] = {big ? '\0' : plain[i], big ? plain[i] : '\0'};
+        put_bytes(unit, 2);
+    }
+}
+
 #endif

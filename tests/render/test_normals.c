@@ -197,6 +197,13 @@ static void expect_groups(const solid *s, bool groups, bool materials)
     studio expected = picture_of(solid_mesh(s, SOLID_GROUPED));
     put_3ds(&s, 1, groups, materials);
     expect_page("groups.3ds", &expected, SAME_NMSE);
+    put_ase(s, groups, materials);
+    expect_page("groups.ase", &expected, SAME_NMSE);
+    for (int big = 0; big < 2; big++) {
+        put_ase(s, groups, materials);
+        widen_page(big != 0);
+        expect_page("wide.ase", &expected, SAME_NMSE);
+    }
     close_studio(&expected);
 }
 

@@ -1,0 +1,44 @@
+/* The smoothing groups of .3ds and .ase files. assimp reads them, but takes a triangle of no group
+ * for one of every group, and its normals depend on the order of triangles where groups overlap;
+ * here they are read beside it. */
+#ifndef GLINT_SIM_GROUPS_H
+#define GLINT_SIM_GROUPS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "glint_status.h"
+
+typedef struct glint_groups_object {
+    size_t faces;
+    uint32_t *group; /* of each face: bits, 0 where the file gives none */
+} glint_groups_object;
+
+typedef struct glint_groups {
+    const char *format; /* as assimp takes it: "3ds", "ase" */
+    uint8_t *bytes;     /* of the file, and a 0 after them; what gives faces their materials is made
+                           unknown, as assimp would sort them by it */
+    size_t count;
+    size_t objects;              /* those that have faces */
+    glint_groups_object *object; /* in the file's order */
+} glint_groups;
+
+/* *file is NULL when the file at path does not begin as one of these does. */
+glint_status glint_groups_read(const char *path, glint_groups **file, glint_error *err);
+
+void glint_groups_destroy(glint_groups *file); /* NULL is allowed */
+
+/* One more object without faces, at its end; NULL for want of memory. */
+glint_groups_object *glint_groups_add_object(glint_groups *file);
+
+/* More faces of no group for the object; false for want of memory. */
+bool glint_groups_add_faces(glint_groups_object *object, size_t faces);
+
+/* Of the two formats: the bytes begin as such a file does; its groups, false for want of memory. */
+bool glint_groups_are_3ds(const glint_groups *file);
+bool glint_groups_read_3ds(glint_groups *file);
+bool glint_groups_are_ase(const glint_groups *file);
+bool glint_groups_read_ase(glint_groups *file);
+
+#endif
