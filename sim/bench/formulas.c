@@ -94,9 +94,14 @@ glint_formula_loop *glint_formula_vectorised(glint_formula formula)
 #define COMPILER "gcc " __VERSION__
 #endif
 
+const char *glint_formula_compiler(void)
+{
+    return COMPILER;
+}
+
 const char *glint_formula_flags(void)
 {
-    static const char *const flags[] = {COMPILER " -O3 -ffast-math, plain x86-64 vectors",
+    static const char *const flags[] = {COMPILER " -O3 -ffast-math, the target's baseline vectors",
                                         COMPILER " -O3 -ffast-math, AVX2",
                                         COMPILER " -O3 -ffast-math, AVX-512"};
 #if defined(__x86_64__) && !defined(GLINT_SANITIZED)

@@ -39,6 +39,9 @@ glint_formula_loop *glint_formula_scalar(glint_formula formula);
 /* cosⁿ is vectorised by the C library's own vector powf (libmvec). */
 glint_formula_loop *glint_formula_vectorised(glint_formula formula);
 
+/* The compiler, with its version. */
+const char *glint_formula_compiler(void);
+
 /* How the loops were compiled: compiler, options, and the vector width that runs. */
 const char *glint_formula_flags(void);
 

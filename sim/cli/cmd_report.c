@@ -121,11 +121,10 @@ static void print_claims(const glint_claims *claims)
 {
     for (int i = 0; i < claims->count; i++) {
         const glint_claim *claim = &claims->claim[i];
-        printf("%-18s thesis %-9.*f measured %-11.6g %s\n",
-               claim->undecided ? "cannot be decided:"
-               : claim->holds   ? "holds"
-                                : "does not hold:",
-               claim->decimals, claim->stated, claim->measured, claim->what);
+        printf("%s%-*s thesis %-9.*f measured %-11.6g %s\n", glint_verdict_names[claim->verdict],
+               18 - (int)strlen(glint_verdict_names[claim->verdict]),
+               claim->verdict == GLINT_HOLDS ? "" : ":", claim->judged.decimals,
+               claim->judged.stated, claim->judged.lowest, claim->what);
     }
 }
 

@@ -66,6 +66,7 @@ typedef struct glint_table_21 {
      * pixel that the fill rule gives. The first value of a run is there without an addition. */
     glint_span_operations drawn;
     uint64_t drawn_rows, drawn_pixels; /* that it covers */
+    double area;                       /* in pixels */
 
     /* The same unit over the runs that the thesis describes: edges along the longer of Δx and Δy,
      * rows from the left edge's point to the right one's, and of each run the points between its

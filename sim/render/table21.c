@@ -28,6 +28,12 @@ static int32_t greater(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
+static double triangle_area(void)
+{
+    const corner *a = &corners[0], *b = &corners[1], *c = &corners[2];
+    return 0.5 * abs((b->x - a->x) * (c->y - a->y) - (b->y - a->y) * (c->x - a->x));
+}
+
 /* The triangle as the set-up of a frame would have it, on pixel centres. */
 static glint_triangle screen_triangle(void)
 {
@@ -214,7 +220,7 @@ glint_status glint_count_table_21(int shifts, glint_table_21 *table, glint_error
     const glint_divider_config config = {
         .kind = GLINT_BACKEND_C, .form = GLINT_DIVIDER_PIPELINED, .shifts = shifts};
     glint_divider_backend *divider = NULL;
-    *table = (glint_table_21){0};
+    *table = (glint_table_21){.area = triangle_area()};
     glint_status status = glint_divider_backend_create(&config, &divider, err);
     if (status == GLINT_OK) {
         status = count_drawn(divider, shifts, table, err);

@@ -3,8 +3,7 @@
 
 #include <math.h>
 
-#include "report/divider_error.h"
-#include "report/findings.h"
+#define SAY(text, ...) snprintf(text, sizeof text, __VA_ARGS__)
 
 const glint_span_operations glint_table_21_stated = {{
     [GLINT_SPAN_EDGE_INCREMENTS] = {18, 9},
@@ -18,6 +17,11 @@ const glint_span_operations glint_table_21_stated = {{
 
 /* The conditions of Table 2.1's counts. */
 #define WALKED "the triangle below, three components, walked as the thesis describes"
+
+/* The example of section 2.4. */
+#define EXAMPLE_DIFFERENCE 255
+#define EXAMPLE_K          7
+#define EXAMPLE_SHIFTS     6
 
 glint_operations glint_operations_total(const glint_span_operations *operations)
 {
@@ -35,49 +39,52 @@ uint64_t glint_operations_clocks(glint_operations operations, uint64_t clocks_of
            operations.divisions * clocks_of_a_division;
 }
 
-static void add(glint_claims *claims, glint_claim claim)
+/* Adds one; what and note are for the caller to print into. */
+static glint_claim *add(glint_claims *claims, const glint_judged *judged)
 {
-    claim.holds = !claim.undecided &&
-                  (claim.at_most ? claim.measured <= claim.stated
-                                 : glint_rounds_to(claim.measured, claim.stated, claim.decimals));
-    claims->claim[claims->count++] = claim;
+    glint_claim *claim = &claims->claim[claims->count++];
+    *claim = (glint_claim){.judged = *judged, .verdict = glint_judge(judged)};
+    return claim;
+}
+
+static glint_claim *add_number(glint_claims *claims, double stated, int decimals, double measured)
+{
+    const glint_judged judged = glint_judged_number(GLINT_ROUNDS_TO, stated, decimals, measured);
+    return add(claims, &judged);
+}
+
+static const glint_divider_error *error_by(const glint_claims_facts *facts, int shifts)
+{
+    return &facts->error[shifts - GLINT_DIVIDER_SHIFTS_MIN];
 }
 
 static void add_example(glint_claims *claims)
 {
-    const double exact = 255.0 / 7.0;
-    const uint32_t bits = glint_divider_bits(6, 7);
-    const double sum = 255.0 * bits / 64.0;
-    const double relative = glint_divider_relative_error(6, GLINT_BITS_ROUNDED, 7);
-    add(claims, (glint_claim){.what = "(2.19): 64ths of the sum for 1/7 with 6 shifts, 1/8 + 1/64",
-                              .stated = 9,
-                              .measured = bits,
-                              .note = "64/7 to the nearest whole number"});
-    add(claims, (glint_claim){.what = "exact increment 255/7, levels",
-                              .stated = 36.4286,
-                              .decimals = 4,
-                              .measured = exact,
-                              .note = "difference 255, k = 7"});
-    add(claims, (glint_claim){.what = "increment by the sum, k = 7, 6 shifts, levels",
-                              .stated = 35.8594,
-                              .decimals = 4,
-                              .measured = sum,
-                              .note = "difference 255, before rounding to a level"});
-    add(claims, (glint_claim){.what = "its absolute error, levels",
-                              .stated = 0.5692,
-                              .decimals = 4,
-                              .measured = exact - sum,
-                              .note = "of those two"});
-    add(claims, (glint_claim){.what = "the same, as the relative error's numerator, levels",
-                              .stated = 0.5693,
-                              .decimals = 4,
-                              .measured = exact - sum,
-                              .note = "a slip: a line above the thesis has 0.5692"});
-    add(claims, (glint_claim){.what = "its relative error, %",
-                              .stated = 1.56,
-                              .decimals = 2,
-                              .measured = 100.0 * relative,
-                              .note = "of the exact increment; the same for every difference"});
+    const int one = 1 << EXAMPLE_SHIFTS;
+    const double exact = (double)EXAMPLE_DIFFERENCE / EXAMPLE_K;
+    const uint32_t bits = glint_bits_by_rule(EXAMPLE_SHIFTS, GLINT_BITS_ROUNDED, EXAMPLE_K);
+    const double sum = (double)EXAMPLE_DIFFERENCE * bits / one;
+    const double relative =
+        glint_divider_relative_error(EXAMPLE_SHIFTS, GLINT_BITS_ROUNDED, EXAMPLE_K);
+    glint_claim *claim = add_number(claims, 9, 0, bits);
+    SAY(claim->what, "(2.19): %dths of the sum for 1/%d with %d shifts, 1/8 + 1/64", one, EXAMPLE_K,
+        EXAMPLE_SHIFTS);
+    SAY(claim->note, "%d/%d to the nearest whole number", one, EXAMPLE_K);
+    claim = add_number(claims, 36.4286, 4, exact);
+    SAY(claim->what, "exact increment %d/%d, levels", EXAMPLE_DIFFERENCE, EXAMPLE_K);
+    SAY(claim->note, "difference %d, k = %d", EXAMPLE_DIFFERENCE, EXAMPLE_K);
+    claim = add_number(claims, 35.8594, 4, sum);
+    SAY(claim->what, "increment by the sum, k = %d, %d shifts, levels", EXAMPLE_K, EXAMPLE_SHIFTS);
+    SAY(claim->note, "difference %d, before rounding to a level", EXAMPLE_DIFFERENCE);
+    claim = add_number(claims, 0.5692, 4, exact - sum);
+    SAY(claim->what, "its absolute error, levels");
+    SAY(claim->note, "of those two");
+    claim = add_number(claims, 0.5693, 4, exact - sum);
+    SAY(claim->what, "the same, as the relative error's numerator, levels");
+    SAY(claim->note, "a line above the thesis has 0.5692 for the same difference");
+    claim = add_number(claims, 1.56, 2, 100.0 * relative);
+    SAY(claim->what, "its relative error, %%");
+    SAY(claim->note, "of the exact increment; the same for every difference");
 }
 
 static double worst_nmse(const glint_divider_scene *scenes, int frame)
@@ -88,100 +95,104 @@ static double worst_nmse(const glint_divider_scene *scenes, int frame)
     return worst;
 }
 
-static void add_errors(glint_claims *claims, const glint_divider_scene *scenes)
+static void add_frames(glint_claims *claims, const glint_claims_facts *facts)
 {
-    const glint_divider_error error = glint_divider_error_of(8, GLINT_BITS_ROUNDED);
-    add(claims,
-        (glint_claim){.what = "6 shifts: \"visually not worse\", as the largest NMSE of the frames "
-                              "below, at most (section 3.4)",
-                      .stated = NMSE_NOT_VISIBLE,
-                      .decimals = 4,
-                      .at_most = true,
-                      .measured = worst_nmse(scenes, 0),
-                      .note = "over frames; one span may end 22 levels off, see below"});
-    add(claims, (glint_claim){.what = "8 shifts: largest absolute error, k = 2...16, levels",
-                              .stated = 0.4427,
-                              .decimals = 4,
-                              .measured = error.absolute,
-                              .note = "at k = 9; of one increment, not of a span"});
-    add(claims, (glint_claim){.what = "8 shifts: mean relative error, k = 2...16, %",
-                              .stated = 0.81,
-                              .decimals = 2,
-                              .measured = 100.0 * error.relative_mean,
-                              .note = "each k once; bits rounded to the nearest"});
+    const int shifts = facts->scenes[0].frames[0].shifts;
+    const glint_judged judged =
+        glint_judged_number(GLINT_AT_MOST, NMSE_NOT_VISIBLE, 4, worst_nmse(facts->scenes, 0));
+    glint_claim *claim = add(claims, &judged);
+    SAY(claim->what,
+        "%d shifts: \"visually not worse\", as the largest NMSE of the frames below, at most "
+        "(section 3.4)",
+        shifts);
+    SAY(claim->note, "over %d frames; the last pixel of one span may be %d levels off, see below",
+        GLINT_DIVIDER_SCENES, error_by(facts, shifts)->displayed);
+}
+
+static void add_errors(glint_claims *claims, const glint_claims_facts *facts)
+{
+    enum { SHIFTS = 8 };
+    const glint_divider_error *error = error_by(facts, SHIFTS);
+    glint_claim *claim = add_number(claims, 0.4427, 4, error->absolute);
+    SAY(claim->what, "%d shifts: largest absolute error, k = %d...%d, levels", SHIFTS,
+        GLINT_ERROR_K_MIN, GLINT_DIVIDER_K_MAX);
+    SAY(claim->note, "at k = %d; of one increment, not of a span", error->absolute_k);
+    claim = add_number(claims, 0.81, 2, 100.0 * error->relative_mean);
+    SAY(claim->what, "%d shifts: mean relative error, k = %d...%d, %%", SHIFTS, GLINT_ERROR_K_MIN,
+        GLINT_DIVIDER_K_MAX);
+    SAY(claim->note, "each k once; bits rounded to the nearest");
+}
+
+static void add_count(glint_claims *claims, const char *what, uint64_t stated, uint64_t counted)
+{
+    glint_claim *claim = add_number(claims, (double)stated, 0, (double)counted);
+    SAY(claim->what, "Table 2.1: %s", what);
+    SAY(claim->note, WALKED);
 }
 
 static void add_counts(glint_claims *claims, const glint_table_21 *table)
 {
     static const char *const what[GLINT_SPAN_STAGE_COUNT][2] = {
-        {"Table 2.1: additions for the increments along edges",
-         "Table 2.1: divisions for the increments along edges"},
-        {"Table 2.1: additions for the points of edges", NULL},
-        {"Table 2.1: additions for the increments along rows",
-         "Table 2.1: divisions for the increments along rows"},
-        {"Table 2.1: additions for the points of rows", NULL},
+        {"additions for the increments along edges", "divisions for the increments along edges"},
+        {"additions for the points of edges", NULL},
+        {"additions for the increments along rows", "divisions for the increments along rows"},
+        {"additions for the points of rows", NULL},
     };
     for (int i = 0; i < GLINT_SPAN_STAGE_COUNT; i++) {
         const glint_operations stated = glint_table_21_stated.stage[i];
         const glint_operations run = table->described.stage[i];
-        add(claims, (glint_claim){.what = what[i][0],
-                                  .stated = (double)stated.additions,
-                                  .measured = (double)run.additions,
-                                  .note = WALKED});
+        add_count(claims, what[i][0], stated.additions, run.additions);
         if (what[i][1] != NULL)
-            add(claims, (glint_claim){.what = what[i][1],
-                                      .stated = (double)stated.divisions,
-                                      .measured = (double)run.divisions,
-                                      .note = WALKED});
+            add_count(claims, what[i][1], stated.divisions, run.divisions);
     }
+    const glint_operations total = glint_operations_total(&table->described);
+    add_count(claims, "additions in all", 408, total.additions);
+    add_count(claims, "divisions in all", 42, total.divisions);
 }
 
-static void add_totals(glint_claims *claims, const glint_table_21 *table)
+/* The clocks of an operation are inferred from these totals: they can be contradicted by the counts,
+ * not proven, and no more can their quotient. */
+static void add_clocks(glint_claims *claims, const glint_table_21 *table)
 {
+    const struct {
+        const char *what, *operation;
+        double stated;
+        uint64_t clocks;
+    } totals[] = {{"clocks with division", "a division", GLINT_CLOCKS_STATED_DIVISION, GLINT_CLOCKS_DIVISION},
+                  {"clocks with the sum instead", "a sum", GLINT_CLOCKS_STATED_BY_SHIFTS, GLINT_CLOCKS_DIVISION_BY_SHIFTS}};
     const glint_operations total = glint_operations_total(&table->described);
-    const double before = (double)glint_operations_clocks(total, GLINT_CLOCKS_DIVISION);
-    const double after = (double)glint_operations_clocks(total, GLINT_CLOCKS_DIVISION_BY_SHIFTS);
-    add(claims, (glint_claim){.what = "Table 2.1: additions in all",
-                              .stated = 408,
-                              .measured = (double)total.additions,
-                              .note = WALKED});
-    add(claims, (glint_claim){.what = "Table 2.1: divisions in all",
-                              .stated = 42,
-                              .measured = (double)total.divisions,
-                              .note = WALKED});
-    add(claims, (glint_claim){.what = "clocks with division",
-                              .stated = 2946,
-                              .measured = before,
-                              .undecided = true,
-                              .note = "3 an addition, 41 a division: inferred from this number"});
-    add(claims, (glint_claim){.what = "clocks with the sum instead",
-                              .stated = 2064,
-                              .measured = after,
-                              .undecided = true,
-                              .note = "3 an addition, 20 a sum: inferred from this number"});
-    add(claims, (glint_claim){.what = "times faster",
-                              .stated = 1.43,
-                              .decimals = 2,
-                              .measured = before / after,
-                              .note = "the quotient of those two; no time was measured"});
+    double clocks[2];
+    for (int i = 0; i < 2; i++) {
+        clocks[i] = (double)glint_operations_clocks(total, totals[i].clocks);
+        glint_judged judged = glint_judged_number(GLINT_ROUNDS_TO, totals[i].stated, 0, clocks[i]);
+        judged.circular = true;
+        glint_claim *claim = add(claims, &judged);
+        SAY(claim->what, "%s", totals[i].what);
+        SAY(claim->note, "%d an addition, %d %s: inferred from this number",
+            GLINT_CLOCKS_ADDITION, (int)totals[i].clocks, totals[i].operation);
+    }
+    glint_judged judged = glint_judged_number(GLINT_ROUNDS_TO, 1.43, 2, clocks[0] / clocks[1]);
+    judged.circular = true;
+    glint_claim *claim = add(claims, &judged);
+    SAY(claim->what, "times faster");
+    SAY(claim->note, "the quotient of those two, neither of which can be decided; no time was "
+                     "measured");
 }
 
 static void add_triangle(glint_claims *claims, const glint_table_21 *table)
 {
-    add(claims, (glint_claim){.what = "pixels of the \"average triangle of 100 points\"",
-                              .stated = 100,
-                              .measured = (double)table->drawn_pixels,
-                              .note = "its area is 78 pixels"});
+    glint_claim *claim = add_number(claims, 100, 0, (double)table->drawn_pixels);
+    SAY(claim->what, "pixels of the \"average triangle of 100 points\"");
+    SAY(claim->note, "drawn; its area is %g pixels", table->area);
 }
 
-void glint_claims_check(const glint_table_21 *table,
-                        const glint_divider_scene scenes[GLINT_DIVIDER_SCENES],
-                        glint_claims *claims)
+void glint_claims_check(const glint_claims_facts *facts, glint_claims *claims)
 {
     claims->count = 0;
     add_example(claims);
-    add_errors(claims, scenes);
-    add_triangle(claims, table);
-    add_counts(claims, table);
-    add_totals(claims, table);
+    add_frames(claims, facts);
+    add_errors(claims, facts);
+    add_triangle(claims, facts->table);
+    add_counts(claims, facts->table);
+    add_clocks(claims, facts->table);
 }

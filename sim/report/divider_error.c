@@ -82,8 +82,9 @@ glint_divider_error glint_divider_error_of(int shifts, glint_bits_rule rule)
 
 int glint_divider_first_within_half(glint_bits_rule rule)
 {
-    for (int shifts = GLINT_DIVIDER_SHIFTS_MIN; shifts <= GLINT_DIVIDER_SHIFTS_MAX; shifts++)
-        if (glint_divider_error_of(shifts, rule).last_pixel <= 0.5)
-            return shifts;
-    return 0;
+    int first = GLINT_DIVIDER_SHIFTS_MAX + 1;
+    while (first > GLINT_DIVIDER_SHIFTS_MIN &&
+           glint_divider_error_of(first - 1, rule).last_pixel <= 0.5)
+        first--;
+    return first <= GLINT_DIVIDER_SHIFTS_MAX ? first : 0;
 }

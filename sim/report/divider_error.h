@@ -38,8 +38,8 @@ uint32_t glint_bits_by_rule(int shifts, glint_bits_rule rule, int k);
 /* |increment − exact increment| / exact increment for one k: the same for every difference. */
 double glint_divider_relative_error(int shifts, glint_bits_rule rule, int k);
 
-/* The first number of shifts with which the last pixel, not rounded, is within half a level for
- * every k; 0: there is none. */
+/* The least number of shifts with which, and with all above it, the last pixel, not rounded, is within
+ * half a level for every k; 0: there is none. */
 int glint_divider_first_within_half(glint_bits_rule rule);
 
 #endif

@@ -47,12 +47,12 @@ static void add_claims(cJSON *json, const glint_claims *claims)
         const glint_claim *claim = &claims->claim[i];
         cJSON *entry = cJSON_CreateObject();
         cJSON_AddStringToObject(entry, "what", claim->what);
-        cJSON_AddNumberToObject(entry, "stated", claim->stated);
-        cJSON_AddNumberToObject(entry, "measured", claim->measured);
-        if (claim->undecided)
+        cJSON_AddNumberToObject(entry, "stated", claim->judged.stated);
+        cJSON_AddNumberToObject(entry, "measured", claim->judged.lowest);
+        if (claim->verdict == GLINT_CANNOT_BE_DECIDED)
             cJSON_AddNullToObject(entry, "holds");
         else
-            cJSON_AddBoolToObject(entry, "holds", claim->holds);
+            cJSON_AddBoolToObject(entry, "holds", claim->verdict == GLINT_HOLDS);
         cJSON_AddStringToObject(entry, "note", claim->note);
         cJSON_AddItemToArray(list, entry);
     }

@@ -3,29 +3,31 @@
 
 #include <inttypes.h>
 
+static int count_of(const glint_claims *claims, glint_verdict verdict)
+{
+    int count = 0;
+    for (int i = 0; i < claims->count; i++)
+        count += claims->claim[i].verdict == verdict;
+    return count;
+}
+
 static void write_claims(FILE *out, const glint_claims *claims, const char *level)
 {
-    int held = 0, undecided = 0;
-    for (int i = 0; i < claims->count; i++) {
-        held += claims->claim[i].holds;
-        undecided += claims->claim[i].undecided;
-    }
     fprintf(out,
             "%s What the thesis says\n\n"
-            "Every number of section 2.4 beside the measured one. A number holds when the measured "
-            "one,\nrounded to the digits that the thesis prints, is the same: %d of %d do, %d "
-            "cannot be "
-            "decided.\n\n"
+            "%d numbers of section 2.4 beside the measured ones. A number holds when the measured "
+            "one,\nrounded to the digits that the thesis prints, is the same, one of *at most* "
+            "when it is no larger: %d do, %d do not, %d cannot be\ndecided, as they were computed "
+            "from the stated one.\n\n"
             "| | thesis | measured | |\n|---|---:|---:|---|\n",
-            level, held, claims->count, undecided);
+            level, claims->count, count_of(claims, GLINT_HOLDS),
+            count_of(claims, GLINT_DOES_NOT_HOLD), count_of(claims, GLINT_CANNOT_BE_DECIDED));
     for (int i = 0; i < claims->count; i++) {
         const glint_claim *claim = &claims->claim[i];
-        fprintf(out, "| %s | %.*f | %.8g | %s: %s |\n", claim->what, claim->decimals, claim->stated,
-                claim->measured,
-                claim->undecided ? "cannot be decided"
-                : claim->holds   ? "holds"
-                                 : "**does not hold**",
-                claim->note);
+        const char *mark = claim->verdict == GLINT_DOES_NOT_HOLD ? "**" : "";
+        fprintf(out, "| %s | %.*f | %.8g | %s%s%s: %s |\n", claim->what, claim->judged.decimals,
+                claim->judged.stated, claim->judged.lowest, mark,
+                glint_verdict_names[claim->verdict], mark, claim->note);
     }
 }
 
@@ -76,6 +78,16 @@ static void write_last_pixel_table(FILE *out, const glint_divider_error *errors)
     }
 }
 
+/* The least number of shifts with which, and with all above it, nothing wrong is shown; one more than
+ * the most: there is none. */
+static int first_exact(const glint_divider_error *errors)
+{
+    int first = GLINT_REPORT_SHIFTS;
+    while (first > 0 && errors[first - 1].displayed == 0)
+        first--;
+    return GLINT_DIVIDER_SHIFTS_MIN + first;
+}
+
 static void write_last_pixel(FILE *out, const glint_divider_report *report, const char *level)
 {
     fprintf(out,
@@ -87,11 +99,11 @@ static void write_last_pixel(FILE *out, const glint_divider_report *report, cons
             level);
     write_last_pixel_table(out, report->error[GLINT_BITS_ROUNDED]);
     fprintf(out,
-            "\nFrom %d shifts on the last pixel is within half a level for every k, and what is "
-            "shown is exact. That is\nwhy the default is %d.\n\nWith truncated bits, where the "
-            "last pixel is right from %d "
-            "shifts on:\n\n",
-            report->first_within_half[GLINT_BITS_ROUNDED], GLINT_DIVIDER_SHIFTS_DEFAULT,
+            "\nFrom %d shifts on the last pixel is within half a level for every k; from %d on what "
+            "is shown is exact. The default is\n%d shifts.\n\nWith truncated bits the last pixel is "
+            "within half a level from %d shifts on:\n\n",
+            report->first_within_half[GLINT_BITS_ROUNDED],
+            first_exact(report->error[GLINT_BITS_ROUNDED]), GLINT_DIVIDER_SHIFTS_DEFAULT,
             report->first_within_half[GLINT_BITS_TRUNCATED]);
     write_last_pixel_table(out, report->error[GLINT_BITS_TRUNCATED]);
 }
@@ -146,6 +158,7 @@ static void write_count_table(FILE *out, const glint_table_21 *table)
 
 static void write_table_21(FILE *out, const glint_table_21 *table, const char *level)
 {
+    const glint_operations total = glint_operations_total(&table->described);
     fprintf(out,
             "\n%s Table 2.1: operations of one triangle\n\n"
             "Counted by the rasterizer's span unit while it works on the thesis's triangle, "
@@ -154,7 +167,7 @@ static void write_table_21(FILE *out, const glint_table_21 *table, const char *l
     write_count_table(out, table);
     fprintf(
         out,
-        "\n*As described*, which gives the thesis's counts: each edge along the longer of dx and "
+        "\n*As described* by the thesis: each edge along the longer of dx and "
         "dy, 8, 12 and 16\nsteps, and the points between its ends, %" PRIu64
         " in all; each row between top and bottom, %" PRIu64
         ", from the left\nedge's point to the right one's, and the %" PRIu64
@@ -165,21 +178,25 @@ static void write_table_21(FILE *out, const glint_table_21 *table, const char *l
         "edges are a neighbouring triangle's. The first pixel\nof a row has its edge's value and "
         "costs no addition; a row of one pixel divides nothing; and an edge is\nwalked no "
         "further than to its last row.\n\n"
-        "The thesis gives no clocks of single operations. Its two totals both come out with %d "
-        "for an addition, %d\nfor a division and %d for the sum (2.18) that replaces one: these "
-        "three are inferred, not measured.\n",
+        "The thesis gives no clocks of single operations. With %d for an addition, %d for a division "
+        "and %d for the sum\n(2.18) that replaces one, what is described takes %" PRIu64
+        " and %" PRIu64 " clocks, where the thesis has %d and %d: these\nthree are inferred from that, not measured.\n",
         table->described_edge_points, table->described_rows, table->described_pixels,
         table->drawn_rows, table->drawn_pixels, GLINT_CLOCKS_ADDITION, GLINT_CLOCKS_DIVISION,
-        GLINT_CLOCKS_DIVISION_BY_SHIFTS);
+        GLINT_CLOCKS_DIVISION_BY_SHIFTS, glint_operations_clocks(total, GLINT_CLOCKS_DIVISION),
+        glint_operations_clocks(total, GLINT_CLOCKS_DIVISION_BY_SHIFTS),
+        GLINT_CLOCKS_STATED_DIVISION, GLINT_CLOCKS_STATED_BY_SHIFTS);
 }
 
 static void write_frame(FILE *out, const glint_divider_scene *scene,
                         const glint_divider_frame *frame)
 {
     fprintf(out,
-            "| %s, density %d | %" PRIu64 " | %" PRIu64 " | %d | %.3g | %d | %.2f %% | "
+            "| %s, density %d | %" PRIu64 " | %.3g | %" PRIu64 " | %d | %.3g | %d | %.2f %% | "
             "%" PRIu64 " | ![frame](%s) | ![difference](%s) |\n",
-            scene->model, scene->density, scene->drawn, scene->divisions, frame->shifts,
+            scene->model, scene->density, scene->drawn,
+            (double)frame->difference.object_pixels / (double)scene->drawn, scene->divisions,
+            frame->shifts,
             frame->difference.nmse, frame->difference.largest,
             100.0 * (double)frame->difference.differing_pixels /
                 (double)frame->difference.object_pixels,
@@ -202,19 +219,18 @@ static void write_frames(FILE *out, const glint_divider_scene *scenes, const cha
         out,
         "\n%s Whole frames\n\n"
         "Gouraud's shading, %dx%d, against the same frame with exact values along edges and "
-        "spans, rounded half up.\nEach model as fine as it is by default, and with triangles of "
-        "about 100 pixels. Section 3.4 reads an NMSE of\nup to 0.0001 as no visible difference, "
+        "spans, rounded half up.\nEach model as fine as it is by default, and with larger "
+        "triangles. Section 3.4 reads an NMSE of\nup to 0.0001 as no visible difference, "
         "0.00025 as slight, 0.001 as visible ones.\n\n"
-        "What is left at %d shifts is no matter of the table's bits: a run longer than %d steps "
-        "is cut, and its values\nat the cuts are rounded to 8 bits; and an exact half is rounded "
-        "up, which the least error below turns down.\n\n"
+        "Beside the table's bits there is this: a run longer than %d steps is cut, and its values "
+        "at the cuts are rounded to 8\nbits; and an exact half is rounded up, which an error below, "
+        "however small, turns down.\n\n"
         "The frames are by the C model of the divider; *by the Verilog* is how many pixels of the "
         "same frames\ndiffer from them when the circuit is simulated.\n\n"
-        "| model | triangles drawn | divisions | shifts | NMSE | largest, levels | pixels that "
+        "| model | triangles drawn | pixels of each | divisions | shifts | NMSE | largest, levels | pixels that "
         "differ | by the Verilog | frame | difference |\n"
-        "|---|---:|---:|---:|---:|---:|---:|---:|---|---|\n",
-        level, GLINT_DIVIDER_FRAME_WIDTH, GLINT_DIVIDER_FRAME_HEIGHT, GLINT_DIVIDER_SHIFTS_MAX,
-        GLINT_DIVIDER_K_MAX);
+        "|---|---:|---:|---:|---:|---:|---:|---:|---:|---|---|\n",
+        level, GLINT_DIVIDER_FRAME_WIDTH, GLINT_DIVIDER_FRAME_HEIGHT, GLINT_DIVIDER_K_MAX);
     for (int i = 0; i < GLINT_DIVIDER_SCENES; i++)
         for (int j = 0; j < GLINT_DIVIDER_FRAMES; j++)
             write_frame(out, &scenes[i], &scenes[i].frames[j]);

@@ -100,7 +100,10 @@ glint_status glint_divider_report_make(const char *directory, int threads,
         status = glint_divider_render_scenes(directory, threads, stop, report->scenes, err);
     if (status != GLINT_OK)
         return status;
-    glint_claims_check(&report->table, report->scenes, &report->claims);
+    glint_claims_check(&(glint_claims_facts){.error = report->error[GLINT_BITS_ROUNDED],
+                                             .table = &report->table,
+                                             .scenes = report->scenes},
+                       &report->claims);
     status = write_markdown(directory, report, err);
     return status == GLINT_OK ? write_json(directory, report, err) : status;
 }

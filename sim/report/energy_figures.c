@@ -1,4 +1,5 @@
 /* Figures 2.15 and 2.16, and the albedo against the incidence. */
+#include <math.h>
 
 #include "report/chart.h"
 #include "report/energy_parts.h"
@@ -16,59 +17,72 @@ static glint_status draw_by_exponent(glint_report *report, const glint_chart *ch
     return glint_chart_draw(report, chart, values, GLINT_ENERGY_N_MAX, err);
 }
 
-static const glint_chart figure_15 = {
-    .name = "figure-2.15",
-    .title = "Albedo of the cosine-quadratic at normal incidence",
-    .x_label = "n",
-    .y_label = "R",
-    .settings =
-        "set logscale x\nset yrange [0:3]\nset arrow from 1,1 to 1000,1 nohead dashtype 2\n",
-    .curves = 3,
-    .curve = {"(2.25) with dθ_0, to 5.8/√n", "(2.25) with dθ_0, to 5.8/√n, at most π/2",
-              "W itself: to its zero, at most π/2"},
-    .caption = "Figure 2.15: (2.25) read with dθ₀ for its dω₀. The limit 5.8/√n lies beyond the "
-               "zero of W, near 4.9/√n, and takes in "
-               "some of the parabola's second branch; below n = 14 it is beyond the horizon, where "
-               "cos θ counts as negative."};
+/* Where the limit of (2.25) first is in front of the surface; 0: nowhere. */
+static int first_in_front(void)
+{
+    int n = 1;
+    while (n <= GLINT_ENERGY_N_MAX && glint_printed_limit(n) > acos(0.0))
+        n++;
+    return n <= GLINT_ENERGY_N_MAX ? n : 0;
+}
 
-static const glint_chart figure_16 = {
-    .name = "figure-2.16",
-    .title = "Albedo at normal incidence with the normalising factor",
-    .x_label = "n",
-    .y_label = "R",
-    .settings =
-        "set logscale x\nset yrange [0.6:1.1]\nset arrow from 1,1 to 1000,1 nohead dashtype "
-        "2\nset key bottom right\n",
-    .curves = 4,
-    .curve = {"(2.26): A = 6, B = 24.55", "Blinn, (n+6)/(8π)", "A = 6, smallest B",
-              "A and B of least mean loss"},
-    .caption = "Figure 2.16: (2.26) is above 1 for all but the smallest n; Blinn's with its factor "
-               "is not; nor is W with the smallest B for A = 6, or with the best A and B."};
+static glint_status draw_limits(glint_report *report, const glint_energy_normal *normal,
+                                glint_error *err)
+{
+    char caption[512];
+    const int last = GLINT_ENERGY_N_MAX - 1;
+    const glint_chart figure_15 = {
+        .name = "figure-2.15",
+        .title = "Albedo of the cosine-quadratic at normal incidence",
+        .x_label = "n",
+        .y_label = "R",
+        .settings =
+            "set logscale x\nset yrange [0:3]\nset arrow from 1,1 to 1000,1 nohead dashtype 2\n",
+        .curves = 3,
+        .curve = {"(2.25) with dθ_0, to 5.8/√n", "(2.25) with dθ_0, to 5.8/√n, at most π/2",
+                  "W itself: to its zero, at most π/2"},
+        .caption = caption};
+    const double *const curve[] = {normal->with_limit, normal->held, normal->w};
+    snprintf(caption, sizeof caption,
+             "Figure 2.15: (2.25) read with dθ₀ for its dω₀, to 5.8/√n. W is zero at %.2f/√n (n = "
+             "%d), and the parabola has a second branch beyond. From n = %d on the limit is in "
+             "front of the surface; behind it cos θ counts as negative.",
+             normal->zero[last], last + 1, first_in_front());
+    return draw_by_exponent(report, &figure_15, curve, err);
+}
 
 static glint_status draw_normalized(glint_report *report, const glint_energy_results *results,
                                     glint_error *err)
 {
+    char caption[256];
     double smallest[GLINT_ENERGY_N_MAX], best[GLINT_ENERGY_N_MAX];
+    const glint_chart figure_16 = {
+        .name = "figure-2.16",
+        .title = "Albedo at normal incidence with the normalising factor",
+        .x_label = "n",
+        .y_label = "R",
+        .settings =
+            "set logscale x\nset yrange [0.6:1.1]\nset arrow from 1,1 to 1000,1 nohead dashtype "
+            "2\nset key bottom right\n",
+        .curves = 4,
+        .curve = {"(2.26): A = 6, B = 24.55", "Blinn, (n+6)/(8π)", "A = 6, smallest B",
+                  "A and B of least mean loss"},
+        .caption = caption};
     for (int i = 0; i < GLINT_ENERGY_N_MAX; i++) {
         const double w = results->normal.w[i];
         smallest[i] = (i + 1 + results->claimed.a) / results->claimed.b * w;
         best[i] = (i + 1 + results->least_mean.a) / results->least_mean.b * w;
     }
     const double *const curve[] = {results->normal.claimed, results->normal.blinn, smallest, best};
+    snprintf(caption, sizeof caption,
+             "Figure 2.16: of %d n, (2.26) is above 1 for %d, Blinn's with its factor for %d, W with "
+             "the smallest B for A = %g for %d, with the best A and B for %d.",
+             GLINT_ENERGY_N_MAX, glint_energy_count_above(curve[0]),
+             glint_energy_count_above(curve[1]), results->claimed.a,
+             glint_energy_count_above(curve[2]), glint_energy_count_above(curve[3]));
     return draw_by_exponent(report, &figure_16, curve, err);
 }
 
-static const glint_chart by_angle = {
-    .name = "figure-energy-angle",
-    .title = "Albedo against the incidence, n = 1000",
-    .x_label = "angle of incidence, degrees",
-    .y_label = "R",
-    .settings = "set xrange [0:90]\nset yrange [0:1.1]\nset key bottom left\n",
-    .curves = 4,
-    .curve = {"(2.26)", "Blinn, (n+6)/(8π)", "Cook–Torrance, F = 1", "Torrance–Sparrow, F = 1"},
-    .caption =
-        "A lobe without a denominator (N·L)(N·V) loses the more the flatter the light comes, "
-        "as cos²; microfacets lose only what they shadow."};
 static const glint_reflectance_model by_angle_model[] = {
     GLINT_REFLECTANCE_ENERGY_CONSERVING, GLINT_REFLECTANCE_BLINN_NORMALIZED,
     GLINT_REFLECTANCE_COOK_TORRANCE, GLINT_REFLECTANCE_TORRANCE_SPARROW};
@@ -77,24 +91,43 @@ static const glint_reflectance_model by_angle_model[] = {
 static glint_status draw_by_angle(glint_report *report, const glint_energy_table *grid,
                                   glint_error *err)
 {
-    double values[90 * (1 + GLINT_CHART_CURVES_MAX)];
-    const int width = 1 + by_angle.curves;
-    for (int i = 0; i < grid->plan.angle_count; i++) {
-        values[i * width] = grid->plan.angle[i];
-        for (int j = 0; j < by_angle.curves; j++)
-            values[i * width + 1 + j] =
-                glint_energy_at(grid, (int)by_angle_model[j], grid->plan.n_count - 1, i)
-                    ->quadrature;
+    enum { CURVES = 4 };
+    char title[128], caption[384];
+    double values[90 * (1 + CURVES)], left[CURVES] = {0};
+    const glint_energy_plan *plan = &grid->plan;
+    const int last = plan->angle_count - 1;
+    const glint_chart chart = {
+        .name = "figure-energy-angle",
+        .title = title,
+        .x_label = "angle of incidence, degrees",
+        .y_label = "R",
+        .settings = "set xrange [0:90]\nset yrange [0:1.1]\nset key bottom left\n",
+        .curves = CURVES,
+        .curve = {"(2.26)", "Blinn, (n+6)/(8π)", "Cook–Torrance, F = 1", "Torrance–Sparrow, F = 1"},
+        .caption = caption};
+    for (int i = 0; i <= last; i++) {
+        values[i * (1 + CURVES)] = plan->angle[i];
+        for (int j = 0; j < CURVES; j++) {
+            const double r = glint_energy_at(grid, (int)by_angle_model[j], plan->n_count - 1, i)
+                                 ->quadrature;
+            values[i * (1 + CURVES) + 1 + j] = r;
+            left[j] = r / values[1 + j];
+        }
     }
-    return glint_chart_draw(report, &by_angle, values, grid->plan.angle_count, err);
+    snprintf(title, sizeof title, "Albedo against the incidence, n = %g",
+             plan->n[plan->n_count - 1]);
+    snprintf(caption, sizeof caption,
+             "At %g° R is, of what it is at %g°: %.2g by (2.26), %.2g by Blinn's, %.2g by "
+             "Cook–Torrance's, %.2g by Torrance–Sparrow's. The first two are lobes without a "
+             "denominator (N·L)(N·V); microfacets lose only what they shadow.",
+             plan->angle[last], plan->angle[0], left[0], left[1], left[2], left[3]);
+    return glint_chart_draw(report, &chart, values, last + 1, err);
 }
 
 glint_status glint_energy_draw(glint_report *report, const glint_energy_results *results,
                                glint_error *err)
 {
-    const glint_energy_normal *normal = &results->normal;
-    const double *const curve[] = {normal->with_limit, normal->held, normal->w};
-    glint_status status = draw_by_exponent(report, &figure_15, curve, err);
+    glint_status status = draw_limits(report, &results->normal, err);
     if (status == GLINT_OK)
         status = draw_normalized(report, results, err);
     return status == GLINT_OK ? draw_by_angle(report, results->grid, err) : status;

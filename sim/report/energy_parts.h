@@ -19,6 +19,10 @@ typedef struct glint_energy_normal {
     double claimed[GLINT_ENERGY_N_MAX];    /* (2.26) */
     double blinn[GLINT_ENERGY_N_MAX];      /* with (n+6)/(8π) */
     double device[GLINT_ENERGY_N_MAX], verilog[GLINT_ENERGY_N_MAX];
+    double half_angle[GLINT_ENERGY_N_MAX];  /* (2.24) as printed, with (cos θ₀)/2 */
+    double solid_angle[GLINT_ENERGY_N_MAX]; /* held, but with dω₀ = sin θ₀ dθ₀ */
+    double zero[GLINT_ENERGY_N_MAX];        /* the angle θ₀ at which W is zero, times √n */
+    double centre[GLINT_ENERGY_N_MAX];      /* of (2.24)'s highlight */
 } glint_energy_normal;
 
 typedef struct glint_energy_results {
@@ -29,6 +33,8 @@ typedef struct glint_energy_results {
     double asymmetry[GLINT_REFLECTANCE_COUNT];              /* the largest of (2.20), relative */
     double verilog_asymmetry;
     uint64_t pairs;                      /* compared for it, for each model */
+    int pairs_n_count;                   /* at so many exponents */
+    double pairs_n_first, pairs_n_last;
     glint_normalization claimed;         /* A = 6 with the smallest B */
     glint_normalization device, verilog; /* the same for the circuit's W */
     glint_normalization least_mean;      /* the best A and B by the one loss and by the other */
@@ -48,6 +54,14 @@ glint_status glint_energy_verilog_asymmetry(const double *n, int count, uint64_t
 
 glint_status glint_energy_draw(glint_report *report, const glint_energy_results *results,
                                glint_error *err);
+/* How many of the exponents have an albedo above 1; of n from 1 on, in order. */
+int glint_energy_count_above(const double albedo[GLINT_ENERGY_N_MAX]);
+
+/* How many cells of a table have a larger R than normal incidence, its first angle, has at the same
+ * n. */
+int glint_energy_above_normal(const glint_energy_table *grid, int model);
+
+/* The claims of section 2.5: from these numbers alone. */
 void glint_energy_find(const glint_energy_results *results, glint_findings *findings);
 
 #endif

@@ -2,11 +2,11 @@
  * glint_frame_scene(), and the report says so. */
 #include "report/frame_errors.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 const char *const glint_test_figure_names[GLINT_FIGURE_COUNT] = {"sphere", "teapot"};
-const char *const glint_frame_light_names[GLINT_LIGHT_COUNT] = {
-    "highlight white", "highlight of the object's colour", "the same, Ka = 1"};
 
 const char *const glint_frame_names[GLINT_FRAME_COUNT][2] = {
     [GLINT_FRAME_SCHLICK] = {"schlick", "blinn"},
@@ -39,11 +39,64 @@ void glint_frame_scene(glint_frame_light light, glint_scene *scene)
     static const uint8_t color[] = {238, 138, 32};
     glint_scene_defaults(scene);
     memcpy(scene->color, color, sizeof color);
-    if (light != GLINT_LIGHT_WHITE)
+    if (light == GLINT_LIGHT_COLORED || light == GLINT_LIGHT_COLORED_AMBIENT)
         memcpy(scene->highlight, color, sizeof color);
-    scene->ka = light == GLINT_LIGHT_AMBIENT ? 1.0f : 0.2f;
+    scene->ka = light == GLINT_LIGHT_WHITE || light == GLINT_LIGHT_COLORED ? 0.2f : 1.0f;
     scene->kd = 0.5f;
     scene->ks = 0.5f;
+}
+
+/* A colour's name, or its numbers. */
+static const char *color_of(const glint_scene *scene, const uint8_t color[3], char *text,
+                            size_t room)
+{
+    static const uint8_t white[3] = {255, 255, 255};
+    if (memcmp(color, white, sizeof white) == 0)
+        return "white";
+    if (color != scene->color && memcmp(color, scene->color, sizeof scene->color) == 0)
+        return "of the object's colour";
+    snprintf(text, room, "%d,%d,%d", color[0], color[1], color[2]);
+    return text;
+}
+
+void glint_frame_light_say(glint_frame_light light, char *text, size_t room)
+{
+    char numbers[16];
+    glint_scene scene = {0};
+    glint_frame_scene(light, &scene);
+    snprintf(text, room, "highlight %s, Ka = %g",
+             color_of(&scene, scene.highlight, numbers, sizeof numbers), (double)scene.ka);
+}
+
+void glint_frame_scene_say(const glint_scene *scene, char *text, size_t room)
+{
+    char object[16], highlight[16];
+    snprintf(text, room,
+             "object's colour %s, highlight %s, Ia = %g, Ie = %g, Ka = %g, Kd = %g, Ks = %g, light "
+             "from %g,%g,%g, yaw %g°, pitch %g°, field of view %g°, %s",
+             color_of(scene, scene->color, object, sizeof object),
+             color_of(scene, scene->highlight, highlight, sizeof highlight), (double)scene->ia,
+             (double)scene->ie, (double)scene->ka, (double)scene->kd, (double)scene->ks,
+             (double)scene->light[0], (double)scene->light[1], (double)scene->light[2],
+             (double)scene->yaw, (double)scene->pitch, (double)scene->fov,
+             scene->distance == 0.0f ? "filling the frame" : "at a set distance");
+}
+
+void glint_frame_exponents_say(const int *n, int count, int n_from, int n_to, char *text,
+                               size_t room)
+{
+    int found = 0, first = 0, last = 0;
+    for (int i = 0; i < count; i++)
+        if (n[i] >= n_from && n[i] <= n_to) {
+            first = found++ == 0 ? n[i] : first;
+            last = n[i];
+        }
+    if (found == 0)
+        snprintf(text, room, "no exponent");
+    else if (found == 1)
+        snprintf(text, room, "n = %d", first);
+    else
+        snprintf(text, room, "%d exponents n = %d…%d", found, first, last);
 }
 
 glint_status glint_frame_mesh(glint_test_figure figure, glint_mesh **mesh, glint_error *err)
@@ -122,10 +175,10 @@ glint_worst_frame glint_worst_frame_of(const glint_frame_errors *errors, glint_t
                                        glint_frame_light light, glint_frame_method method,
                                        int n_from, int n_to)
 {
-    glint_worst_frame worst = {0};
+    glint_worst_frame worst = {NAN, 0};
     for (int i = 0; i < errors->count; i++) {
         const double nmse = errors->nmse[figure][light][method][i];
-        if (errors->n[i] >= n_from && errors->n[i] <= n_to && nmse >= worst.nmse)
+        if (errors->n[i] >= n_from && errors->n[i] <= n_to && !(nmse < worst.nmse))
             worst = (glint_worst_frame){nmse, errors->n[i]};
     }
     return worst;

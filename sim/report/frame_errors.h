@@ -16,16 +16,21 @@ typedef enum glint_test_figure {
 
 extern const char *const glint_test_figure_names[GLINT_FIGURE_COUNT];
 
-/* What of the scene Table 3.2 leaves open. */
+/* What of the scene Table 3.2 leaves open. The brighter the ambient light makes the picture, the
+ * smaller the NMSE. */
 typedef enum glint_frame_light {
-    GLINT_LIGHT_WHITE,   /* the highlight white */
-    GLINT_LIGHT_COLORED, /* the highlight of the object's colour */
-    GLINT_LIGHT_AMBIENT, /* the same with all of the ambient light, Ka = 1: the brighter picture
-                            makes the smaller NMSE */
+    GLINT_LIGHT_WHITE,           /* the highlight white, Ka = 0.2 */
+    GLINT_LIGHT_COLORED,         /* the highlight of the object's colour, Ka = 0.2 */
+    GLINT_LIGHT_WHITE_AMBIENT,   /* white, with all of the ambient light: Ka = 1 */
+    GLINT_LIGHT_COLORED_AMBIENT, /* of the object's colour, Ka = 1 */
     GLINT_LIGHT_COUNT
 } glint_frame_light;
 
-extern const char *const glint_frame_light_names[GLINT_LIGHT_COUNT];
+/* "highlight white, Ka = 0.2": what differs from light to light, as its scene has it. */
+void glint_frame_light_say(glint_frame_light light, char *text, size_t room);
+
+/* All of it but the mesh and n. */
+void glint_frame_scene_say(const glint_scene *scene, char *text, size_t room);
 
 /* Each compared with cosⁿ (blinn, in single precision), but for the last two. */
 typedef enum glint_frame_method {
@@ -79,7 +84,15 @@ typedef struct glint_worst_frame {
     int n;
 } glint_worst_frame;
 
-/* The largest over exponents from n_from to n_to. */
+/* Which of the exponents are in a range: "18 exponents n = 1…169". */
+void glint_frame_exponents_say(const int *n, int count, int n_from, int n_to, char *text,
+                               size_t room);
+
+/* The claims of Table 3.2, and of 3.1 and 3.4 on NMSE, from these numbers alone: each once for every
+ * light. */
+void glint_frame_errors_find(const glint_frame_errors *errors, glint_findings *findings);
+
+/* The largest over exponents from n_from to n_to; not a number over none. */
 glint_worst_frame glint_worst_frame_of(const glint_frame_errors *errors, glint_test_figure figure,
                                        glint_frame_light light, glint_frame_method method,
                                        int n_from, int n_to);

@@ -1,6 +1,7 @@
 /* Table 3.2 in the report: what the errors of frame_errors.h come to. */
 #include <limits.h>
 #include <math.h>
+#include <string.h>
 
 #include "report/chart.h"
 #include "report/frame_errors.h"
@@ -11,20 +12,26 @@
 
 static void write_head(FILE *out, const glint_frame_errors *errors)
 {
+    char exponents[64], scene_text[256], light_text[64];
+    glint_scene scene = {0};
+    glint_frame_scene(GLINT_LIGHT_WHITE, &scene);
+    glint_frame_scene_say(&scene, scene_text, sizeof scene_text);
+    glint_frame_exponents_say(errors->n, errors->count, 0, INT_MAX, exponents, sizeof exponents);
     fprintf(out,
             "### Pictures against pictures by cos^n (Table 3.2)\n\n"
-            "The largest NMSE (3.1) over %d exponents from 1 to 1000, and the n that has it. "
-            "%dx%d, the object fills the\nframe, its colour 238,138,32, Ka = 0.2, Kd = Ks = 0.5, "
-            "over the object's pixels. The thesis does not give its\nscene, so the highlight is "
-            "taken white and of the object's colour, and the latter once more with Ka = 1: the\n"
-            "brighter the whole picture, the smaller the NMSE. It reads up to 0.0001 as no visible "
-            "difference, to 0.00025\nas slight, to 0.001 as visible, above as substantial. *c* "
-            "and *rtl* are the device, by C and by Verilog.\n\n| method | against |",
-            errors->count, errors->width, errors->height);
+            "The largest NMSE (3.1) over %s, and the n that has it. %dx%d, over the object's "
+            "pixels; %s.\nThe thesis does not say of which scene its table is, so the highlight is "
+            "taken white and of the object's\ncolour, and each once more with all of the ambient "
+            "light: what Ka adds is in the denominator of (3.1).\nIt reads up to 0.0001 as no "
+            "visible difference, to 0.00025 as slight, to 0.001 as visible, above as "
+            "substantial.\n*c* and *rtl* are the device, by C and by Verilog.\n\n| method | "
+            "against |",
+            exponents, errors->width, errors->height, scene_text);
     for (int figure = 0; figure < GLINT_FIGURE_COUNT; figure++)
-        for (int light = 0; light < GLINT_LIGHT_COUNT; light++)
-            fprintf(out, " %s, %s | n |", glint_test_figure_names[figure],
-                    glint_frame_light_names[light]);
+        for (int light = 0; light < GLINT_LIGHT_COUNT; light++) {
+            glint_frame_light_say((glint_frame_light)light, light_text, sizeof light_text);
+            fprintf(out, " %s, %s | n |", glint_test_figure_names[figure], light_text);
+        }
     fputs("\n|---|---|", out);
     for (int i = 0; i < GLINT_FIGURE_COUNT * GLINT_LIGHT_COUNT; i++)
         fputs("--:|--:|", out);
@@ -37,7 +44,7 @@ static void write_row(FILE *out, const glint_frame_errors *errors, glint_frame_m
     for (int figure = 0; figure < GLINT_FIGURE_COUNT; figure++)
         for (int light = 0; light < GLINT_LIGHT_COUNT; light++) {
             const glint_worst_frame worst = glint_worst_frame_of(
-                errors, (glint_test_figure)figure, (glint_frame_light)light, method, 1, 1000);
+                errors, (glint_test_figure)figure, (glint_frame_light)light, method, 0, INT_MAX);
             fprintf(out, " %.2g | %d |", worst.nmse, worst.n);
         }
     fputc('\n', out);
@@ -64,9 +71,12 @@ static void caption_of(const glint_chart *chart, const glint_frame_errors *error
 
 static glint_status draw(glint_report *report, const glint_frame_errors *errors, glint_error *err)
 {
-    char caption[1024];
-    glint_chart chart = {.name = "figure-nmse",
-                         .title = "NMSE of frames against cos^n, sphere, white highlight",
+    char caption[1024], title[128], light_text[64];
+    glint_frame_light_say(GLINT_LIGHT_WHITE, light_text, sizeof light_text);
+    SAY(title, "NMSE of frames against cos^n, %s, %s", glint_test_figure_names[GLINT_FIGURE_SPHERE],
+        light_text);
+    const glint_chart chart = {.name = "figure-nmse",
+                         .title = title,
                          .x_label = "n",
                          .y_label = "NMSE",
                          .settings = "set logscale xy\nset format y '%g'\n" GLINT_CHART_KEY_BELOW,
@@ -92,68 +102,97 @@ static glint_status draw(glint_report *report, const glint_frame_errors *errors,
 
 typedef struct frame_claim {
     const char *where, *claim;
-    double at_most;
+    glint_rule rule;
+    double stated;
+    int decimals;
     glint_frame_method method;
     int n_from, n_to;
 } frame_claim;
 
+#define TABLE  "Table 3.2"
+#define UNSEEN "no visible difference, NMSE"
+
 static const frame_claim claims[] = {
-    {"Table 3.2", "Modified Schlick, (2.2) as printed: NMSE at most 0.00011", 0.00011,
+    {TABLE, "Modified Schlick, (2.2) as printed: NMSE", GLINT_AT_MOST, 0.00011, 5,
      GLINT_FRAME_SCHLICK_MODIFIED, 1, INT_MAX},
-    {"Table 3.2", "Modified Schlick, (2.2) read as 0.5(n(1 − c))²: NMSE at most 0.00011", 0.00011,
+    {TABLE, "Modified Schlick, (2.2) read as 0.5(n(1 − c))²: NMSE", GLINT_AT_MOST, 0.00011, 5,
      GLINT_FRAME_SCHLICK_SQUARED, 1, INT_MAX},
-    {"Table 3.2", "Modified Schlick, as Table 3.2 prints it, with the best a: NMSE at most 0.00011",
-     0.00011, GLINT_FRAME_SCHLICK_POWER, 1, INT_MAX},
-    {"Table 3.2", "Quadratic: NMSE at most 0.00026 for n < 170", 0.00026, GLINT_FRAME_QUADRATIC, 1,
-     169},
-    {"Table 3.2", "Quadratic: NMSE < 0.0002 for the other n", 0.0002, GLINT_FRAME_QUADRATIC, 170,
+    {TABLE, "Modified Schlick, as Table 3.2 prints it, with the best a: NMSE", GLINT_AT_MOST,
+     0.00011, 5, GLINT_FRAME_SCHLICK_POWER, 1, INT_MAX},
+    {TABLE, "Quadratic, n < 170: NMSE", GLINT_AT_MOST, 0.00026, 5, GLINT_FRAME_QUADRATIC, 1, 169},
+    {TABLE, "Quadratic, the other n: NMSE", GLINT_BELOW, 0.0002, 4, GLINT_FRAME_QUADRATIC, 170,
      INT_MAX},
-    {"Table 3.2", "Cosine-quadratic: NMSE at most 0.00008", 0.00008, GLINT_FRAME_COSINE_QUADRATIC,
+    {TABLE, "Cosine-quadratic: NMSE", GLINT_AT_MOST, 0.00008, 5, GLINT_FRAME_COSINE_QUADRATIC, 1,
+     INT_MAX},
+    {"3.1, 3.4", "Cosine-quadratic: " UNSEEN, GLINT_BELOW, 0.0001, 4, GLINT_FRAME_COSINE_QUADRATIC,
      1, INT_MAX},
-    {"3.1, 3.4", "Cosine-quadratic: no visible difference, NMSE below 0.0001", 0.0001,
-     GLINT_FRAME_COSINE_QUADRATIC, 1, INT_MAX},
-    {"3.1", "The device: no visible difference, NMSE below 0.0001", 0.0001, GLINT_FRAME_VERILOG, 1,
-     INT_MAX},
+    {"3.1", "The device: " UNSEEN, GLINT_BELOW, 0.0001, 4, GLINT_FRAME_VERILOG, 1, INT_MAX},
 };
 
-typedef struct worst_of_all {
-    glint_worst_frame worst;
-    int figure, light;
-} worst_of_all;
-
-/* The largest over both figures and the lights from first to last. */
-static worst_of_all worst_of(const glint_frame_errors *errors, const frame_claim *claim,
-                             glint_frame_light first, glint_frame_light last)
+static glint_worst_frame worst_in(const glint_frame_errors *errors, const frame_claim *claim,
+                                  int figure, glint_frame_light light)
 {
-    worst_of_all all = {.worst.nmse = -1.0};
-    for (int figure = 0; figure < GLINT_FIGURE_COUNT; figure++)
-        for (int light = (int)first; light <= (int)last; light++) {
-            const glint_worst_frame found =
-                glint_worst_frame_of(errors, (glint_test_figure)figure, (glint_frame_light)light,
-                                     claim->method, claim->n_from, claim->n_to);
-            if (found.nmse > all.worst.nmse)
-                all = (worst_of_all){found, figure, light};
-        }
-    return all;
+    return glint_worst_frame_of(errors, (glint_test_figure)figure, light, claim->method,
+                                claim->n_from, claim->n_to);
 }
 
-static void find(glint_findings *findings, const glint_frame_errors *errors,
-                 const frame_claim *claim)
+/* The figure with the larger one. */
+static int worst_figure(const glint_frame_errors *errors, const frame_claim *claim,
+                        glint_frame_light light)
 {
-    const worst_of_all all = worst_of(errors, claim, GLINT_LIGHT_WHITE, GLINT_LIGHT_COLORED);
-    const worst_of_all ambient = worst_of(errors, claim, GLINT_LIGHT_AMBIENT, GLINT_LIGHT_AMBIENT);
-    glint_finding *finding = glint_findings_add(
-        findings, all.worst.nmse <= claim->at_most ? GLINT_HOLDS : GLINT_DOES_NOT_HOLD,
-        claim->where);
-    SAY(finding->claim, "%s", claim->claim);
-    SAY(finding->measured, "%.2g at n = %d, %s, %s; with Ka = 1 %.2g", all.worst.nmse, all.worst.n,
-        glint_test_figure_names[all.figure], glint_frame_light_names[all.light],
-        ambient.worst.nmse);
+    int worst = 0;
+    for (int figure = 1; figure < GLINT_FIGURE_COUNT; figure++)
+        if (worst_in(errors, claim, figure, light).nmse >
+            worst_in(errors, claim, worst, light).nmse)
+            worst = figure;
+    return worst;
+}
+
+static void say_conditions(glint_finding *finding, const glint_frame_errors *errors,
+                           const frame_claim *claim, glint_frame_light light)
+{
+    char scene_text[256], exponents[64], figures[64] = "";
+    glint_scene scene = {0};
+    glint_frame_scene(light, &scene);
+    glint_frame_scene_say(&scene, scene_text, sizeof scene_text);
+    glint_frame_exponents_say(errors->n, errors->count, claim->n_from, claim->n_to, exponents,
+                              sizeof exponents);
+    for (int figure = 0; figure < GLINT_FIGURE_COUNT; figure++) {
+        const size_t length = strlen(figures);
+        snprintf(figures + length, sizeof figures - length, "%s%s", figure > 0 ? " and " : "",
+                 glint_test_figure_names[figure]);
+    }
     SAY(finding->conditions,
-        "sphere and teapot, %dx%d, filling the frame, Ka = 0.2, Kd = Ks = 0.5, highlight white or "
-        "of the object's colour 238,138,32; %d exponents; against cos^n. The thesis does not give "
-        "its scene; with Ka = 1 the whole picture is brighter",
-        errors->width, errors->height, errors->count);
+        "%s, %dx%d; %s; %s; method %s against %s. The thesis does not say of which scene its "
+        "number is",
+        figures, errors->width, errors->height, scene_text, exponents,
+        glint_frame_names[claim->method][0], glint_frame_names[claim->method][1]);
+}
+
+/* One scene, one verdict. */
+static void find(glint_findings *findings, const glint_frame_errors *errors,
+                 const frame_claim *claim, glint_frame_light light)
+{
+    char light_text[64];
+    const int figure = worst_figure(errors, claim, light);
+    const glint_worst_frame worst = worst_in(errors, claim, figure, light);
+    const glint_judged judged =
+        glint_judged_number(claim->rule, claim->stated, claim->decimals, worst.nmse);
+    glint_finding *finding = glint_findings_add(findings, claim->where, &judged);
+    glint_frame_light_say(light, light_text, sizeof light_text);
+    SAY(finding->claim, "%s %s %.*f; %s", claim->claim,
+        claim->rule == GLINT_BELOW ? "below" : "at most", claim->decimals, claim->stated,
+        light_text);
+    SAY(finding->measured, "%.2g at n = %d, %s", worst.nmse, worst.n,
+        glint_test_figure_names[figure]);
+    say_conditions(finding, errors, claim, light);
+}
+
+void glint_frame_errors_find(const glint_frame_errors *errors, glint_findings *findings)
+{
+    for (size_t i = 0; i < sizeof claims / sizeof claims[0]; i++)
+        for (int light = 0; light < GLINT_LIGHT_COUNT; light++)
+            find(findings, errors, &claims[i], (glint_frame_light)light);
 }
 
 /* ---- All of it ------------------------------------------------------------------------------- */
@@ -163,11 +202,13 @@ static bool add_entry(cJSON *list, const glint_frame_errors *errors, int figure,
 {
     const glint_worst_frame worst =
         glint_worst_frame_of(errors, (glint_test_figure)figure, (glint_frame_light)light,
-                             (glint_frame_method)method, 1, 1000);
+                             (glint_frame_method)method, 0, INT_MAX);
+    char light_text[64];
     cJSON *entry = cJSON_CreateObject();
+    glint_frame_light_say((glint_frame_light)light, light_text, sizeof light_text);
     return cJSON_AddItemToArray(list, entry) &&
            cJSON_AddStringToObject(entry, "figure", glint_test_figure_names[figure]) &&
-           cJSON_AddStringToObject(entry, "light", glint_frame_light_names[light]) &&
+           cJSON_AddStringToObject(entry, "light", light_text) &&
            cJSON_AddStringToObject(entry, "method", glint_frame_names[method][0]) &&
            cJSON_AddStringToObject(entry, "reference", glint_frame_names[method][1]) &&
            cJSON_AddNumberToObject(entry, "largest", worst.nmse) &&
@@ -191,8 +232,7 @@ glint_status glint_frame_errors_write(glint_report *report, const glint_frame_er
     write_head(report->markdown, errors);
     for (int method = 0; method < GLINT_FRAME_COUNT; method++)
         write_row(report->markdown, errors, (glint_frame_method)method);
-    for (size_t i = 0; i < sizeof claims / sizeof claims[0]; i++)
-        find(report->findings, errors, &claims[i]);
+    glint_frame_errors_find(errors, report->findings);
     if (!add_numbers(report->numbers, errors))
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for the frames' numbers");
     return draw(report, errors, err);

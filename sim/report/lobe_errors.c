@@ -1,7 +1,9 @@
 /* See lobe_errors.h. Exponents are shared out among threads; results do not depend on how. */
 #include "report/lobe_errors.h"
 
+#include <math.h>
 #include <stdatomic.h>
+#include <stdio.h>
 
 #include "render/pool.h"
 #include "render/render.h"
@@ -13,6 +15,32 @@ void glint_exponents_of(bool quick, glint_exponents *exponents)
     exponents->count = quick ? (int)(sizeof few / sizeof few[0]) : 1000;
     for (int i = 0; i < exponents->count; i++)
         exponents->n[i] = quick ? few[i] : i + 1;
+}
+
+const glint_n_range glint_n_all = {0.0, INFINITY};
+
+static bool is_in(glint_n_range range, double n)
+{
+    return n >= range.from && n <= range.to;
+}
+
+void glint_exponents_say(const glint_exponents *exponents, glint_n_range range, char *text,
+                         size_t room)
+{
+    int count = 0;
+    double least = INFINITY, most = -INFINITY;
+    for (int i = 0; i < exponents->count; i++)
+        if (is_in(range, exponents->n[i])) {
+            count++;
+            least = fmin(least, exponents->n[i]);
+            most = fmax(most, exponents->n[i]);
+        }
+    if (count == 0)
+        snprintf(text, room, "no exponent");
+    else if (count == 1)
+        snprintf(text, room, "n = %g", least);
+    else
+        snprintf(text, room, "%d exponents n = %g…%g", count, least, most);
 }
 
 typedef struct sweep {
@@ -70,18 +98,19 @@ glint_status glint_lobe_errors(const glint_report *report, glint_reflectance_mod
 
 static void keep(glint_worst *worst, double error, double n, double cosine)
 {
-    if (error > worst->error)
+    if (!(error <= worst->error))
         *worst = (glint_worst){error, n, cosine};
 }
 
 glint_lobe_worst glint_lobe_worst_of(const glint_exponents *exponents, const glint_accuracy *by_n,
-                                     double n_from)
+                                     glint_n_range range)
 {
-    glint_lobe_worst worst = {0};
+    static const glint_worst none = {NAN, NAN, NAN};
+    glint_lobe_worst worst = {none, none, none};
     for (int i = 0; i < exponents->count; i++) {
         const double n = exponents->n[i];
         const glint_accuracy *a = &by_n[i];
-        if (n < n_from)
+        if (!is_in(range, n))
             continue;
         keep(&worst.absolute, a->absolute.error, n, a->absolute.cosine);
         keep(&worst.epicentre_absolute, a->epicentre_absolute.error, n,

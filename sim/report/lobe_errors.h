@@ -15,12 +15,23 @@ typedef struct glint_exponents {
 
 void glint_exponents_of(bool quick, glint_exponents *exponents);
 
+/* Some of them: those from … to, both included. */
+typedef struct glint_n_range {
+    double from, to;
+} glint_n_range;
+
+extern const glint_n_range glint_n_all;
+
+/* "999 exponents n = 2…1000", "n = 1", "no exponent": which of them are in the range. */
+void glint_exponents_say(const glint_exponents *exponents, glint_n_range range, char *text,
+                         size_t room);
+
 /* Measures a model at each exponent (accuracy.h) into by_n, as many as there are exponents. */
 glint_status glint_lobe_errors(const glint_report *report, glint_reflectance_model model,
                                double level, const glint_exponents *exponents, glint_accuracy *by_n,
                                glint_error *err);
 
-/* A largest error over all exponents. */
+/* A largest error over exponents; not a number over none. */
 typedef struct glint_worst {
     double error, n, cosine;
 } glint_worst;
@@ -29,9 +40,8 @@ typedef struct glint_lobe_worst {
     glint_worst absolute, epicentre_absolute, epicentre_relative;
 } glint_lobe_worst;
 
-/* Those from exponent n_from on. */
 glint_lobe_worst glint_lobe_worst_of(const glint_exponents *exponents, const glint_accuracy *by_n,
-                                     double n_from);
+                                     glint_n_range range);
 
 /* The device at every cosine code of each exponent. */
 typedef struct glint_device_errors {

@@ -1,94 +1,132 @@
 /* The claims on formulas, one after the other as the thesis has them. */
 #include <math.h>
+#include <stdarg.h>
 
-#include "reflectance/search.h"
 #include "report/lobe_parts.h"
 
 #define SAY(text, ...) snprintf(text, sizeof text, __VA_ARGS__)
 
-static glint_verdict holds_if(bool held)
+static const glint_n_range n_is_1 = {1.0, 1.0}, from_2 = {2.0, INFINITY},
+                           with_end = {GLINT_LOBE_ENDS_FROM, INFINITY};
+
+/* Figure 2.7's. */
+static const glint_n_range figure_27 = {1.0, 512.0};
+
+/* Integrals that differ by less are one and the same, relatively: what Simpson's rule leaves. */
+#define SAME_INTEGRAL 1e-9
+
+/* Places that are less apart are one and the same, in widths of the lobe: what a search leaves. */
+#define SAME_PLACE 1e-4
+
+/* The exponents that were measured in the range, then where. */
+static void say(glint_finding *finding, const glint_lobes *lobes, glint_n_range range,
+                const char *where, ...)
 {
-    return held ? GLINT_HOLDS : GLINT_DOES_NOT_HOLD;
+    char exponents[64], rest[400];
+    va_list values;
+    glint_exponents_say(&lobes->exponents, range, exponents, sizeof exponents);
+    va_start(values, where);
+    vsnprintf(rest, sizeof rest, where, values);
+    va_end(values);
+    SAY(finding->conditions, "%s, %s", exponents, rest);
 }
 
-static void say_exponents(glint_finding *finding, const glint_lobes *lobes, const char *where)
+/* In per cent. */
+static double relative_of(const glint_lobes *lobes, glint_reflectance_model model,
+                          glint_n_range range)
 {
-    SAY(finding->conditions, "%d exponents n = 1…1000, %s", lobes->exponents.count, where);
+    return 100.0 * glint_lobes_worst(lobes, model, range).epicentre_relative.error;
+}
+
+static void widen(glint_judged *judged, double measured)
+{
+    judged->lowest = fmin(judged->lowest, measured);
+    judged->highest = fmax(judged->highest, measured);
 }
 
 /* ---- 2.1: Schlick's function and its modification -------------------------------------------- */
 
 static void find_schlick(const glint_lobes *lobes, glint_findings *findings)
 {
-    const double relative =
-        100.0 * glint_lobes_worst(lobes, GLINT_REFLECTANCE_SCHLICK, 0).epicentre_relative.error;
     static const struct {
         const char *where;
-        bool at_most;
+        glint_rule rule;
         double stated;
         int decimals;
-    } claims[] = {{"2.1", true, 3.2, 1}, {"2.7, 3.4, Conclusions", false, 10.0, 0}};
+    } claims[] = {{"2.1", GLINT_AT_MOST, 3.2, 1},
+                  {"2.7, 3.4, Conclusions", GLINT_ROUNDS_TO, 10.0, 0}};
+    const double relative = relative_of(lobes, GLINT_REFLECTANCE_SCHLICK, glint_n_all);
     for (size_t i = 0; i < sizeof claims / sizeof claims[0]; i++) {
-        const double stated = claims[i].stated;
-        const bool held = claims[i].at_most ? relative <= stated
-                                            : glint_rounds_to(relative, stated, claims[i].decimals);
-        glint_finding *finding = glint_findings_add(findings, holds_if(held), claims[i].where);
+        const glint_judged judged =
+            glint_judged_number(claims[i].rule, claims[i].stated, claims[i].decimals, relative);
+        glint_finding *finding = glint_findings_add(findings, claims[i].where, &judged);
         SAY(finding->claim,
             "Schlick's function (2.1): largest relative error in the epicentre %s%.*f %%",
-            claims[i].at_most ? "at most " : "", claims[i].decimals, stated);
+            claims[i].rule == GLINT_AT_MOST ? "at most " : "", judged.decimals, judged.stated);
         SAY(finding->measured, "%.2f %%", relative);
-        say_exponents(finding, lobes, "where cos^n ≥ 0.6, the epicentre by section 2.1");
+        say(finding, lobes, glint_n_all, "where cos^n ≥ %g, the epicentre by section 2.1",
+            GLINT_EPICENTRE_LEVEL);
     }
 }
 
+/* (2.2) as printed and as it can be read. */
+static const glint_reflectance_model readings[] = {
+    GLINT_REFLECTANCE_SCHLICK_MODIFIED, GLINT_REFLECTANCE_SCHLICK_MODIFIED_ANGLE,
+    GLINT_REFLECTANCE_SCHLICK_MODIFIED_LINEAR, GLINT_REFLECTANCE_SCHLICK_MODIFIED_SQUARED};
+
+#define READINGS ((int)(sizeof readings / sizeof readings[0]))
+
 static void find_modified(const glint_lobes *lobes, glint_findings *findings)
 {
-    static const glint_reflectance_model readings[] = {
-        GLINT_REFLECTANCE_SCHLICK_MODIFIED, GLINT_REFLECTANCE_SCHLICK_MODIFIED_ANGLE,
-        GLINT_REFLECTANCE_SCHLICK_MODIFIED_LINEAR, GLINT_REFLECTANCE_SCHLICK_MODIFIED_SQUARED};
     static const struct {
         const char *where, *claim;
         double stated;
     } claims[] = {
         {"2.1",
-         "Modified Schlick (2.2): largest relative error 6.8 % from Schlick's own 10 %, "
-         "so at most 3.2 %",
+         "Modified Schlick (2.2): largest relative error 6.8 % from Schlick's own 10 %, so at most",
          3.2},
-        {"2.7, Conclusions", "Modified Schlick (2.2): largest relative error at most 3.2 %", 3.2},
-        {"3.4", "Modified Schlick: largest relative error at most 0.4 %", 0.4}};
-    double relative[4], best = INFINITY;
-    for (int i = 0; i < 4; i++) {
-        relative[i] = 100.0 * glint_lobes_worst(lobes, readings[i], 0).epicentre_relative.error;
-        best = fmin(best, relative[i]);
+        {"2.7, Conclusions", "Modified Schlick (2.2): largest relative error at most", 3.2},
+        {"3.4", "Modified Schlick: largest relative error at most", 0.4}};
+    double relative[READINGS];
+    glint_judged judged = {.rule = GLINT_AT_MOST, .decimals = 1, .lowest = NAN, .highest = NAN};
+    for (int i = 0; i < READINGS; i++) {
+        relative[i] = relative_of(lobes, readings[i], glint_n_all);
+        widen(&judged, relative[i]);
     }
-    /* The one reading that would do, were it not for n = 1. */
     const double squared_from_2 =
-        100.0 * glint_lobes_worst(lobes, GLINT_REFLECTANCE_SCHLICK_MODIFIED_SQUARED, 2)
-                    .epicentre_relative.error;
+        relative_of(lobes, GLINT_REFLECTANCE_SCHLICK_MODIFIED_SQUARED, from_2);
     for (size_t i = 0; i < sizeof claims / sizeof claims[0]; i++) {
-        glint_finding *finding =
-            glint_findings_add(findings, holds_if(best <= claims[i].stated), claims[i].where);
-        SAY(finding->claim, "%s", claims[i].claim);
+        judged.stated = claims[i].stated;
+        glint_finding *finding = glint_findings_add(findings, claims[i].where, &judged);
+        SAY(finding->claim, "%s %.1f %%", claims[i].claim, judged.stated);
         SAY(finding->measured,
             "%.1f %% as printed; %.1f %% with cos(γ²), %.1f %% with (1 − c)², %.1f %% with "
-            "(n(1 − c))², which from n = 2 on has %.1f %%",
-            relative[0], relative[1], relative[2], relative[3], squared_from_2);
-        say_exponents(finding, lobes, "where cos^n ≥ 0.6; (2.2) as printed and three readings");
+            "(n(1 − c))², which from n = %g on has %.1f %%",
+            relative[0], relative[1], relative[2], relative[3], from_2.from, squared_from_2);
+        say(finding, lobes, glint_n_all,
+            "where cos^n ≥ %g; (2.2) as printed and %d other readings, one verdict on all of them",
+            GLINT_EPICENTRE_LEVEL, READINGS - 1);
     }
 }
 
+/* Its a is not given: the best makes the error least, and a = 1 makes it Schlick's function. */
 static void find_table_32_form(const glint_lobes *lobes, glint_findings *findings)
 {
-    const double relative =
-        100.0 * glint_lobes_worst(lobes, GLINT_REFLECTANCE_SCHLICK_MODIFIED_POWER, 0)
-                    .epicentre_relative.error;
-    glint_finding *finding =
-        glint_findings_add(findings, GLINT_CANNOT_BE_DECIDED, "Table 3.2, 3.4");
-    SAY(finding->claim, "Modified Schlick as cos^a/(n − n cos + cos): at most 0.4 %%");
-    SAY(finding->measured, "%.2f %% with the best a for each n", relative);
-    say_exponents(finding, lobes,
-                  "where cos^n ≥ 0.6; the thesis gives no a, so the one was searched that makes "
-                  "this error smallest");
+    const double best =
+        relative_of(lobes, GLINT_REFLECTANCE_SCHLICK_MODIFIED_POWER, glint_n_all);
+    const double plain = relative_of(lobes, GLINT_REFLECTANCE_SCHLICK, glint_n_all);
+    glint_judged judged = glint_judged_number(GLINT_AT_MOST, 0.4, 1, best);
+    widen(&judged, plain);
+    glint_finding *finding = glint_findings_add(findings, "Table 3.2, 3.4", &judged);
+    SAY(finding->claim, "Modified Schlick as cos^a/(n − n cos + cos): at most %.1f %%",
+        judged.stated);
+    SAY(finding->measured,
+        "%.2f %% with the best a for each n; %.2f %% with a = 1, which is Schlick's function", best,
+        plain);
+    say(finding, lobes, glint_n_all,
+        "largest relative error where cos^n ≥ %g; the thesis gives no a, so for each n the one was "
+        "searched that makes this error smallest",
+        GLINT_EPICENTRE_LEVEL);
 }
 
 /* ---- 2.2: the quadratic ---------------------------------------------------------------------- */
@@ -96,231 +134,266 @@ static void find_table_32_form(const glint_lobes *lobes, glint_findings *finding
 static void find_quadratic_decay(const glint_lobes *lobes, glint_findings *findings)
 {
     const glint_worst decay =
-        glint_lobe_worst_of(&lobes->exponents, lobes->quadratic_decay, 0).epicentre_relative;
-    glint_finding *finding = glint_findings_add(findings, holds_if(decay.error <= 0.03), "2.2");
-    SAY(finding->claim, "Quadratic: the same 3 %% in the zone of decay");
-    SAY(finding->measured, "%.0f %% at n = %g; the largest absolute error is %.3f",
-        100.0 * decay.error, decay.n,
-        glint_lobes_worst(lobes, GLINT_REFLECTANCE_QUADRATIC, 0).absolute.error);
-    say_exponents(finding, lobes, "where cos^n ≥ 0.01; negative values clamped to 0");
+        glint_lobe_worst_of(&lobes->exponents, lobes->quadratic_decay, glint_n_all)
+            .epicentre_relative;
+    const glint_judged judged = glint_judged_number(GLINT_AT_MOST, 3.0, 0, 100.0 * decay.error);
+    glint_finding *finding = glint_findings_add(findings, "2.2", &judged);
+    SAY(finding->claim, "Quadratic: the same %.0f %% in the zone of decay", judged.stated);
+    SAY(finding->measured, "%.0f %% at n = %g; the largest absolute error is %.3f", judged.lowest,
+        decay.n, glint_lobes_worst(lobes, GLINT_REFLECTANCE_QUADRATIC, glint_n_all).absolute.error);
+    say(finding, lobes, glint_n_all, "where cos^n ≥ %g; negative values clamped to 0",
+        GLINT_DECAY_LEVEL);
 }
 
 static void find_quadratic(const glint_lobes *lobes, glint_findings *findings)
 {
-    static const struct {
+    const struct {
         const char *where, *claim;
-        double at_most;
-    } claims[] = {
-        {"2.2", "Quadratic (2.3): relative error at most 3 % at levels of 0.56 and above", 3.0},
-        {"Conclusions", "Quadratic (2.3): relative error at most 2 % in the epicentre", 2.0}};
-    const glint_worst worst =
-        glint_lobe_worst_of(&lobes->exponents, lobes->quadratic, 0).epicentre_relative;
-    const glint_worst above_06 =
-        glint_lobes_worst(lobes, GLINT_REFLECTANCE_QUADRATIC, 0).epicentre_relative;
+        double stated, level;
+        const glint_accuracy *by_n;
+    } claims[] = {{"2.2", "Quadratic (2.3): relative error at levels of 0.56 and above at most",
+                   3.0, GLINT_QUADRATIC_LEVEL, lobes->quadratic},
+                  {"Conclusions", "Quadratic (2.3): relative error in the epicentre at most", 2.0,
+                   GLINT_EPICENTRE_LEVEL, lobes->by_n[GLINT_REFLECTANCE_QUADRATIC]}};
     for (size_t i = 0; i < sizeof claims / sizeof claims[0]; i++) {
-        const bool held = 100.0 * worst.error <= claims[i].at_most;
-        glint_finding *finding = glint_findings_add(findings, holds_if(held), claims[i].where);
-        SAY(finding->claim, "%s", claims[i].claim);
-        SAY(finding->measured, "%.2f %% at n = %g; where cos^n ≥ 0.6 %.2f %%", 100.0 * worst.error,
-            worst.n, 100.0 * above_06.error);
-        say_exponents(finding, lobes, "where cos^n ≥ 0.56, as in figure 2.7");
+        const glint_worst worst =
+            glint_lobe_worst_of(&lobes->exponents, claims[i].by_n, glint_n_all).epicentre_relative;
+        const glint_worst of_figure =
+            glint_lobe_worst_of(&lobes->exponents, claims[i].by_n, figure_27).epicentre_relative;
+        const glint_judged judged =
+            glint_judged_number(GLINT_AT_MOST, claims[i].stated, 0, 100.0 * worst.error);
+        glint_finding *finding = glint_findings_add(findings, claims[i].where, &judged);
+        SAY(finding->claim, "%s %.0f %%", claims[i].claim, judged.stated);
+        SAY(finding->measured, "%.2f %% at n = %g; up to n = %g, where figure 2.7 ends, %.2f %%",
+            judged.lowest, worst.n, figure_27.to, 100.0 * of_figure.error);
+        say(finding, lobes, glint_n_all, "where cos^n ≥ %g", claims[i].level);
     }
     find_quadratic_decay(lobes, findings);
 }
 
-/* (2.8) as it is printed. */
-static double printed_a(double n)
+static void find_table_of_a(const glint_derivations *derived, glint_findings *findings)
 {
-    const double cosine = cos(atan(1.0 / sqrt(n - 1.0)));
-    return (pow(cosine, n - 1.0) - 1.0) / (cosine - 1.0);
-}
-
-static void find_table_of_a(glint_findings *findings)
-{
-    int undefined = 0;
-    double worst = 0.0;
-    for (int n = 1; n <= 1000; n++) {
-        const double a = printed_a(n);
-        undefined += !isfinite(a) || n == 1;
-        if (n > 1)
-            worst = fmax(worst, fabs(a / glint_quadratic_a(n) - 1.0));
-    }
-    glint_finding *finding = glint_findings_add(findings, holds_if(undefined == 0), "(2.8)");
-    SAY(finding->claim, "a can be tabulated for n = 1…1000 by (2.8)");
-    SAY(finding->measured,
-        "%d of 1000 cannot be computed: n = 1, 0/0; its limit, %g, makes the quadratic c itself",
-        undefined, glint_quadratic_a(1.0));
-    SAY(finding->conditions, "n = 1…1000; double precision loses %.0e of it, rewritten it does not",
-        worst);
+    const glint_judged judged = glint_judged_number(GLINT_AT_MOST, 0.0, 0, derived->a_undefined);
+    glint_finding *finding = glint_findings_add(findings, "(2.8)", &judged);
+    SAY(finding->claim, "a can be tabulated for n = 1…%d by (2.8)", derived->a_count);
+    if (derived->a_undefined == 0)
+        SAY(finding->measured, "none of %d divides by zero", derived->a_count);
+    else
+        SAY(finding->measured,
+            "%d of %d divides by zero, the first at n = %d; the limit at n = 1, %g, makes the "
+            "quadratic c itself",
+            derived->a_undefined, derived->a_count, derived->a_first_undefined, derived->a_limit);
+    SAY(finding->conditions,
+        "n = 1…%d; double precision loses %.0e of a by (2.8), rewritten it does not",
+        derived->a_count, derived->a_lost);
 }
 
 /* ---- 2.3: the cosine-quadratic --------------------------------------------------------------- */
 
-/* ∫W sin γ dγ from 0 to the zero of W, by Simpson's rule in γ, times n + 1. */
-static double integral_of_w(double n)
-{
-    enum { INTERVALS = 2000 };
-    const double sigma = (n + 1.0) / 3.0;
-    const double zero = acos((sigma - 1.0) / sigma);
-    double sum = 0.0;
-    for (int i = 0; i <= INTERVALS; i++) {
-        const double angle = zero * i / INTERVALS;
-        const double t = sigma * (cos(angle) - 1.0) + 1.0;
-        const double weight = i == 0 || i == INTERVALS ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
-        sum += weight * t * t * sin(angle);
-    }
-    return (n + 1.0) * sum * zero / (3.0 * INTERVALS);
-}
-
 static void find_integral(const glint_lobes *lobes, glint_findings *findings)
 {
-    double worst = 0.0;
-    for (int i = 0; i < lobes->exponents.count; i++)
-        if (lobes->exponents.n[i] >= 2.0)
-            worst = fmax(worst, fabs(integral_of_w(lobes->exponents.n[i]) - 1.0));
-    glint_finding *finding = glint_findings_add(findings, holds_if(worst < 1e-9), "(2.13), (2.14)");
+    const glint_derivations *derived = &lobes->derived;
+    const glint_judged judged =
+        glint_judged_number(GLINT_AT_MOST, SAME_INTEGRAL, 9, derived->integral_apart);
+    glint_finding *finding = glint_findings_add(findings, "(2.13), (2.14)", &judged);
     SAY(finding->claim,
         "With σ = (n+1)/3 the integral of W over its lobe is that of cos^n, 1/(n+1)");
-    SAY(finding->measured, "equal to within %.1e of it", worst);
-    say_exponents(finding, lobes,
-                  "from n = 2 on, Simpson's rule; at n = 1 W has its zero behind the surface");
+    SAY(finding->measured,
+        "equal to within %.1e of it; what of the lobe is in front of the surface has up to %.1f %% "
+        "less, at n = %g",
+        derived->integral_apart, 100.0 * derived->in_front_short, derived->in_front_short_n);
+    say(finding, lobes, glint_n_all,
+        "Simpson's rule, from 0 to the zero of W wherever that is; equal is to within %g",
+        SAME_INTEGRAL);
 }
 
 static void find_absolute(const glint_lobes *lobes, glint_findings *findings)
 {
-    const glint_worst from_2 =
-        glint_lobes_worst(lobes, GLINT_REFLECTANCE_COSINE_QUADRATIC, 2.0).absolute;
-    const double at_1 = lobes->by_n[GLINT_REFLECTANCE_COSINE_QUADRATIC][0].absolute.error;
-    glint_finding *finding = glint_findings_add(findings, holds_if(from_2.error <= 0.1), "2.3");
-    SAY(finding->claim, "Cosine-quadratic (2.15): absolute error at most 0.1, n = 2…1000");
-    SAY(finding->measured, "%.4f at n = %g", from_2.error, from_2.n);
-    say_exponents(finding, lobes, "from n = 2 on, the whole lobe");
-    finding = glint_findings_add(findings, holds_if(at_1 <= 0.1), "2.3");
-    SAY(finding->claim, "Cosine-quadratic (2.15): absolute error at most 0.1, n = 1");
-    SAY(finding->measured, "%.4f; the device %.4f", at_1, lobes->device.model.absolute.error);
-    SAY(finding->conditions, "n = 1, the whole lobe, largest at c = 0, where W is 1/9");
+    const glint_n_range ranges[] = {from_2, n_is_1};
+    for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
+        const glint_worst worst =
+            glint_lobes_worst(lobes, GLINT_REFLECTANCE_COSINE_QUADRATIC, ranges[i]).absolute;
+        const glint_judged judged = glint_judged_number(GLINT_AT_MOST, 0.1, 1, worst.error);
+        glint_finding *finding = glint_findings_add(findings, "2.3", &judged);
+        SAY(finding->claim, "Cosine-quadratic (2.15): absolute error at most %g, %s", judged.stated,
+            ranges[i].to > ranges[i].from ? "n = 2…1000" : "n = 1");
+        SAY(finding->measured, "%.4f at n = %g, c = %.6g, where cos^n is %.4f and W %.4f",
+            worst.error, worst.n, worst.cosine, pow(worst.cosine, worst.n),
+            glint_formula_w(worst.n, worst.cosine));
+        say(finding, lobes, ranges[i],
+            "the whole lobe, of which the thesis's zone of blooming is a part");
+    }
 }
 
 static void find_relative(const glint_lobes *lobes, glint_findings *findings)
 {
+    const glint_derivations *derived = &lobes->derived;
     const glint_worst worst =
-        glint_lobes_worst(lobes, GLINT_REFLECTANCE_COSINE_QUADRATIC, 0).epicentre_relative;
-    glint_finding *finding =
-        glint_findings_add(findings, holds_if(worst.error <= 0.03), "2.7, 3.1, Conclusions");
-    SAY(finding->claim, "Cosine-quadratic: relative error at most 3 %% in the epicentre");
-    SAY(finding->measured, "%.1f %% at n = %g; the device %.1f %%", 100.0 * worst.error, worst.n,
-        100.0 * lobes->device.model.epicentre_relative.error);
-    say_exponents(finding, lobes, "where cos^n ≥ 0.6");
+        glint_lobes_worst(lobes, GLINT_REFLECTANCE_COSINE_QUADRATIC, glint_n_all)
+            .epicentre_relative;
+    glint_judged judged = glint_judged_number(GLINT_AT_MOST, 3.0, 0, 100.0 * worst.error);
+    glint_finding *finding = glint_findings_add(findings, "2.7, 3.1, Conclusions", &judged);
+    SAY(finding->claim, "Cosine-quadratic: relative error at most %.0f %% in the epicentre",
+        judged.stated);
+    SAY(finding->measured, "%.1f %% at n = %g; the device %.1f %% at n = %g", judged.lowest,
+        worst.n, 100.0 * lobes->device.model.epicentre_relative.error,
+        lobes->device.model.epicentre_relative.n);
+    say(finding, lobes, glint_n_all, "where cos^n ≥ %g", GLINT_EPICENTRE_LEVEL);
+
     const glint_worst decay =
-        glint_lobe_worst_of(&lobes->exponents, lobes->cosine_quadratic_decay, 2).epicentre_relative;
-    finding = glint_findings_add(findings, holds_if(decay.error <= 0.03), "2.7, 3.1, Conclusions");
-    SAY(finding->claim, "Cosine-quadratic: the same 3 %% in the zone of decay");
-    SAY(finding->measured, "%.0f %% at n = %g", 100.0 * decay.error, decay.n);
-    say_exponents(
-        finding, lobes,
-        "from n = 2 on, where cos^n ≥ 0.01; W reaches zero where cos^n is still about 0.05");
+        glint_lobe_worst_of(&lobes->exponents, lobes->cosine_quadratic_decay, glint_n_all)
+            .epicentre_relative;
+    const glint_worst decay_from_2 =
+        glint_lobe_worst_of(&lobes->exponents, lobes->cosine_quadratic_decay, from_2)
+            .epicentre_relative;
+    judged = glint_judged_number(GLINT_AT_MOST, 3.0, 0, 100.0 * decay.error);
+    finding = glint_findings_add(findings, "2.7, 3.1, Conclusions", &judged);
+    SAY(finding->claim, "Cosine-quadratic: the same %.0f %% in the zone of decay", judged.stated);
+    SAY(finding->measured, "%.0f %% at n = %g; from n = %g on %.0f %%, at n = %g", judged.lowest,
+        decay.n, from_2.from, 100.0 * decay_from_2.error, decay_from_2.n);
+    say(finding, lobes, glint_n_all,
+        "where cos^n ≥ %g; from n = %g on W reaches zero where cos^n is still %.3f to %.3f",
+        GLINT_DECAY_LEVEL, GLINT_LOBE_ENDS_FROM, derived->level_at_end.least,
+        derived->level_at_end.largest);
 }
 
-/* W/cosⁿ − 1 at a cosine. */
-static double excess(const void *context, double cosine)
+/* "0.2 to 0.4", to the one decimal that the thesis gives. */
+static void find_level(const glint_lobes *lobes, glint_findings *findings)
 {
-    const double n = *(const double *)context;
-    const double t = (n + 1.0) / 3.0 * (cosine - 1.0) + 1.0;
-    return t * t / pow(cosine, n) - 1.0;
+    static const struct {
+        const char *claim;
+        glint_rule rule;
+        double stated;
+    } claims[] = {{"at a level of 0.2 or more", GLINT_REACHES, 0.2},
+                  {"at a level of 0.4 or less", GLINT_BELOW, 0.45}};
+    const glint_span_of_n level = lobes->derived.relative_level;
+    for (size_t i = 0; i < sizeof claims / sizeof claims[0]; i++) {
+        const glint_judged judged = {.rule = claims[i].rule,
+                                     .stated = claims[i].stated,
+                                     .decimals = 1,
+                                     .lowest = level.least,
+                                     .highest = level.largest};
+        glint_finding *finding = glint_findings_add(findings, "2.3", &judged);
+        SAY(finding->claim, "tan γ = √(1+2n)/n is %s", claims[i].claim);
+        SAY(finding->measured, "cos^n = %.3f to %.3f", level.least, level.largest);
+        say(finding, lobes, with_end,
+            "the level to one decimal%s; at n = 1 it is %.2f, at n = 2 W is cos^n itself",
+            claims[i].rule == GLINT_BELOW ? ", so below 0.45" : "",
+            lobes->derived.level_at_1);
+    }
 }
 
-/* Rounded to the one decimal that the thesis gives, the level is 0.2 to 0.4. */
-static bool is_stated_level(double lowest, double highest)
-{
-    return lowest >= 0.15 && highest < 0.45;
-}
-
-/* tan γ = √(1+2n)/n is c = n/(n+1). */
 static void find_relative_place(const glint_lobes *lobes, glint_findings *findings)
 {
-    double apart = 0.0, lowest = 1.0, highest = 0.0, largest = 0.0, at_zero = 0.0;
-    for (int i = 0; i < lobes->exponents.count; i++) {
-        const double n = lobes->exponents.n[i];
-        double cosine;
-        if (n < 3.0)
-            continue;
-        largest = fmax(largest,
-                       glint_search_maximum(excess, &n, (n - 2.0) / (n + 1.0), 1.0, 512, &cosine));
-        at_zero = fmax(at_zero, -excess(&n, (n - 2.0) / (n + 1.0)));
-        apart = fmax(apart, (n + 1.0) * fabs(cosine - n / (n + 1.0)));
-        lowest = fmin(lowest, pow(n / (n + 1.0), n));
-        highest = fmax(highest, pow(n / (n + 1.0), n));
-    }
-    glint_finding *finding = glint_findings_add(
-        findings, holds_if(apart < 1e-4 && is_stated_level(lowest, highest)), "2.3");
-    SAY(finding->claim, "The relative error W/cos^n − 1 has its maximum at tan γ = √(1+2n)/n, a "
-                        "level of 0.2 to 0.4");
-    SAY(finding->measured, "it is there, cos^n = %.3f to %.3f", lowest, highest);
-    say_exponents(finding, lobes,
-                  "from n = 3 on, before the zero of W; searched, not solved; the level to one "
-                  "decimal");
-    finding = glint_findings_add(findings, holds_if(largest >= at_zero), "2.3");
+    const glint_derivations *derived = &lobes->derived;
+    glint_judged judged =
+        glint_judged_number(GLINT_AT_MOST, SAME_PLACE, 4, derived->relative_apart.largest);
+    glint_finding *finding = glint_findings_add(findings, "2.3", &judged);
+    SAY(finding->claim,
+        "The relative error W/cos^n − 1 has its maximum at tan γ = √(1+2n)/n, n = 3…1000");
+    SAY(finding->measured,
+        "the maximum is at most %.1e of the lobe's width 1/(n+1) from it; at n = 1 the error there "
+        "is %.1f %%, the least",
+        derived->relative_apart.largest, 100.0 * derived->relative_at_1);
+    say(finding, lobes, with_end,
+        "before the zero of W; searched, not solved; the same place is to within %g; at n = 2 W is "
+        "cos^n itself",
+        SAME_PLACE);
+    find_level(lobes, findings);
+
+    judged = glint_judged_number(GLINT_AT_MOST, 1.0, 0,
+                                 derived->relative_at_end.largest /
+                                     derived->relative_there.largest);
+    finding = glint_findings_add(findings, "2.3", &judged);
     SAY(finding->claim, "That is the largest relative error of all");
-    SAY(finding->measured, "there it is up to %.1f %%; where W is zero and cos^n is not, %.0f %%",
-        100.0 * largest, 100.0 * at_zero);
-    say_exponents(finding, lobes, "from n = 3 on, cosines 0 to 1, the error without its sign");
+    SAY(finding->measured,
+        "there it is up to %.1f %%; where W is zero and cos^n is not, %.0f %%: %.2f times that",
+        100.0 * derived->relative_there.largest, 100.0 * derived->relative_at_end.largest,
+        judged.lowest);
+    say(finding, lobes, with_end,
+        "cosines 0 to 1, the error without its sign; it holds when the latter is at most %g times "
+        "the former",
+        judged.stated);
 }
 
-/* tan γ = √(6n−3)/(n−2) is c = (n−2)/(n+1), where W is zero. */
 static void find_absolute_place(const glint_lobes *lobes, glint_findings *findings)
 {
-    const int last = lobes->exponents.count - 1;
-    const double n = lobes->exponents.n[last];
-    const glint_largest_error worst =
-        lobes->by_n[GLINT_REFLECTANCE_COSINE_QUADRATIC][last].absolute;
-    const double there = pow((n - 2.0) / (n + 1.0), n);
-    glint_finding *finding =
-        glint_findings_add(findings, holds_if(fabs(there - worst.error) < 1e-3), "2.3");
+    const glint_span_of_n ratio = lobes->derived.absolute_to_end;
+    const glint_judged judged = {.rule = GLINT_ROUNDS_TO,
+                                 .stated = 1.0,
+                                 .decimals = 2,
+                                 .lowest = ratio.least,
+                                 .highest = ratio.largest};
+    glint_finding *finding = glint_findings_add(findings, "2.3", &judged);
     SAY(finding->claim, "The absolute error is largest at tan γ = √(6n−3)/(n−2)");
-    SAY(finding->measured, "there W is zero and the error %.4f; the largest is %.4f, at c = %.6f",
-        there, worst.error, worst.cosine);
-    SAY(finding->conditions, "n = %g; the place is c = (n−2)/(n+1) = %.6f", n,
-        (n - 2.0) / (n + 1.0));
+    SAY(finding->measured,
+        "there W is zero, and the error %.3f to %.3f; the largest is %.2f to %.2f times that",
+        lobes->derived.level_at_end.least, lobes->derived.level_at_end.largest, ratio.least,
+        ratio.largest);
+    say(finding, lobes, with_end,
+        "the place is c = (n−2)/(n+1); it holds when the quotient rounds to %.2f", judged.stated);
 }
 
 /* ---- 3.1, 3.4: compared with Schlick's ------------------------------------------------------- */
 
 static void find_ratio_to_schlick(const glint_lobes *lobes, glint_findings *findings)
 {
-    const glint_lobe_worst schlick = glint_lobes_worst(lobes, GLINT_REFLECTANCE_SCHLICK, 0);
-    const glint_lobe_worst own = glint_lobes_worst(lobes, GLINT_REFLECTANCE_COSINE_QUADRATIC, 2);
-    const double ratio = schlick.epicentre_absolute.error / own.epicentre_absolute.error;
     static const struct {
         const char *where;
         double stated;
     } claims[] = {{"3.1", 4.0}, {"3.4", 3.0}};
+    const glint_lobe_worst schlick =
+        glint_lobes_worst(lobes, GLINT_REFLECTANCE_SCHLICK, glint_n_all);
+    const glint_lobe_worst own =
+        glint_lobes_worst(lobes, GLINT_REFLECTANCE_COSINE_QUADRATIC, glint_n_all);
     for (size_t i = 0; i < sizeof claims / sizeof claims[0]; i++) {
-        glint_finding *finding = glint_findings_add(
-            findings, holds_if(glint_reaches(ratio, claims[i].stated, 0)), claims[i].where);
+        const glint_judged judged =
+            glint_judged_number(GLINT_REACHES, claims[i].stated, 0,
+                                schlick.epicentre_absolute.error / own.epicentre_absolute.error);
+        glint_finding *finding = glint_findings_add(findings, claims[i].where, &judged);
         SAY(finding->claim,
             "Cosine-quadratic: absolute error in the epicentre %g times below Schlick's",
-            claims[i].stated);
+            judged.stated);
         SAY(finding->measured,
-            "%.2f times: %.4f against Schlick's %.4f; over the whole lobe %.2f times", ratio,
-            own.epicentre_absolute.error, schlick.epicentre_absolute.error,
+            "%.2f times: %.4f against Schlick's %.4f; over the whole lobe %.2f times",
+            judged.lowest, own.epicentre_absolute.error, schlick.epicentre_absolute.error,
             schlick.absolute.error / own.absolute.error);
-        say_exponents(finding, lobes, "where cos^n ≥ 0.6, cosine-quadratic from n = 2 on");
+        say(finding, lobes, glint_n_all, "where cos^n ≥ %g", GLINT_EPICENTRE_LEVEL);
     }
 }
 
+/* More accurate than what, by which error? Every function of the thesis that stands for cosⁿ. */
 static void find_quadratic_gain(const glint_lobes *lobes, glint_findings *findings)
 {
-    const glint_worst schlick =
-        glint_lobes_worst(lobes, GLINT_REFLECTANCE_SCHLICK, 0).epicentre_relative;
-    const glint_worst quadratic =
-        glint_lobes_worst(lobes, GLINT_REFLECTANCE_QUADRATIC, 0).epicentre_relative;
-    glint_finding *finding = glint_findings_add(findings, GLINT_CANNOT_BE_DECIDED, "3.4");
-    SAY(finding->claim, "Quadratic: the epicentre more than 10 times as accurate");
-    SAY(finding->measured, "%.1f times as accurate as Schlick's function",
-        schlick.error / quadratic.error);
-    say_exponents(finding, lobes,
-                  "relative error where cos^n ≥ 0.6; the thesis does not say than "
-                  "what");
+    static const glint_reflectance_model others[] = {GLINT_REFLECTANCE_SCHLICK,
+                                                     GLINT_REFLECTANCE_SCHLICK_MODIFIED,
+                                                     GLINT_REFLECTANCE_SCHLICK_MODIFIED_ANGLE,
+                                                     GLINT_REFLECTANCE_SCHLICK_MODIFIED_LINEAR,
+                                                     GLINT_REFLECTANCE_SCHLICK_MODIFIED_SQUARED,
+                                                     GLINT_REFLECTANCE_SCHLICK_MODIFIED_POWER,
+                                                     GLINT_REFLECTANCE_COSINE_QUADRATIC};
+    enum { OTHERS = sizeof others / sizeof others[0] };
+    const glint_lobe_worst own =
+        glint_lobes_worst(lobes, GLINT_REFLECTANCE_QUADRATIC, glint_n_all);
+    glint_judged judged = {.rule = GLINT_ABOVE, .stated = 10.0, .lowest = NAN, .highest = NAN};
+    double relative[OTHERS], absolute[OTHERS];
+    for (int i = 0; i < OTHERS; i++) {
+        const glint_lobe_worst other = glint_lobes_worst(lobes, others[i], glint_n_all);
+        relative[i] = other.epicentre_relative.error / own.epicentre_relative.error;
+        absolute[i] = other.epicentre_absolute.error / own.epicentre_absolute.error;
+        widen(&judged, relative[i]);
+        widen(&judged, absolute[i]);
+    }
+    glint_finding *finding = glint_findings_add(findings, "3.4", &judged);
+    SAY(finding->claim, "Quadratic: the epicentre more than %g times as accurate", judged.stated);
+    SAY(finding->measured,
+        "than Schlick's function %.1f times by the relative, %.1f times by the absolute error; "
+        "than all that it may be compared with %.1f to %.1f times",
+        relative[0], absolute[0], judged.lowest, judged.highest);
+    say(finding, lobes, glint_n_all,
+        "largest errors where cos^n ≥ %g; the thesis does not say than what: Schlick's function, "
+        "its modification in %d forms and the cosine-quadratic, each by both errors",
+        GLINT_EPICENTRE_LEVEL, OTHERS - 2);
 }
 
 void glint_lobes_find(const glint_lobes *lobes, glint_findings *findings)
@@ -329,7 +402,7 @@ void glint_lobes_find(const glint_lobes *lobes, glint_findings *findings)
     find_modified(lobes, findings);
     find_table_32_form(lobes, findings);
     find_quadratic(lobes, findings);
-    find_table_of_a(findings);
+    find_table_of_a(&lobes->derived, findings);
     find_integral(lobes, findings);
     find_absolute(lobes, findings);
     find_relative(lobes, findings);

@@ -9,6 +9,7 @@
 
 #include "file/directory.h"
 #include "file/json_text.h"
+#include "reflectance/reflectance.h"
 #include "report/page.h"
 #include "report/place.h"
 #include "report/sections.h"
@@ -58,17 +59,18 @@ static glint_status write_markdown(const glint_report *report, const char *secti
     FILE *out = glint_new_file_stream(file);
     fprintf(out,
             "# What the thesis claims, measured\n\n"
-            "Made by `glint report`%s. Every number here was computed by that run; the formulas "
-            "are\nevaluated in double precision, and rows called *device* are the fixed-point "
+            "Made by `glint report`%s. The measured numbers here, and the verdicts with them, were "
+            "computed by that run; the formulas are\nevaluated in double precision, and rows called *device* are the fixed-point "
             "circuit.\n\n"
             "A highlight is a function of c = cos γ, the cosine between the normal and the half "
             "vector, and of the\nexponent n, 1 to 1000. Blinn's cos^n is what the others stand "
             "for; W is the thesis's cosine-quadratic (2.15),\n((n+1)/3 (c−1) + 1)², zero beyond "
-            "its zero. The *epicentre* is where cos^n ≥ 0.6 (section 2.1). R is the\nshare of a "
+            "its zero. The *epicentre* is where cos^n ≥ %g (section 2.1). R is the\nshare of a "
             "beam of light that the surface gives back.\n\n%s\n\n"
             "## The claims\n\n"
             "%d hold, %d do not hold, %d cannot be decided as stated.\n\n",
             report->quick ? " with `--quick`, on coarser grids and smaller frames" : "",
+            GLINT_EPICENTRE_LEVEL,
             glint_verdict_rules, glint_findings_count(report->findings, GLINT_HOLDS),
             glint_findings_count(report->findings, GLINT_DOES_NOT_HOLD),
             glint_findings_count(report->findings, GLINT_CANNOT_BE_DECIDED));

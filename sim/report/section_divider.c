@@ -9,14 +9,11 @@ static void add_findings(glint_findings *findings, const glint_claims *claims)
 {
     for (int i = 0; i < claims->count; i++) {
         const glint_claim *claim = &claims->claim[i];
-        glint_finding *finding = glint_findings_add(findings,
-                                                    claim->undecided ? GLINT_CANNOT_BE_DECIDED
-                                                    : claim->holds   ? GLINT_HOLDS
-                                                                     : GLINT_DOES_NOT_HOLD,
-                                                    "2.4");
-        snprintf(finding->claim, sizeof finding->claim, "%s: %.*f", claim->what, claim->decimals,
-                 claim->stated);
-        snprintf(finding->measured, sizeof finding->measured, "%.8g", claim->measured);
+        const glint_judged *judged = &claim->judged;
+        glint_finding *finding = glint_findings_add(findings, "2.4", judged);
+        snprintf(finding->claim, sizeof finding->claim, "%s: %.*f", claim->what, judged->decimals,
+                 judged->stated);
+        snprintf(finding->measured, sizeof finding->measured, "%.8g", judged->lowest);
         snprintf(finding->conditions, sizeof finding->conditions, "%s", claim->note);
     }
 }

@@ -81,6 +81,10 @@ static glint_status measure_normal(const glint_report *report, glint_energy_norm
         const double limit = glint_printed_limit(i + 1);
         normal->with_limit[i] = glint_printed_albedo(i + 1, limit);
         normal->held[i] = glint_printed_albedo(i + 1, fmin(limit, acos(0.0)));
+        normal->half_angle[i] = glint_misprinted_albedo(i + 1);
+        normal->solid_angle[i] = glint_printed_albedo_by_solid_angle(i + 1, fmin(limit, acos(0.0)));
+        normal->zero[i] = 2.0 * acos((i - 1.0) / (i + 2.0)) * sqrt(i + 1.0);
+        normal->centre[i] = pow((i + 2.0) / 3.0 * (0.5 - 1.0) + 1.0, 2.0);
     }
     return status == GLINT_OK ? glint_energy_verilog_normal(report, normal->verilog, err) : status;
 }
@@ -88,6 +92,9 @@ static glint_status measure_normal(const glint_report *report, glint_energy_norm
 static glint_status measure_reciprocity(const glint_report *report, glint_energy_results *results,
                                         glint_error *err)
 {
+    results->pairs_n_count = COUNT(sphere_n);
+    results->pairs_n_first = sphere_n[0];
+    results->pairs_n_last = sphere_n[COUNT(sphere_n) - 1];
     for (int i = 0; i < GLINT_REFLECTANCE_COUNT * COUNT(sphere_n); i++) {
         const glint_reflectance_parameters parameters = {.n = sphere_n[i % COUNT(sphere_n)],
                                                          .f0 = GLINT_F0_DEFAULT};
@@ -197,8 +204,8 @@ static void write_models(FILE *out, const glint_energy_results *results)
         out,
         "\n*Asymmetry* is the largest difference of f_r(L,V) from f_r(V,L) (2.20), relative, "
         "over %" PRIu64 " pairs\nof directions, random ones and a grid with the normal and "
-        "grazing incidence. Zero is no accident: every\nmodel is a function of cosines in which "
-        "L and V have the same part.\n\n",
+        "grazing incidence. The models are functions of cosines\nin which L and V have the same "
+        "part.\n\n",
         results->pairs);
 }
 
@@ -215,10 +222,9 @@ static void write_device(FILE *out, const glint_energy_normal *normal)
         }
     }
     fprintf(out,
-            "The fixed-point *device* gives back what the cosine-quadratic does: at normal "
-            "incidence its albedo differs\nfrom the formula's by at most %.2g %% (n = %d) over "
-            "every n from 1 to 1000.\n",
-            100.0 * largest, largest_n);
+            "At normal incidence the albedo of the fixed-point *device* differs from the "
+            "cosine-quadratic's by at most %.2g %%\n(n = %d) over every n from 1 to %d.\n",
+            100.0 * largest, largest_n, GLINT_ENERGY_N_MAX);
 }
 
 static void write_factor(FILE *out, const char *what, const glint_normalization *factor)
@@ -230,12 +236,14 @@ static void write_factor(FILE *out, const char *what, const glint_normalization 
 
 static void write_factors(FILE *out, const glint_energy_results *results)
 {
-    fputs("\n### The factor (n + A)/B\n\n"
-          "The smallest B that keeps R at most 1 for every n from 1 to 1000; *loss* is 1 − R at "
-          "normal incidence,\nwhere R is the largest (see the claim above).\n\n"
+    fprintf(out, "\n### The factor (n + A)/B\n\n"
+          "The smallest B that keeps R at most 1 at normal incidence for every n from 1 to %d; "
+          "*loss* is 1 − R there. %d cells\nof the cosine-quadratic's grid have a larger R at "
+          "another incidence.\n\n"
           "| | A | B | R = 1 at n | mean loss | largest loss | at n |\n"
           "|---|--:|--:|--:|--:|--:|--:|\n",
-          out);
+          GLINT_ENERGY_N_MAX,
+          glint_energy_above_normal(results->grid, GLINT_REFLECTANCE_COSINE_QUADRATIC));
     write_factor(out, "A of (2.26)", &results->claimed);
     write_factor(out, "the same, *device*, C model", &results->device);
     write_factor(out, "the same, *device*, Verilog", &results->verilog);

@@ -40,6 +40,17 @@ static glint_status render_figure(glint_report *report, glint_test_figure figure
     return status;
 }
 
+static void write_figures_head(FILE *out)
+{
+    char text[256];
+    glint_scene scene = {0};
+    glint_frame_scene(GLINT_LIGHT_WHITE, &scene);
+    glint_frame_scene_say(&scene, text, sizeof text);
+    fprintf(out,
+            "\n### The test figures (figure 3.12)\n\nThe highlights by the Verilog, n = %d; %s.\n\n",
+            scene.n, text);
+}
+
 static glint_status render_figures(glint_report *report, glint_error *err)
 {
     const glint_backend_config config = {
@@ -47,8 +58,7 @@ static glint_status render_figures(glint_report *report, glint_error *err)
     const int width = report->quick ? 160 : 640, height = report->quick ? 120 : 480;
     glint_renderer *renderer = NULL;
     glint_image *image = NULL;
-    fputs("\n### The test figures (figure 3.12)\n\nEvery highlight by the Verilog, n = 80.\n\n",
-          report->markdown);
+    write_figures_head(report->markdown);
     glint_status status =
         glint_renderer_create(width, height, report->threads, &config, &renderer, err);
     if (status == GLINT_OK)

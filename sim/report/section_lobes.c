@@ -15,9 +15,9 @@ bool glint_lobe_is_measured(glint_reflectance_model model)
 }
 
 glint_lobe_worst glint_lobes_worst(const glint_lobes *lobes, glint_reflectance_model model,
-                                   double n_from)
+                                   glint_n_range range)
 {
-    return glint_lobe_worst_of(&lobes->exponents, lobes->by_n[model], n_from);
+    return glint_lobe_worst_of(&lobes->exponents, lobes->by_n[model], range);
 }
 
 static glint_status measure(glint_report *report, glint_lobes *lobes, glint_error *err)
@@ -42,33 +42,36 @@ static glint_status measure(glint_report *report, glint_lobes *lobes, glint_erro
     if (status == GLINT_OK)
         status = glint_device_errors_measure(report, GLINT_EPICENTRE_LEVEL, &lobes->exponents,
                                              &lobes->device, err);
+    if (status == GLINT_OK)
+        glint_derivations_measure(lobes, &lobes->derived);
     return status;
 }
 
 static void write_row(FILE *out, const char *name, const char *formula,
-                      const glint_lobe_worst *worst, double at_1000)
+                      const glint_lobe_worst *worst, double at_last)
 {
     fprintf(out, "| %s | `%s` | %.4f | %.4f | %g | %.4f | %g | %.2f | %g |\n", name, formula,
-            at_1000, worst->absolute.error, worst->absolute.n, worst->epicentre_absolute.error,
+            at_last, worst->absolute.error, worst->absolute.n, worst->epicentre_absolute.error,
             worst->epicentre_absolute.n, 100.0 * worst->epicentre_relative.error,
             worst->epicentre_relative.n);
 }
 
 static void write_table(FILE *out, const glint_lobes *lobes)
 {
-    const int last = lobes->exponents.count - 1; /* n = 1000 */
+    char exponents[64];
+    const int last = lobes->exponents.count - 1;
+    glint_exponents_say(&lobes->exponents, glint_n_all, exponents, sizeof exponents);
     fprintf(out,
-            "Each lobe against exact cos^n of the same cosine, the largest error over %d exponents "
-            "from 1 to 1000\n(double precision; c is the cosine). The *epicentre* is where cos^n ≥ "
+            "Each lobe against exact cos^n of the same cosine, the largest error over %s\n(double precision; c is the cosine). The *epicentre* is where cos^n ≥ "
             "%g. The last two rows are the\nfixed-point circuit at every one of its %u cosine "
             "codes.\n\n"
-            "| model | formula | absolute, n = 1000 | absolute | at n | epicentre absolute | at n "
+            "| model | formula | absolute, n = %g | absolute | at n | epicentre absolute | at n "
             "| epicentre relative, "
             "%% | at n |\n|---|---|--:|--:|--:|--:|--:|--:|--:|\n",
-            lobes->exponents.count, GLINT_EPICENTRE_LEVEL, GLINT_COS_ONE + 1u);
+            exponents, GLINT_EPICENTRE_LEVEL, GLINT_COS_ONE + 1u, lobes->exponents.n[last]);
     for (int i = 0; i < GLINT_REFLECTANCE_COUNT; i++) {
         const glint_reflectance_model model = (glint_reflectance_model)i;
-        const glint_lobe_worst worst = glint_lobes_worst(lobes, model, 0.0);
+        const glint_lobe_worst worst = glint_lobes_worst(lobes, model, glint_n_all);
         if (glint_lobe_is_measured(model))
             write_row(out, glint_reflectance_names[i], glint_reflectance_describe(model)->formula,
                       &worst, lobes->by_n[i][last].absolute.error);
@@ -82,8 +85,8 @@ static void write_table(FILE *out, const glint_lobes *lobes)
 static void write_device(FILE *out, const glint_device_errors *device)
 {
     fprintf(out,
-            "\nThe circuit's own error, from (2.15) in double precision, is %.3g (n = %g): %.0f "
-            "times smaller than\nthe formula's from cos^n. %" PRIu64 " of %" PRIu64
+            "\nThe circuit's own error, from (2.15) in double precision, is at most %.3g (n = %g); "
+            "its error from cos^n is\n%.0f times that. %" PRIu64 " of %" PRIu64
             " values of W differ between the C model and the Verilog.\n",
             device->rounding.error, device->rounding.n,
             device->model.absolute.error / device->rounding.error, device->differing,
@@ -106,7 +109,7 @@ static glint_status write_numbers(glint_report *report, const glint_lobes *lobes
 {
     bool whole = true;
     for (int i = 0; i < GLINT_REFLECTANCE_COUNT; i++) {
-        const glint_lobe_worst worst = glint_lobes_worst(lobes, (glint_reflectance_model)i, 0.0);
+        const glint_lobe_worst worst = glint_lobes_worst(lobes, (glint_reflectance_model)i, glint_n_all);
         if (glint_lobe_is_measured((glint_reflectance_model)i))
             whole = whole && add_numbers(report->numbers, glint_reflectance_names[i], &worst);
     }

@@ -1,36 +1,28 @@
 /* How fast the formulas are in software: sections 3.1 and 3.4. */
 #include <stddef.h>
 
-#include "bench/bench.h"
 #include "report/quantile.h"
 #include "report/sections.h"
+#include "report/speeds.h"
+
+#define SAY(text, ...) snprintf(text, sizeof text, __VA_ARGS__)
 
 #define STATED          1.7
 #define STATED_DECIMALS 1
 
-/* Runs of the bench, one after the other: how far they lie apart is what its numbers are good for.
- */
-#define RUNS 5
-
-typedef struct speeds {
-    glint_bench_formula_rates run[RUNS], median;
-    glint_bench_rates device;
-    double device_to_schlick[GLINT_BENCH_CANDIDATES]; /* by the same kind of loop */
-} speeds;
-
 /* Of one number of a run, given where it lies in the struct; share as in glint_quantile(). */
-static double over_runs(const speeds *s, size_t offset, double share)
+static double over_runs(const glint_speeds *s, size_t offset, double share)
 {
-    double values[RUNS];
-    for (int i = 0; i < RUNS; i++)
+    double values[GLINT_SPEED_RUNS];
+    for (int i = 0; i < GLINT_SPEED_RUNS; i++)
         values[i] = *(const double *)(const void *)((const char *)&s->run[i] + offset);
-    return glint_quantile(values, RUNS, share);
+    return glint_quantile(values, GLINT_SPEED_RUNS, share);
 }
 
 #define OFFSET(array, formula)                                                                     \
     (offsetof(glint_bench_formula_rates, array) + (size_t)(formula) * sizeof(double))
 
-static void take_medians(speeds *s)
+static void take_medians(glint_speeds *s)
 {
     for (int i = 0; i < GLINT_FORMULA_COUNT; i++) {
         s->median.scalar[i] = over_runs(s, OFFSET(scalar, i), 0.5);
@@ -45,12 +37,12 @@ static void take_medians(speeds *s)
             points[i == GLINT_BENCH_RTL_1 ? GLINT_BENCH_SCHLICK_SCALAR : GLINT_BENCH_SCHLICK];
 }
 
-static glint_status measure(const glint_report *report, speeds *s, glint_error *err)
+static glint_status measure(const glint_report *report, glint_speeds *s, glint_error *err)
 {
     const double seconds = report->quick ? 0.02 : 0.3;
     glint_status status = GLINT_OK;
-    for (int i = 0; i < RUNS && status == GLINT_OK; i++)
-        status = glint_bench_formulas(report->quick ? 0.01 : seconds / RUNS, report->stop,
+    for (int i = 0; i < GLINT_SPEED_RUNS && status == GLINT_OK; i++)
+        status = glint_bench_formulas(report->quick ? 0.01 : seconds / GLINT_SPEED_RUNS, report->stop,
                                       &s->run[i], err);
     if (status == GLINT_OK)
         status = glint_bench_kernels(seconds, report->stop, &s->device, err);
@@ -69,14 +61,14 @@ static void write_table(FILE *out, const glint_bench_formula_rates *rates)
             "the C library's vector powf.\n\n"
             "| formula | scalar | to Schlick's | vectorised | to Schlick's |\n"
             "|---|--:|--:|--:|--:|\n",
-            GLINT_BENCH_N, GLINT_BENCH_LOWEST, glint_formula_flags(), RUNS, RUNS);
+            GLINT_BENCH_N, GLINT_BENCH_LOWEST, glint_formula_flags(), GLINT_SPEED_RUNS, GLINT_SPEED_RUNS);
     for (int i = 0; i < GLINT_FORMULA_COUNT; i++)
         fprintf(out, "| %s | %.0f | %.2f | %.0f | %.2f |\n", glint_formula_names[i],
                 rates->scalar[i] * 1e-6, rates->scalar_to_schlick[i], rates->vectorised[i] * 1e-6,
                 rates->vectorised_to_schlick[i]);
 }
 
-static void write_device(FILE *out, const speeds *s)
+static void write_device(FILE *out, const glint_speeds *s)
 {
     const double *points = s->device.points, *ratio = s->device_to_schlick;
     fprintf(out,
@@ -92,21 +84,34 @@ static void write_device(FILE *out, const speeds *s)
 }
 
 /* offset: of the ratio that is claimed. */
-static void find_ratio(glint_findings *findings, const speeds *s, const char *kind, size_t offset)
+static void find_ratio(glint_findings *findings, const glint_speeds *s, const char *kind,
+                       size_t offset)
 {
-    const double lowest = over_runs(s, offset, 0.0), highest = over_runs(s, offset, 1.0);
-    glint_finding *finding = glint_findings_add(
-        findings, glint_verdict_of_gain(lowest, highest, STATED, STATED_DECIMALS), "3.1, 3.4");
-    snprintf(finding->claim, sizeof finding->claim,
-             "Cosine-quadratic computed %.1f times as fast as Schlick's function in software: %s",
-             STATED, kind);
-    snprintf(finding->measured, sizeof finding->measured, "%.2f times, the median of %.2f to %.2f",
-             over_runs(s, offset, 0.5), lowest, highest);
-    snprintf(finding->conditions, sizeof finding->conditions,
-             "single precision, n = %d, %d cosines in a row, one thread, %d runs; %s; it holds "
-             "where all runs are at %.2f or above, which rounds to %.1f or more, does not hold "
-             "where all are below, else it cannot be decided",
-             GLINT_BENCH_N, GLINT_BENCH_POINTS, RUNS, glint_formula_flags(), STATED - 0.05, STATED);
+    const glint_judged judged = {.rule = GLINT_REACHES,
+                                 .stated = STATED,
+                                 .decimals = STATED_DECIMALS,
+                                 .lowest = over_runs(s, offset, 0.0),
+                                 .highest = over_runs(s, offset, 1.0)};
+    glint_finding *finding = glint_findings_add(findings, "3.1, 3.4", &judged);
+    SAY(finding->claim,
+        "Cosine-quadratic computed %.1f times as fast as Schlick's function in software: %s",
+        STATED, kind);
+    SAY(finding->measured, "%.2f times, the median of %.2f to %.2f", over_runs(s, offset, 0.5),
+        judged.lowest, judged.highest);
+    SAY(finding->conditions,
+        "single precision, n = %d, %d cosines in a row, %.1f to 1, one thread, this machine, %d "
+        "runs; %s; it holds where all runs are at %.2f or above, which rounds to %.1f or more, does "
+        "not hold where all are below, else it cannot be decided",
+        GLINT_BENCH_N, GLINT_BENCH_POINTS, GLINT_BENCH_LOWEST, GLINT_SPEED_RUNS,
+        glint_formula_flags(), STATED - 0.05, STATED);
+}
+
+void glint_speeds_find(const glint_speeds *s, glint_findings *findings)
+{
+    find_ratio(findings, s, "one point after the other",
+               OFFSET(scalar_to_schlick, GLINT_FORMULA_COSINE_QUADRATIC));
+    find_ratio(findings, s, "vectorised",
+               OFFSET(vectorised_to_schlick, GLINT_FORMULA_COSINE_QUADRATIC));
 }
 
 static bool add_rate(cJSON *object, const char *kind, double rate, double to_schlick)
@@ -117,7 +122,7 @@ static bool add_rate(cJSON *object, const char *kind, double rate, double to_sch
            cJSON_AddNumberToObject(object, name, to_schlick) != NULL;
 }
 
-static bool add_device(cJSON *numbers, const speeds *s)
+static bool add_device(cJSON *numbers, const glint_speeds *s)
 {
     static const struct {
         const char *name, *kind;
@@ -135,7 +140,7 @@ static bool add_device(cJSON *numbers, const speeds *s)
     return whole;
 }
 
-static bool add_numbers(cJSON *numbers, const speeds *s)
+static bool add_numbers(cJSON *numbers, const glint_speeds *s)
 {
     const glint_bench_formula_rates *rates = &s->median;
     bool whole = cJSON_AddStringToObject(numbers, "compiled", glint_formula_flags()) != NULL;
@@ -151,16 +156,13 @@ static bool add_numbers(cJSON *numbers, const speeds *s)
 
 glint_status glint_section_speed(glint_report *report, glint_error *err)
 {
-    speeds s;
+    glint_speeds s;
     const glint_status status = measure(report, &s, err);
     if (status != GLINT_OK)
         return status;
     write_table(report->markdown, &s.median);
     write_device(report->markdown, &s);
-    find_ratio(report->findings, &s, "one point after the other",
-               OFFSET(scalar_to_schlick, GLINT_FORMULA_COSINE_QUADRATIC));
-    find_ratio(report->findings, &s, "vectorised",
-               OFFSET(vectorised_to_schlick, GLINT_FORMULA_COSINE_QUADRATIC));
+    glint_speeds_find(&s, report->findings);
     return add_numbers(report->numbers, &s)
                ? GLINT_OK
                : glint_fail(err, GLINT_NO_MEMORY, "no memory for the speeds");
