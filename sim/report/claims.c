@@ -18,11 +18,6 @@ const glint_span_operations glint_table_21_stated = {{
 /* The conditions of Table 2.1's counts. */
 #define WALKED "the triangle below, three components, walked as the thesis describes"
 
-/* The example of section 2.4. */
-#define EXAMPLE_DIFFERENCE 255
-#define EXAMPLE_K          7
-#define EXAMPLE_SHIFTS     6
-
 glint_operations glint_operations_total(const glint_span_operations *operations)
 {
     glint_operations total = {0};
@@ -58,31 +53,26 @@ static const glint_divider_error *error_by(const glint_claims_facts *facts, int 
     return &facts->error[shifts - GLINT_DIVIDER_SHIFTS_MIN];
 }
 
-static void add_example(glint_claims *claims)
+static void add_example(glint_claims *claims, const glint_divider_example *example)
 {
-    const int one = 1 << EXAMPLE_SHIFTS;
-    const double exact = (double)EXAMPLE_DIFFERENCE / EXAMPLE_K;
-    const uint32_t bits = glint_bits_by_rule(EXAMPLE_SHIFTS, GLINT_BITS_ROUNDED, EXAMPLE_K);
-    const double sum = (double)EXAMPLE_DIFFERENCE * bits / one;
-    const double relative =
-        glint_divider_relative_error(EXAMPLE_SHIFTS, GLINT_BITS_ROUNDED, EXAMPLE_K);
-    glint_claim *claim = add_number(claims, 9, 0, bits);
-    SAY(claim->what, "(2.19): %dths of the sum for 1/%d with %d shifts, 1/8 + 1/64", one, EXAMPLE_K,
-        EXAMPLE_SHIFTS);
-    SAY(claim->note, "%d/%d to the nearest whole number", one, EXAMPLE_K);
-    claim = add_number(claims, 36.4286, 4, exact);
-    SAY(claim->what, "exact increment %d/%d, levels", EXAMPLE_DIFFERENCE, EXAMPLE_K);
-    SAY(claim->note, "difference %d, k = %d", EXAMPLE_DIFFERENCE, EXAMPLE_K);
-    claim = add_number(claims, 35.8594, 4, sum);
-    SAY(claim->what, "increment by the sum, k = %d, %d shifts, levels", EXAMPLE_K, EXAMPLE_SHIFTS);
-    SAY(claim->note, "difference %d, before rounding to a level", EXAMPLE_DIFFERENCE);
-    claim = add_number(claims, 0.5692, 4, exact - sum);
+    const int difference = example->difference, k = example->k, shifts = example->shifts;
+    glint_claim *claim = add_number(claims, 9, 0, example->bits);
+    SAY(claim->what, "(2.19): %dths of the sum for 1/%d with %d shifts, 1/8 + 1/64", 1 << shifts, k,
+        shifts);
+    SAY(claim->note, "%d/%d to the nearest whole number", 1 << shifts, k);
+    claim = add_number(claims, 36.4286, 4, example->exact);
+    SAY(claim->what, "exact increment %d/%d, levels", difference, k);
+    SAY(claim->note, "difference %d, k = %d", difference, k);
+    claim = add_number(claims, 35.8594, 4, example->sum);
+    SAY(claim->what, "increment by the sum, k = %d, %d shifts, levels", k, shifts);
+    SAY(claim->note, "difference %d, before rounding to a level", difference);
+    claim = add_number(claims, 0.5692, 4, example->exact - example->sum);
     SAY(claim->what, "its absolute error, levels");
     SAY(claim->note, "of those two");
-    claim = add_number(claims, 0.5693, 4, exact - sum);
+    claim = add_number(claims, 0.5693, 4, example->exact - example->sum);
     SAY(claim->what, "the same, as the relative error's numerator, levels");
     SAY(claim->note, "a line above the thesis has 0.5692 for the same difference");
-    claim = add_number(claims, 1.56, 2, 100.0 * relative);
+    claim = add_number(claims, 1.56, 2, 100.0 * example->relative);
     SAY(claim->what, "its relative error, %%");
     SAY(claim->note, "of the exact increment; the same for every difference");
 }
@@ -150,16 +140,18 @@ static void add_counts(glint_claims *claims, const glint_table_21 *table)
     add_count(claims, "divisions in all", 42, total.divisions);
 }
 
-/* The clocks of an operation are inferred from these totals: they can be contradicted by the counts,
- * not proven, and no more can their quotient. */
+/* The clocks of an operation are inferred from these totals: they can be contradicted by the
+ * counts, not proven, and no more can their quotient. */
 static void add_clocks(glint_claims *claims, const glint_table_21 *table)
 {
     const struct {
         const char *what, *operation;
         double stated;
         uint64_t clocks;
-    } totals[] = {{"clocks with division", "a division", GLINT_CLOCKS_STATED_DIVISION, GLINT_CLOCKS_DIVISION},
-                  {"clocks with the sum instead", "a sum", GLINT_CLOCKS_STATED_BY_SHIFTS, GLINT_CLOCKS_DIVISION_BY_SHIFTS}};
+    } totals[] = {
+        {"clocks with division", "a division", GLINT_CLOCKS_STATED_DIVISION, GLINT_CLOCKS_DIVISION},
+        {"clocks with the sum instead", "a sum", GLINT_CLOCKS_STATED_BY_SHIFTS,
+         GLINT_CLOCKS_DIVISION_BY_SHIFTS}};
     const glint_operations total = glint_operations_total(&table->described);
     double clocks[2];
     for (int i = 0; i < 2; i++) {
@@ -168,8 +160,8 @@ static void add_clocks(glint_claims *claims, const glint_table_21 *table)
         judged.circular = true;
         glint_claim *claim = add(claims, &judged);
         SAY(claim->what, "%s", totals[i].what);
-        SAY(claim->note, "%d an addition, %d %s: inferred from this number",
-            GLINT_CLOCKS_ADDITION, (int)totals[i].clocks, totals[i].operation);
+        SAY(claim->note, "%d an addition, %d %s: inferred from this number", GLINT_CLOCKS_ADDITION,
+            (int)totals[i].clocks, totals[i].operation);
     }
     glint_judged judged = glint_judged_number(GLINT_ROUNDS_TO, 1.43, 2, clocks[0] / clocks[1]);
     judged.circular = true;
@@ -189,7 +181,7 @@ static void add_triangle(glint_claims *claims, const glint_table_21 *table)
 void glint_claims_check(const glint_claims_facts *facts, glint_claims *claims)
 {
     claims->count = 0;
-    add_example(claims);
+    add_example(claims, &facts->example);
     add_frames(claims, facts);
     add_errors(claims, facts);
     add_triangle(claims, facts->table);

@@ -38,11 +38,13 @@ typedef struct glint_claims {
 
 /* What the claims are measured by. */
 typedef struct glint_claims_facts {
+    glint_divider_example example;
     const glint_divider_error *error; /* bits rounded, from GLINT_DIVIDER_SHIFTS_MIN on */
     const glint_table_21 *table;
     const glint_divider_scene *scenes; /* GLINT_DIVIDER_SCENES */
 } glint_claims_facts;
 
+/* From the facts alone. */
 void glint_claims_check(const glint_claims_facts *facts, glint_claims *claims);
 
 #endif

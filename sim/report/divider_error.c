@@ -80,6 +80,19 @@ glint_divider_error glint_divider_error_of(int shifts, glint_bits_rule rule)
     return error;
 }
 
+glint_divider_example glint_divider_example_of(int difference, int k, int shifts)
+{
+    const uint32_t bits = glint_bits_by_rule(shifts, GLINT_BITS_ROUNDED, k);
+    return (glint_divider_example){
+        .difference = difference,
+        .k = k,
+        .shifts = shifts,
+        .bits = bits,
+        .exact = (double)difference / k,
+        .sum = (double)difference * bits / (double)(UINT32_C(1) << shifts),
+        .relative = glint_divider_relative_error(shifts, GLINT_BITS_ROUNDED, k)};
+}
+
 int glint_divider_first_within_half(glint_bits_rule rule)
 {
     int first = GLINT_DIVIDER_SHIFTS_MAX + 1;

@@ -38,8 +38,18 @@ uint32_t glint_bits_by_rule(int shifts, glint_bits_rule rule, int k);
 /* |increment − exact increment| / exact increment for one k: the same for every difference. */
 double glint_divider_relative_error(int shifts, glint_bits_rule rule, int k);
 
-/* The least number of shifts with which, and with all above it, the last pixel, not rounded, is within
- * half a level for every k; 0: there is none. */
+/* One increment by the sum: the example of section 2.4. */
+typedef struct glint_divider_example {
+    int difference, k, shifts;
+    uint32_t bits;     /* 2ⁿ-ths of the sum for 1/k */
+    double exact, sum; /* the increment in levels, by division and by the sum */
+    double relative;   /* error of the latter */
+} glint_divider_example;
+
+glint_divider_example glint_divider_example_of(int difference, int k, int shifts);
+
+/* The least number of shifts with which, and with all above it, the last pixel, not rounded, is
+ * within half a level for every k; 0: there is none. */
 int glint_divider_first_within_half(glint_bits_rule rule);
 
 #endif

@@ -78,8 +78,8 @@ static void write_last_pixel_table(FILE *out, const glint_divider_error *errors)
     }
 }
 
-/* The least number of shifts with which, and with all above it, nothing wrong is shown; one more than
- * the most: there is none. */
+/* The least number of shifts with which, and with all above it, nothing wrong is shown; one more
+ * than the most: there is none. */
 static int first_exact(const glint_divider_error *errors)
 {
     int first = GLINT_REPORT_SHIFTS;
@@ -98,13 +98,14 @@ static void write_last_pixel(FILE *out, const glint_divider_report *report, cons
             "falling from 255.\n\n",
             level);
     write_last_pixel_table(out, report->error[GLINT_BITS_ROUNDED]);
-    fprintf(out,
-            "\nFrom %d shifts on the last pixel is within half a level for every k; from %d on what "
-            "is shown is exact. The default is\n%d shifts.\n\nWith truncated bits the last pixel is "
-            "within half a level from %d shifts on:\n\n",
-            report->first_within_half[GLINT_BITS_ROUNDED],
-            first_exact(report->error[GLINT_BITS_ROUNDED]), GLINT_DIVIDER_SHIFTS_DEFAULT,
-            report->first_within_half[GLINT_BITS_TRUNCATED]);
+    fprintf(
+        out,
+        "\nFrom %d shifts on the last pixel is within half a level for every k; from %d on what "
+        "is shown is exact. The default is\n%d shifts.\n\nWith truncated bits the last pixel is "
+        "within half a level from %d shifts on:\n\n",
+        report->first_within_half[GLINT_BITS_ROUNDED],
+        first_exact(report->error[GLINT_BITS_ROUNDED]), GLINT_DIVIDER_SHIFTS_DEFAULT,
+        report->first_within_half[GLINT_BITS_TRUNCATED]);
     write_last_pixel_table(out, report->error[GLINT_BITS_TRUNCATED]);
 }
 
@@ -178,9 +179,11 @@ static void write_table_21(FILE *out, const glint_table_21 *table, const char *l
         "edges are a neighbouring triangle's. The first pixel\nof a row has its edge's value and "
         "costs no addition; a row of one pixel divides nothing; and an edge is\nwalked no "
         "further than to its last row.\n\n"
-        "The thesis gives no clocks of single operations. With %d for an addition, %d for a division "
+        "The thesis gives no clocks of single operations. With %d for an addition, %d for a "
+        "division "
         "and %d for the sum\n(2.18) that replaces one, what is described takes %" PRIu64
-        " and %" PRIu64 " clocks, where the thesis has %d and %d: these\nthree are inferred from that, not measured.\n",
+        " and %" PRIu64 " clocks, where the thesis has %d and %d: these\nthree are inferred from "
+                        "that, not measured.\n",
         table->described_edge_points, table->described_rows, table->described_pixels,
         table->drawn_rows, table->drawn_pixels, GLINT_CLOCKS_ADDITION, GLINT_CLOCKS_DIVISION,
         GLINT_CLOCKS_DIVISION_BY_SHIFTS, glint_operations_clocks(total, GLINT_CLOCKS_DIVISION),
@@ -196,8 +199,7 @@ static void write_frame(FILE *out, const glint_divider_scene *scene,
             "%" PRIu64 " | ![frame](%s) | ![difference](%s) |\n",
             scene->model, scene->density, scene->drawn,
             (double)frame->difference.object_pixels / (double)scene->drawn, scene->divisions,
-            frame->shifts,
-            frame->difference.nmse, frame->difference.largest,
+            frame->shifts, frame->difference.nmse, frame->difference.largest,
             100.0 * (double)frame->difference.differing_pixels /
                 (double)frame->difference.object_pixels,
             frame->verilog_pixels, frame->picture, frame->difference_picture);
@@ -223,11 +225,13 @@ static void write_frames(FILE *out, const glint_divider_scene *scenes, const cha
         "triangles. Section 3.4 reads an NMSE of\nup to 0.0001 as no visible difference, "
         "0.00025 as slight, 0.001 as visible ones.\n\n"
         "Beside the table's bits there is this: a run longer than %d steps is cut, and its values "
-        "at the cuts are rounded to 8\nbits; and an exact half is rounded up, which an error below, "
+        "at the cuts are rounded to 8\nbits; and an exact half is rounded up, which an error "
+        "below, "
         "however small, turns down.\n\n"
         "The frames are by the C model of the divider; *by the Verilog* is how many pixels of the "
         "same frames\ndiffer from them when the circuit is simulated.\n\n"
-        "| model | triangles drawn | pixels of each | divisions | shifts | NMSE | largest, levels | pixels that "
+        "| model | triangles drawn | pixels of each | divisions | shifts | NMSE | largest, levels "
+        "| pixels that "
         "differ | by the Verilog | frame | difference |\n"
         "|---|---:|---:|---:|---:|---:|---:|---:|---:|---|---|\n",
         level, GLINT_DIVIDER_FRAME_WIDTH, GLINT_DIVIDER_FRAME_HEIGHT, GLINT_DIVIDER_K_MAX);

@@ -100,7 +100,8 @@ glint_status glint_divider_report_make(const char *directory, int threads,
         status = glint_divider_render_scenes(directory, threads, stop, report->scenes, err);
     if (status != GLINT_OK)
         return status;
-    glint_claims_check(&(glint_claims_facts){.error = report->error[GLINT_BITS_ROUNDED],
+    glint_claims_check(&(glint_claims_facts){.example = glint_divider_example_of(255, 7, 6),
+                                             .error = report->error[GLINT_BITS_ROUNDED],
                                              .table = &report->table,
                                              .scenes = report->scenes},
                        &report->claims);

@@ -74,12 +74,12 @@ static glint_status draw_normalized(glint_report *report, const glint_energy_res
         best[i] = (i + 1 + results->least_mean.a) / results->least_mean.b * w;
     }
     const double *const curve[] = {results->normal.claimed, results->normal.blinn, smallest, best};
-    snprintf(caption, sizeof caption,
-             "Figure 2.16: of %d n, (2.26) is above 1 for %d, Blinn's with its factor for %d, W with "
-             "the smallest B for A = %g for %d, with the best A and B for %d.",
-             GLINT_ENERGY_N_MAX, glint_energy_count_above(curve[0]),
-             glint_energy_count_above(curve[1]), results->claimed.a,
-             glint_energy_count_above(curve[2]), glint_energy_count_above(curve[3]));
+    snprintf(
+        caption, sizeof caption,
+        "Figure 2.16: of %d n, (2.26) is above 1 for %d, Blinn's with its factor for %d, W with "
+        "the smallest B for A = %g for %d, with the best A and B for %d.",
+        GLINT_ENERGY_N_MAX, glint_energy_count_above(curve[0]), glint_energy_count_above(curve[1]),
+        results->claimed.a, glint_energy_count_above(curve[2]), glint_energy_count_above(curve[3]));
     return draw_by_exponent(report, &figure_16, curve, err);
 }
 
@@ -108,8 +108,8 @@ static glint_status draw_by_angle(glint_report *report, const glint_energy_table
     for (int i = 0; i <= last; i++) {
         values[i * (1 + CURVES)] = plan->angle[i];
         for (int j = 0; j < CURVES; j++) {
-            const double r = glint_energy_at(grid, (int)by_angle_model[j], plan->n_count - 1, i)
-                                 ->quadrature;
+            const double r =
+                glint_energy_at(grid, (int)by_angle_model[j], plan->n_count - 1, i)->quadrature;
             values[i * (1 + CURVES) + 1 + j] = r;
             left[j] = r / values[1 + j];
         }

@@ -153,8 +153,9 @@ static void find_differential(const glint_energy_results *results, glint_finding
         literal[CLAIMED_LAST - 1], CLAIMED_LAST, literal[last], last + 1, above.first, above.last,
         held[CLAIMED_LAST - 1], held[last]);
     SAY(finding->conditions,
-        EVERY_N ", to 5.8/√n, at most π/2; the same is to within %g; 2π and sin θ₀ are what dω₀ has "
-                "beside dθ₀; dθ₀ is read everywhere else here",
+        EVERY_N
+        ", to 5.8/√n, at most π/2; the same is to within %g; 2π and sin θ₀ are what dω₀ has "
+        "beside dθ₀; dθ₀ is read everywhere else here",
         GLINT_ENERGY_N_MAX, SAME);
 }
 
@@ -227,8 +228,9 @@ static void find_claimed(const glint_energy_results *results, glint_findings *fi
         normal->claimed[GLINT_ENERGY_N_MAX - 1], GLINT_ENERGY_N_MAX, results->claimed.a,
         ceil(1e4 * results->claimed.b) * 1e-4);
     SAY(finding->conditions,
-        EVERY_N ", normal incidence; %d cells of the grid of incidences have a larger R; above 1 is "
-                "above %g",
+        EVERY_N
+        ", normal incidence; %d cells of the grid of incidences have a larger R; above 1 is "
+        "above %g",
         GLINT_ENERGY_N_MAX,
         glint_energy_above_normal(results->grid, GLINT_REFLECTANCE_ENERGY_CONSERVING),
         GLINT_ENERGY_ONE);

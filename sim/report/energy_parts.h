@@ -32,8 +32,8 @@ typedef struct glint_energy_results {
     const glint_energy_table *verilog_grid, *verilog_check; /* the same, of the Verilog alone */
     double asymmetry[GLINT_REFLECTANCE_COUNT];              /* the largest of (2.20), relative */
     double verilog_asymmetry;
-    uint64_t pairs;                      /* compared for it, for each model */
-    int pairs_n_count;                   /* at so many exponents */
+    uint64_t pairs;    /* compared for it, for each model */
+    int pairs_n_count; /* at so many exponents */
     double pairs_n_first, pairs_n_last;
     glint_normalization claimed;         /* A = 6 with the smallest B */
     glint_normalization device, verilog; /* the same for the circuit's W */

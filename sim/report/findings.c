@@ -159,8 +159,8 @@ void glint_findings_print(const glint_findings *findings, FILE *out)
 {
     for (int i = 0; i < findings->count; i++) {
         const glint_finding *finding = &findings->finding[i];
-        fprintf(out, "%-18s %s: %s; measured: %s\n", glint_verdict_names[finding->verdict], finding->where,
-                finding->claim, finding->measured);
+        fprintf(out, "%-18s %s: %s; measured: %s\n", glint_verdict_names[finding->verdict],
+                finding->where, finding->claim, finding->measured);
     }
 }
 

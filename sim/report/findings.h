@@ -53,10 +53,10 @@ extern const char glint_verdict_rules[];
 typedef struct glint_finding {
     glint_judged judged;
     glint_verdict verdict; /* glint_judge() of it */
-    char where[48];       /* "2.3", "(2.26)", "Table 3.2" */
-    char claim[256];      /* as the thesis has it, in English */
-    char measured[384];   /* the number */
-    char conditions[512]; /* the range of n, the pixels, the scene… it was measured under */
+    char where[48];        /* "2.3", "(2.26)", "Table 3.2" */
+    char claim[256];       /* as the thesis has it, in English */
+    char measured[384];    /* the number */
+    char conditions[512];  /* the range of n, the pixels, the scene… it was measured under */
 } glint_finding;
 
 typedef struct glint_findings glint_findings;
@@ -64,9 +64,9 @@ typedef struct glint_findings glint_findings;
 glint_findings *glint_findings_create(void); /* NULL: no memory */
 void glint_findings_destroy(glint_findings *findings);
 
-/* Adds one with the verdict that its numbers give; claim, measured and conditions are for the caller
- * to print into. Never NULL: where there is no memory one that counts for nothing comes back, and
- * glint_findings_complete() is false from then on. */
+/* Adds one with the verdict that its numbers give; claim, measured and conditions are for the
+ * caller to print into. Never NULL: where there is no memory one that counts for nothing comes
+ * back, and glint_findings_complete() is false from then on. */
 glint_finding *glint_findings_add(glint_findings *findings, const char *where,
                                   const glint_judged *judged);
 bool glint_findings_complete(const glint_findings *findings);

@@ -88,8 +88,8 @@ typedef struct glint_worst_frame {
 void glint_frame_exponents_say(const int *n, int count, int n_from, int n_to, char *text,
                                size_t room);
 
-/* The claims of Table 3.2, and of 3.1 and 3.4 on NMSE, from these numbers alone: each once for every
- * light. */
+/* The claims of Table 3.2, and of 3.1 and 3.4 on NMSE, from these numbers alone: each once for
+ * every light. */
 void glint_frame_errors_find(const glint_frame_errors *errors, glint_findings *findings);
 
 /* The largest over exponents from n_from to n_to; not a number over none. */

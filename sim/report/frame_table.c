@@ -76,15 +76,16 @@ static glint_status draw(glint_report *report, const glint_frame_errors *errors,
     SAY(title, "NMSE of frames against cos^n, %s, %s", glint_test_figure_names[GLINT_FIGURE_SPHERE],
         light_text);
     const glint_chart chart = {.name = "figure-nmse",
-                         .title = title,
-                         .x_label = "n",
-                         .y_label = "NMSE",
-                         .settings = "set logscale xy\nset format y '%g'\n" GLINT_CHART_KEY_BELOW,
-                         .curves = 8,
-                         .curve = {"Schlick (2.1)", "modified (2.2) as printed",
-                                   "Table 3.2's, best a", "(2.2) read as 0.5(n(1 − c))^2",
-                                   "quadratic", "cosine-quadratic", "k = 4", "device"},
-                         .caption = caption};
+                               .title = title,
+                               .x_label = "n",
+                               .y_label = "NMSE",
+                               .settings =
+                                   "set logscale xy\nset format y '%g'\n" GLINT_CHART_KEY_BELOW,
+                               .curves = 8,
+                               .curve = {"Schlick (2.1)", "modified (2.2) as printed",
+                                         "Table 3.2's, best a", "(2.2) read as 0.5(n(1 − c))^2",
+                                         "quadratic", "cosine-quadratic", "k = 4", "device"},
+                               .caption = caption};
     double values[GLINT_FRAME_EXPONENTS_MAX * (1 + GLINT_CHART_CURVES_MAX)];
     const int width = 1 + chart.curves;
     caption_of(&chart, errors, caption, sizeof caption);

@@ -12,7 +12,8 @@
 
 #define REFERENCE "blinn"
 
-/* Section 3.4: productivity up to that much higher, in per cent. Productivity is frames a second. */
+/* Section 3.4: productivity up to that much higher, in per cent. Productivity is frames a second.
+ */
 #define STATED 20.0
 
 static const struct {

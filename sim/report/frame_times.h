@@ -24,8 +24,8 @@ typedef struct glint_frame_times {
 glint_status glint_frame_times_measure(const glint_report *report, glint_frame_times *times,
                                        glint_error *err);
 
-/* The claims of section 3.4 on frame times, from these numbers alone. threads: that they were measured
- * on. */
+/* The claims of section 3.4 on frame times, from these numbers alone. threads: that they were
+ * measured on. */
 void glint_frame_times_find(const glint_frame_times *times, int threads, glint_findings *findings);
 
 /* The table, figure 3.13, the claims and the numbers. */

@@ -63,8 +63,9 @@ static const lobe_figure lobe_figures[] = {
                .curves = 4,
                .curve = {"1: Schlick (2.1)", "2: cos^n γ", "3: modified (2.2) as printed",
                          "Table 3.2's, best a"},
-               .caption = "Figure 2.4: Schlick's function and its modification in two forms, beside "
-                          "cos^n."},
+               .caption =
+                   "Figure 2.4: Schlick's function and its modification in two forms, beside "
+                   "cos^n."},
      .model = {GLINT_REFLECTANCE_SCHLICK, GLINT_REFLECTANCE_BLINN,
                GLINT_REFLECTANCE_SCHLICK_MODIFIED, GLINT_REFLECTANCE_SCHLICK_MODIFIED_POWER},
      .n = 50,
@@ -75,8 +76,9 @@ static const lobe_figure lobe_figures[] = {
                .y_label = "value of the lobe",
                .curves = 3,
                .curve = {"cos^n γ", "quadratic, clamped at 0", "cosine-quadratic"},
-               .caption = "Figure 2.5: the quadratic, which meets cos^n at its point of inflection, "
-                          "and the cosine-quadratic."},
+               .caption =
+                   "Figure 2.5: the quadratic, which meets cos^n at its point of inflection, "
+                   "and the cosine-quadratic."},
      .model = {GLINT_REFLECTANCE_BLINN, GLINT_REFLECTANCE_QUADRATIC,
                GLINT_REFLECTANCE_COSINE_QUADRATIC},
      .n = 50,
@@ -99,8 +101,8 @@ static glint_status draw_relative_error(glint_report *report, glint_error *err)
 {
     const double n = 50.0, lowest = GLINT_DECAY_LEVEL;
     char title[128], settings[64];
-    snprintf(title, sizeof title, "Relative error of the quadratic and the cosine-quadratic, n = %g",
-             n);
+    snprintf(title, sizeof title,
+             "Relative error of the quadratic and the cosine-quadratic, n = %g", n);
     snprintf(settings, sizeof settings, "set xrange [1:%g]\nset key bottom left\n", lowest);
     const glint_chart chart = {
         .name = "figure-2.6",
@@ -212,10 +214,11 @@ static glint_status draw_family(glint_report *report, const glint_lobes *lobes, 
     const glint_accuracy *const by_n[] = {
         lobes->by_n[GLINT_REFLECTANCE_COSINE_QUADRATIC], lobes->by_n[GLINT_REFLECTANCE_LYON_4],
         lobes->by_n[GLINT_REFLECTANCE_LYON_8], lobes->by_n[GLINT_REFLECTANCE_LYON_16]};
-    snprintf(caption, sizeof caption,
-             "Figure 2.10, in the epicentre, and its family. Where W is zero and cos^n is not, from "
-             "n = %g on, the relative error is %.0f %%.",
-             GLINT_LOBE_ENDS_FROM, 100.0 * lobes->derived.relative_at_end.least);
+    snprintf(
+        caption, sizeof caption,
+        "Figure 2.10, in the epicentre, and its family. Where W is zero and cos^n is not, from "
+        "n = %g on, the relative error is %.0f %%.",
+        GLINT_LOBE_ENDS_FROM, 100.0 * lobes->derived.relative_at_end.least);
     return draw_by_exponent(report, &chart, &lobes->exponents, by_n, err);
 }
 

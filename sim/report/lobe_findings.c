@@ -112,8 +112,7 @@ static void find_modified(const glint_lobes *lobes, glint_findings *findings)
 /* Its a is not given: the best makes the error least, and a = 1 makes it Schlick's function. */
 static void find_table_32_form(const glint_lobes *lobes, glint_findings *findings)
 {
-    const double best =
-        relative_of(lobes, GLINT_REFLECTANCE_SCHLICK_MODIFIED_POWER, glint_n_all);
+    const double best = relative_of(lobes, GLINT_REFLECTANCE_SCHLICK_MODIFIED_POWER, glint_n_all);
     const double plain = relative_of(lobes, GLINT_REFLECTANCE_SCHLICK, glint_n_all);
     glint_judged judged = glint_judged_number(GLINT_AT_MOST, 0.4, 1, best);
     widen(&judged, plain);
@@ -217,9 +216,12 @@ static void find_absolute(const glint_lobes *lobes, glint_findings *findings)
         glint_finding *finding = glint_findings_add(findings, "2.3", &judged);
         SAY(finding->claim, "Cosine-quadratic (2.15): absolute error at most %g, %s", judged.stated,
             ranges[i].to > ranges[i].from ? "n = 2…1000" : "n = 1");
-        SAY(finding->measured, "%.4f at n = %g, c = %.6g, where cos^n is %.4f and W %.4f",
-            worst.error, worst.n, worst.cosine, pow(worst.cosine, worst.n),
-            glint_formula_w(worst.n, worst.cosine));
+        if (isnan(worst.error))
+            SAY(finding->measured, "nothing was measured");
+        else
+            SAY(finding->measured, "%.4f at n = %g, c = %.6g, where cos^n is %.4f and W %.4f",
+                worst.error, worst.n, worst.cosine, pow(worst.cosine, worst.n),
+                glint_formula_w(worst.n, worst.cosine));
         say(finding, lobes, ranges[i],
             "the whole lobe, of which the thesis's zone of blooming is a part");
     }
@@ -278,8 +280,7 @@ static void find_level(const glint_lobes *lobes, glint_findings *findings)
         SAY(finding->measured, "cos^n = %.3f to %.3f", level.least, level.largest);
         say(finding, lobes, with_end,
             "the level to one decimal%s; at n = 1 it is %.2f, at n = 2 W is cos^n itself",
-            claims[i].rule == GLINT_BELOW ? ", so below 0.45" : "",
-            lobes->derived.level_at_1);
+            claims[i].rule == GLINT_BELOW ? ", so below 0.45" : "", lobes->derived.level_at_1);
     }
 }
 
@@ -301,9 +302,8 @@ static void find_relative_place(const glint_lobes *lobes, glint_findings *findin
         SAME_PLACE);
     find_level(lobes, findings);
 
-    judged = glint_judged_number(GLINT_AT_MOST, 1.0, 0,
-                                 derived->relative_at_end.largest /
-                                     derived->relative_there.largest);
+    judged = glint_judged_number(
+        GLINT_AT_MOST, 1.0, 0, derived->relative_at_end.largest / derived->relative_there.largest);
     finding = glint_findings_add(findings, "2.3", &judged);
     SAY(finding->claim, "That is the largest relative error of all");
     SAY(finding->measured,
@@ -373,8 +373,7 @@ static void find_quadratic_gain(const glint_lobes *lobes, glint_findings *findin
                                                      GLINT_REFLECTANCE_SCHLICK_MODIFIED_POWER,
                                                      GLINT_REFLECTANCE_COSINE_QUADRATIC};
     enum { OTHERS = sizeof others / sizeof others[0] };
-    const glint_lobe_worst own =
-        glint_lobes_worst(lobes, GLINT_REFLECTANCE_QUADRATIC, glint_n_all);
+    const glint_lobe_worst own = glint_lobes_worst(lobes, GLINT_REFLECTANCE_QUADRATIC, glint_n_all);
     glint_judged judged = {.rule = GLINT_ABOVE, .stated = 10.0, .lowest = NAN, .highest = NAN};
     double relative[OTHERS], absolute[OTHERS];
     for (int i = 0; i < OTHERS; i++) {

@@ -27,13 +27,13 @@ typedef struct glint_derivations {
     double in_front_short_n;
 
     /* From n = 3 on: for n = 1 and 2 the lobe has no end above the surface. */
-    glint_span_of_n relative_apart; /* of the place of the largest W/cosⁿ − 1, searched, from
-                                       c = n/(n+1); in widths of the lobe, 1/(n+1) */
-    glint_span_of_n relative_level; /* cosⁿ at c = n/(n+1) */
-    glint_span_of_n relative_there; /* W/cosⁿ − 1 at the place searched */
-    glint_span_of_n relative_at_end; /* 1 − W/cosⁿ where W is zero */
-    glint_span_of_n level_at_end;    /* cosⁿ at c = (n−2)/(n+1), where W is zero */
-    glint_span_of_n absolute_to_end; /* the largest absolute error to the one there */
+    glint_span_of_n relative_apart;   /* of the place of the largest W/cosⁿ − 1, searched, from
+                                         c = n/(n+1); in widths of the lobe, 1/(n+1) */
+    glint_span_of_n relative_level;   /* cosⁿ at c = n/(n+1) */
+    glint_span_of_n relative_there;   /* W/cosⁿ − 1 at the place searched */
+    glint_span_of_n relative_at_end;  /* 1 − W/cosⁿ where W is zero */
+    glint_span_of_n level_at_end;     /* cosⁿ at c = (n−2)/(n+1), where W is zero */
+    glint_span_of_n absolute_to_end;  /* the largest absolute error to the one there */
     double relative_at_1, level_at_1; /* W/cosⁿ − 1 and cosⁿ at c = n/(n+1) for n = 1 */
 } glint_derivations;
 

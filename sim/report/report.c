@@ -60,7 +60,8 @@ static glint_status write_markdown(const glint_report *report, const char *secti
     fprintf(out,
             "# What the thesis claims, measured\n\n"
             "Made by `glint report`%s. The measured numbers here, and the verdicts with them, were "
-            "computed by that run; the formulas are\nevaluated in double precision, and rows called *device* are the fixed-point "
+            "computed by that run; the formulas are\nevaluated in double precision, and rows "
+            "called *device* are the fixed-point "
             "circuit.\n\n"
             "A highlight is a function of c = cos γ, the cosine between the normal and the half "
             "vector, and of the\nexponent n, 1 to 1000. Blinn's cos^n is what the others stand "
@@ -70,8 +71,8 @@ static glint_status write_markdown(const glint_report *report, const char *secti
             "## The claims\n\n"
             "%d hold, %d do not hold, %d cannot be decided as stated.\n\n",
             report->quick ? " with `--quick`, on coarser grids and smaller frames" : "",
-            GLINT_EPICENTRE_LEVEL,
-            glint_verdict_rules, glint_findings_count(report->findings, GLINT_HOLDS),
+            GLINT_EPICENTRE_LEVEL, glint_verdict_rules,
+            glint_findings_count(report->findings, GLINT_HOLDS),
             glint_findings_count(report->findings, GLINT_DOES_NOT_HOLD),
             glint_findings_count(report->findings, GLINT_CANNOT_BE_DECIDED));
     glint_findings_write(report->findings, out);

@@ -236,14 +236,15 @@ static void write_factor(FILE *out, const char *what, const glint_normalization 
 
 static void write_factors(FILE *out, const glint_energy_results *results)
 {
-    fprintf(out, "\n### The factor (n + A)/B\n\n"
-          "The smallest B that keeps R at most 1 at normal incidence for every n from 1 to %d; "
-          "*loss* is 1 − R there. %d cells\nof the cosine-quadratic's grid have a larger R at "
-          "another incidence.\n\n"
-          "| | A | B | R = 1 at n | mean loss | largest loss | at n |\n"
-          "|---|--:|--:|--:|--:|--:|--:|\n",
-          GLINT_ENERGY_N_MAX,
-          glint_energy_above_normal(results->grid, GLINT_REFLECTANCE_COSINE_QUADRATIC));
+    fprintf(out,
+            "\n### The factor (n + A)/B\n\n"
+            "The smallest B that keeps R at most 1 at normal incidence for every n from 1 to %d; "
+            "*loss* is 1 − R there. %d cells\nof the cosine-quadratic's grid have a larger R at "
+            "another incidence.\n\n"
+            "| | A | B | R = 1 at n | mean loss | largest loss | at n |\n"
+            "|---|--:|--:|--:|--:|--:|--:|\n",
+            GLINT_ENERGY_N_MAX,
+            glint_energy_above_normal(results->grid, GLINT_REFLECTANCE_COSINE_QUADRATIC));
     write_factor(out, "A of (2.26)", &results->claimed);
     write_factor(out, "the same, *device*, C model", &results->device);
     write_factor(out, "the same, *device*, Verilog", &results->verilog);

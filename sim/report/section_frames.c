@@ -46,9 +46,10 @@ static void write_figures_head(FILE *out)
     glint_scene scene = {0};
     glint_frame_scene(GLINT_LIGHT_WHITE, &scene);
     glint_frame_scene_say(&scene, text, sizeof text);
-    fprintf(out,
-            "\n### The test figures (figure 3.12)\n\nThe highlights by the Verilog, n = %d; %s.\n\n",
-            scene.n, text);
+    fprintf(
+        out,
+        "\n### The test figures (figure 3.12)\n\nThe highlights by the Verilog, n = %d; %s.\n\n",
+        scene.n, text);
 }
 
 static glint_status render_figures(glint_report *report, glint_error *err)

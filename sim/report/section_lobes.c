@@ -62,7 +62,8 @@ static void write_table(FILE *out, const glint_lobes *lobes)
     const int last = lobes->exponents.count - 1;
     glint_exponents_say(&lobes->exponents, glint_n_all, exponents, sizeof exponents);
     fprintf(out,
-            "Each lobe against exact cos^n of the same cosine, the largest error over %s\n(double precision; c is the cosine). The *epicentre* is where cos^n ≥ "
+            "Each lobe against exact cos^n of the same cosine, the largest error over %s\n(double "
+            "precision; c is the cosine). The *epicentre* is where cos^n ≥ "
             "%g. The last two rows are the\nfixed-point circuit at every one of its %u cosine "
             "codes.\n\n"
             "| model | formula | absolute, n = %g | absolute | at n | epicentre absolute | at n "
@@ -109,7 +110,8 @@ static glint_status write_numbers(glint_report *report, const glint_lobes *lobes
 {
     bool whole = true;
     for (int i = 0; i < GLINT_REFLECTANCE_COUNT; i++) {
-        const glint_lobe_worst worst = glint_lobes_worst(lobes, (glint_reflectance_model)i, glint_n_all);
+        const glint_lobe_worst worst =
+            glint_lobes_worst(lobes, (glint_reflectance_model)i, glint_n_all);
         if (glint_lobe_is_measured((glint_reflectance_model)i))
             whole = whole && add_numbers(report->numbers, glint_reflectance_names[i], &worst);
     }

@@ -42,8 +42,8 @@ static glint_status measure(const glint_report *report, glint_speeds *s, glint_e
     const double seconds = report->quick ? 0.02 : 0.3;
     glint_status status = GLINT_OK;
     for (int i = 0; i < GLINT_SPEED_RUNS && status == GLINT_OK; i++)
-        status = glint_bench_formulas(report->quick ? 0.01 : seconds / GLINT_SPEED_RUNS, report->stop,
-                                      &s->run[i], err);
+        status = glint_bench_formulas(report->quick ? 0.01 : seconds / GLINT_SPEED_RUNS,
+                                      report->stop, &s->run[i], err);
     if (status == GLINT_OK)
         status = glint_bench_kernels(seconds, report->stop, &s->device, err);
     if (status == GLINT_OK)
@@ -61,7 +61,8 @@ static void write_table(FILE *out, const glint_bench_formula_rates *rates)
             "the C library's vector powf.\n\n"
             "| formula | scalar | to Schlick's | vectorised | to Schlick's |\n"
             "|---|--:|--:|--:|--:|\n",
-            GLINT_BENCH_N, GLINT_BENCH_LOWEST, glint_formula_flags(), GLINT_SPEED_RUNS, GLINT_SPEED_RUNS);
+            GLINT_BENCH_N, GLINT_BENCH_LOWEST, glint_formula_flags(), GLINT_SPEED_RUNS,
+            GLINT_SPEED_RUNS);
     for (int i = 0; i < GLINT_FORMULA_COUNT; i++)
         fprintf(out, "| %s | %.0f | %.2f | %.0f | %.2f |\n", glint_formula_names[i],
                 rates->scalar[i] * 1e-6, rates->scalar_to_schlick[i], rates->vectorised[i] * 1e-6,
@@ -100,7 +101,8 @@ static void find_ratio(glint_findings *findings, const glint_speeds *s, const ch
         judged.lowest, judged.highest);
     SAY(finding->conditions,
         "single precision, n = %d, %d cosines in a row, %.1f to 1, one thread, this machine, %d "
-        "runs; %s; it holds where all runs are at %.2f or above, which rounds to %.1f or more, does "
+        "runs; %s; it holds where all runs are at %.2f or above, which rounds to %.1f or more, "
+        "does "
         "not hold where all are below, else it cannot be decided",
         GLINT_BENCH_N, GLINT_BENCH_POINTS, GLINT_BENCH_LOWEST, GLINT_SPEED_RUNS,
         glint_formula_flags(), STATED - 0.05, STATED);

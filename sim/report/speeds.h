@@ -1,4 +1,5 @@
-/* What the section on the formulas' speed measures, for section_speed.c and the tests of its claims. */
+/* What the section on the formulas' speed measures, for section_speed.c and the tests of its
+ * claims. */
 #ifndef GLINT_SIM_REPORT_SPEEDS_H
 #define GLINT_SIM_REPORT_SPEEDS_H
 
