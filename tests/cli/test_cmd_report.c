@@ -75,8 +75,7 @@ static void the_markdown_has_the_numbers(void **state)
         "| 8 | 0.4427 | 9 | 1.5625 | 9 | 0.8073 |",
         "| 8 | 0.6896 | 13 | 3.5156 | 13 | 1.0677 |",
         "| 12 | 0.3735 | 14 | 0 | | |",
-        "From 12 shifts on the last pixel is within half a level for every k; from 12 on what is "
-        "shown is exact.",
+        "From 12 shifts on the last pixel is within half a level for every k; from 12 on what",
         "for an addition, 41 for a division and 20 for the sum",
         "takes 2946 and 2064 clocks, where the thesis has 2946 and 2064",
         "| in all | 408 / 42 | 408 / 42 | 378 / 39 |",
