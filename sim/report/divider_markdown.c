@@ -183,7 +183,7 @@ static void write_table_21(FILE *out, const glint_table_21 *table, const char *l
         "division "
         "and %d for the sum\n(2.18) that replaces one, what is described takes %" PRIu64
         " and %" PRIu64 " clocks, where the thesis has %d and %d: these\nthree are inferred from "
-                        "that, not measured.\n",
+        "that, not measured.\n",
         table->described_edge_points, table->described_rows, table->described_pixels,
         table->drawn_rows, table->drawn_pixels, GLINT_CLOCKS_ADDITION, GLINT_CLOCKS_DIVISION,
         GLINT_CLOCKS_DIVISION_BY_SHIFTS, glint_operations_clocks(total, GLINT_CLOCKS_DIVISION),
