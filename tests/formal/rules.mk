@@ -4,8 +4,9 @@
 
 FORMAL := $(BUILD)/formal
 
-# Gate, pipeline, lanes, and which lane: the first and the last.
-FORMAL_LANES  := 1-0 2-0 2-1 4-0 4-3 8-0 8-7 16-0 16-15
+# Lanes, and which lane: every one of each number of lanes.
+FORMAL_LANES  := $(foreach l,$(LANE_COUNTS),\
+    $(foreach i,$(wordlist 1,$l,0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15),$l-$i))
 FORMAL_PROOFS := roms \
     $(foreach l,$(FORMAL_LANES),$(foreach p,$(PIPELINES),\
         $(foreach g,$(GATES),device-$g-$p-$l) gates-$p-$l)) \
@@ -19,6 +20,7 @@ FORMAL_FAULTS := \
     device-cosine-pipelined-1-0:value:tests/lockstep/wrong/unstallable/specular_lane.sed \
     device-cosine-pipelined-1-0:value:tests/formal/wrong/other_n/specular_device.sed \
     device-cosine-drawn-1-0:value:tests/lockstep/wrong/truncating/color_multiplier.sed \
+    device-cosine-drawn-16-7:value:tests/formal/wrong/swapped_lanes/specular_device.sed \
     gates-pipelined-1-0:gates_equal:tests/formal/wrong/wrong_sign/specular_lane.sed \
     roms:sigma:tests/lockstep/wrong/sigma_off_by_one/sigma_rom.sed \
     roms:range:tests/formal/wrong/sigma_over_range/sigma_rom.sed \

@@ -23,6 +23,7 @@ extern const glint_rtl_model glint_wrong_unstallable;
 extern const glint_rtl_model glint_wrong_sigma_off_by_one;
 extern const glint_rtl_model glint_wrong_late_limit;
 extern const glint_rtl_model glint_wrong_silent;
+extern const glint_rtl_model glint_wrong_late_saturation;
 
 enum { CLOCKS = 40000 };
 
@@ -40,6 +41,7 @@ static const fault faults[] = {
     {"sigma_off_by_one", &glint_wrong_sigma_off_by_one, "rom33 ", 33, 33},
     {"late_limit", &glint_wrong_late_limit, "rom9 ", 9, 9},
     {"silent", &glint_wrong_silent, "out_valid ", 0, 0},
+    {"late_saturation", &glint_wrong_late_saturation, "reg1 ", 1, 1},
 };
 #define FAULT_COUNT (sizeof faults / sizeof faults[0])
 
