@@ -94,7 +94,7 @@ static plain_mesh *new_mesh(void)
 {
     plain_mesh *m = calloc(1, sizeof *m);
     assert_non_null(m);
-    m->mesh = (glint_mesh){0, m->position, m->normal, 0, m->index};
+    m->mesh = (glint_mesh){.position = m->position, .normal = m->normal, .index = m->index};
     return m;
 }
 
