@@ -56,9 +56,10 @@ static int parse(int argc, char **argv, report_options *chosen)
     };
     const glint_command_line line = {
         .command = "report",
-        .summary = "Measures what the thesis claims: each of its figures and tables that can be "
-                   "computed again, each claim with a verdict, the number and the conditions. With "
-                   "the word divider: only what section 2.4 says of the shift-accumulate divider.",
+        .summary =
+            "Measures what the thesis claims in numbers and draws figures of it again: claims with "
+            "a verdict, the number and the conditions. With "
+            "the word divider: only what section 2.4 says of the shift-accumulate divider.",
         .details =
             "Files: index.html (self-contained), index.md, index.json, and the data, plots (by\n"
             "gnuplot) and pictures they are made of; of the divider alone divider.md,\n"

@@ -1,4 +1,4 @@
-/* Every number of the thesis's section 2.4 beside the one measured. */
+/* Numbers of the thesis's section 2.4 beside the measured ones. */
 #ifndef GLINT_SIM_REPORT_CLAIMS_H
 #define GLINT_SIM_REPORT_CLAIMS_H
 

@@ -5,7 +5,7 @@
 
 #include "report/place.h"
 
-/* With these a triangle has about 100 pixels, the thesis's average. */
+/* For triangles of about 100 pixels, the thesis's average; the report says how many they have. */
 #define TEAPOT_AVERAGE 6
 #define SPHERE_AVERAGE 72
 

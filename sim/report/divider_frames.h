@@ -13,7 +13,7 @@
 #define GLINT_DIVIDER_FRAMES 5
 extern const int glint_divider_frame_shifts[GLINT_DIVIDER_FRAMES];
 
-/* Teapot and sphere, each as fine as it is by default and with triangles of about 100 pixels. */
+/* Teapot and sphere, each as fine as it is by default and with larger triangles. */
 #define GLINT_DIVIDER_SCENES 4
 
 typedef struct glint_divider_frame {

@@ -1,5 +1,5 @@
-/* The report: every figure and table of the thesis that can be computed again, from our own
- * numbers, and a verdict on each of its claims. */
+/* The report: figures and tables of the thesis again, from our own numbers, and verdicts on its
+ * claims: those that the sections (sections.h) take up. */
 #ifndef GLINT_SIM_REPORT_REPORT_H
 #define GLINT_SIM_REPORT_REPORT_H
 
