@@ -1,5 +1,9 @@
 /* Runs another program with a limit on its time: in a process group of its own, its output kept in
- * files of the scratch directory. Include it after cmocka.h and scratch.h. */
+ * files of the scratch directory. Include it after cmocka.h and scratch.h.
+ *
+ * A limit is on the processor time that the program itself takes, which does not depend on what
+ * else the machine does. The clock on the wall ends a program only after child_patience, and then
+ * says that it may have been the machine. */
 #ifndef GLINT_TESTS_CHILD_H
 #define GLINT_TESTS_CHILD_H
 
@@ -7,6 +11,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
+#include <stdbool.h>
 #include <sys/wait.h>
 #include <time.h>
 
@@ -49,15 +54,53 @@ static inline pid_t child_start(const char *const *argv, const char *out, const 
     return child;
 }
 
-/* Its exit status, or 128 + the signal's number; CHILD_TIMED_OUT after ending it and all it
- * started. */
+/* Seconds by the clock after which what has not happened counts as never happening. */
+static double child_patience = 600.0;
+
+/* Processor time of a process that has not been waited for. */
+static inline double child_worked(pid_t child)
+{
+    clockid_t clock;
+    struct timespec worked = {0};
+    if (clock_getcpuclockid(child, &clock) == 0) {
+        clock_gettime(clock, &worked);
+    }
+    return (double)worked.tv_sec + (double)worked.tv_nsec * 1e-9;
+}
+
+/* Whether a program that runs since `start` has used up its time; says so. */
+static inline bool child_is_overdue(pid_t child, double start, double seconds)
+{
+    const double worked = child_worked(child), passed = child_seconds() - start;
+    if (worked > seconds) {
+        print_error("process %d does not end: it has worked for %.1f s, its limit is %.1f s\n",
+                    (int)child, worked, seconds);
+    } else if (passed > child_patience) {
+        print_error(
+            "process %d has not ended in %.0f s by the clock, in which it worked for %.1f s: "
+            "it waits for something, or this machine is too busy for this test\n",
+            (int)child, passed, worked);
+    }
+    return worked > seconds || passed > child_patience;
+}
+
+/* Whether it has ended, or was even waited for; it is not waited for by this. */
+static inline bool child_has_ended(pid_t child)
+{
+    siginfo_t info = {0};
+    return waitid(P_PID, (id_t)child, &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+           info.si_pid == child;
+}
+
+/* Its exit status, or 128 + the signal's number; CHILD_TIMED_OUT when it has worked for more than
+ * so many seconds, after ending it and all it started. */
 static inline int child_wait(pid_t child, double seconds)
 {
-    const double limit = child_seconds() + seconds;
+    const double start = child_seconds();
     int status;
     pid_t ended;
     while ((ended = waitpid(child, &status, WNOHANG)) == 0) {
-        if (child_seconds() > limit) {
+        if (child_is_overdue(child, start, seconds)) {
             kill(-child, SIGKILL);
             waitpid(child, &status, 0);
             return CHILD_TIMED_OUT;
@@ -84,15 +127,20 @@ static inline int child_catches_sigint(pid_t process)
     return (caught >> (SIGINT - 1) & 1) != 0;
 }
 
-/* Waits until a program listens to SIGINT: before, it would just end. */
-static inline void child_wait_for_handler(pid_t child, double seconds)
+/* Waits until a program listens to SIGINT: before, it would just end. Fails the test when it ends
+ * without having listened. */
+static inline void child_wait_for_handler(pid_t child)
 {
-    const double limit = child_seconds() + seconds;
-    while (!child_catches_sigint(child) && child_seconds() < limit) {
+    const double start = child_seconds();
+    while (!child_catches_sigint(child)) {
+        if (child_has_ended(child) || child_seconds() - start > child_patience) {
+            fail_msg("process %d never had a handler for SIGINT", (int)child);
+        }
         child_pause();
     }
 }
 
+/* Runs argv[0] to its end: as child_wait(). */
 static inline int child_run(const char *const *argv, double seconds)
 {
     return child_wait(child_start(argv, scratch_path("child.out"), scratch_path("child.err")),

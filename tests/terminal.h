@@ -11,33 +11,39 @@ typedef struct terminal {
     char name[128]; /* what the program opens */
 } terminal;
 
+/* Skips the test where no terminal can be made, as in a container without /dev/pts. */
 static inline terminal terminal_open(void)
 {
     terminal made;
     made.master = posix_openpt(O_RDWR | O_NOCTTY);
-    assert_true(made.master >= 0);
-    assert_int_equal(grantpt(made.master), 0);
-    assert_int_equal(unlockpt(made.master), 0);
-    (void)snprintf(made.name, sizeof made.name, "%s", ptsname(made.master));
-    made.held = open(made.name, O_RDWR | O_NOCTTY);
-    assert_true(made.held >= 0);
+    const char *name = made.master >= 0 && grantpt(made.master) == 0 && unlockpt(made.master) == 0
+                           ? ptsname(made.master)
+                           : NULL;
+    made.held = name != NULL ? open(name, O_RDWR | O_NOCTTY) : -1;
+    if (made.held < 0) {
+        print_message("no terminal can be made here: %s\n", strerror(errno));
+        skip();
+    }
+    (void)snprintf(made.name, sizeof made.name, "%s", name);
     return made;
 }
 
-/* Reads what is shown into `shown` until `text` is among it; fails the test when it does not come
- * within so many seconds, or not within `size` bytes. */
-static inline void terminal_wait_for(const terminal *terminal, const char *text, double seconds,
+/* Reads what `child` shows into `shown` until `text` is among it; fails the test when it ends
+ * without, or shows more than `size` bytes. */
+static inline void terminal_wait_for(const terminal *terminal, pid_t child, const char *text,
                                      char *shown, size_t size)
 {
-    const double limit = child_seconds() + seconds;
+    const double start = child_seconds();
     size_t count = 0;
     shown[0] = '\0';
     while (strstr(shown, text) == NULL) {
         struct pollfd wanted = {.fd = terminal->master, .events = POLLIN};
-        if (child_seconds() > limit || count + 1 >= size) {
+        const bool ended = child_has_ended(child);
+        const bool more = poll(&wanted, 1, ended ? 0 : 100) == 1;
+        if ((ended && !more) || child_seconds() - start > child_patience || count + 1 >= size) {
             fail_msg("the terminal shows \"%s\", not \"%s\"", shown, text);
         }
-        if (poll(&wanted, 1, 100) == 1) {
+        if (more) {
             const ssize_t got = read(terminal->master, shown + count, size - 1 - count);
             assert_true(got > 0);
             count += (size_t)got;

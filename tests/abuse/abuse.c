@@ -33,12 +33,12 @@
 #define HEADINGS_MAX 32
 #define KEPT_MAX     ((size_t)1 << 20)
 #define SECONDS      20.0
+#define SURVIVES     10.0 /* seconds: what was killed with it is gone by then on a busy machine too */
 #define NOBODY       65534
 
 static struct {
     const char *name;
     int count;
-    bool optional;
 } headings[HEADINGS_MAX];
 static int heading_count;
 static double begun;
@@ -55,9 +55,11 @@ static int index_of(const char *heading)
     return heading_count++;
 }
 
-void abuse_optional(const char *heading)
+static int tests_ended;
+
+void abuse_all_tried(void)
 {
-    headings[index_of(heading)].optional = true;
+    tests_ended++;
 }
 
 /* ---- The run ------------------------------------------------------------------------------------
@@ -178,6 +180,7 @@ static int follow(pid_t child, const abuse *how, lines *l, outcome *done)
     const double limit = how->seconds > 0.0 ? how->seconds : SECONDS;
     size_t length[2] = {0, 0};
     bool open[2] = {how->out == NULL && !how->broken_out, true};
+    double end = 0.0;
     bool sent = how->signal == 0, ended = false, late = false;
     double send = how->once_caught ? HUGE_VAL : start + how->milliseconds * 1e-3;
     int status = 0;
@@ -199,11 +202,12 @@ static int follow(pid_t child, const abuse *how, lines *l, outcome *done)
             (void)kill(child, how->signal);
         }
         ended = ended || waitpid(child, &status, WNOHANG) == child;
-        if (!ended && child_seconds() > start + limit) {
+        if (!ended && !late && child_is_overdue(child, start, limit)) {
             late = true;
             (void)kill(child, SIGKILL);
         }
-        if (ended && !ends_within(l->alive.read, 0) && child_seconds() > start + limit + 5.0) {
+        end = ended && end == 0.0 ? child_seconds() : end;
+        if (ended && !ends_within(l->alive.read, 0) && child_seconds() > end + SURVIVES) {
             break; /* someone else holds the pipes */
         }
     }
@@ -213,23 +217,20 @@ static int follow(pid_t child, const abuse *how, lines *l, outcome *done)
 static int run_child(const char *program, char **argv, const abuse *how, outcome *done)
 {
     lines l = {make_line(), make_line(), make_line(), make_line()};
+    if (how->broken_out) {
+        (void)close(l.out.read); /* now: a run may be quicker than what comes after the fork */
+    }
     const pid_t child = fork();
     assert_true(child >= 0);
     if (child == 0) {
-        if (how->broken_out) {
-            (void)close(l.out.read); /* so that no end for reading is left */
-        }
         be_run(program, argv, how, &l);
     }
     (void)close(l.out.write);
     (void)close(l.err.write);
     (void)close(l.alive.write);
     (void)close(l.in.read);
-    if (how->broken_out) {
-        (void)close(l.out.read);
-    }
     const int status = follow(child, how, &l, done);
-    done->survived = !ends_within(l.alive.read, 1000);
+    done->survived = !ends_within(l.alive.read, (int)(1000.0 * SURVIVES));
     (void)close(l.in.write);
     (void)close(l.err.read);
     (void)close(l.alive.read);
@@ -382,14 +383,18 @@ static bool is_documented(const char *text, const char *heading, int count)
     return strstr(text, row) != NULL;
 }
 
-void abuse_expect_documented(const char *name, const char *what)
+void abuse_expect_documented(const char *name, const char *what, int tests)
 {
     char full[64];
     int total = 0, missing = 0;
+    if (tests_ended != tests) {
+        print_message("%d of %d tests did not come to their end: the counts are not all there\n",
+                      tests - tests_ended, tests);
+        skip();
+    }
     char *text = scratch_read("docs/abuse.md", NULL);
     for (int i = 0; i < heading_count; i++) {
-        const bool good =
-            headings[i].optional || is_documented(text, headings[i].name, headings[i].count);
+        const bool good = is_documented(text, headings[i].name, headings[i].count);
         print_message("| %s | %d |%s\n", headings[i].name, headings[i].count,
                       good ? "" : "  <- not so in docs/abuse.md");
         total += headings[i].count;

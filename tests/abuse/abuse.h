@@ -2,6 +2,8 @@
  * by itself, with an exit status of 0 to 2 and one line on standard error when that is not 0; what
  * lies under a final name is whole.
  *
+ * In time: so much work of its own, as child.h measures it.
+ *
  * Every run is counted under the heading it was tried under; docs/abuse.md has each heading with
  * its count, and abuse_expect_documented() fails when it has not. */
 #ifndef GLINT_TESTS_ABUSE_H
@@ -27,7 +29,7 @@ typedef struct abuse {
     int signal;      /* sent after milliseconds; 0: none */
     int milliseconds;
     bool once_caught; /* they count from when it has a handler of its own for the signal */
-    double seconds;   /* after which it counts as hanging; 0: 20 */
+    double seconds;   /* of work after which it counts as endless; 0: 20 */
 } abuse;
 
 typedef struct outcome {
@@ -53,11 +55,12 @@ void abuse_expect_failure(const outcome *done, const char *command_line, int sta
  * many files there are. */
 int abuse_expect_whole(const char *directory, bool in_the_making);
 
-/* Prints the counts, expects the same in docs/abuse.md, and notes them for docs/verification.md as
- * abuse-`name`. A group's last test. */
-void abuse_expect_documented(const char *name, const char *what);
+/* Each test's last line: it has tried all that it was to try. */
+void abuse_all_tried(void);
 
-/* Counts of a heading that is tried only where the system lets it: printed, not expected. */
-void abuse_optional(const char *heading);
+/* Prints the counts, expects the same in docs/abuse.md, and notes them for docs/verification.md as
+ * abuse-`name`. A group's last test. Skipped when not all of the `tests` before it came to their
+ * end: then their runs are not all counted, and that is no fault of the page. */
+void abuse_expect_documented(const char *name, const char *what, int tests);
 
 #endif

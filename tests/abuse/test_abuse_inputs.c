@@ -147,6 +147,7 @@ static void bad_meshes(void **state)
         scratch_write(path, meshes[i].text, strlen(meshes[i].text));
         try_mesh(path, meshes[i].expected);
     }
+    abuse_all_tried();
 }
 
 /* A triangle whose corners are vertices 0, 1 and 65535 of three. */
@@ -180,6 +181,7 @@ static void bad_binary_meshes(void **state)
         scratch_write(scratch_path(names[i]), zeros, sizeof zeros);
         try_mesh(scratch_path(names[i]), REFUSED);
     }
+    abuse_all_tried();
 }
 
 static void what_is_no_mesh_file(void **state)
@@ -200,6 +202,7 @@ static void what_is_no_mesh_file(void **state)
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         try_mesh(scratch_path(names[i]), REFUSED);
     }
+    abuse_all_tried();
 }
 
 /* ---- Pictures -----------------------------------------------------------------------------------
@@ -255,6 +258,7 @@ static void bad_pictures(void **state)
     scratch_write(bad, large, sizeof large - 1);
     compare_with(bad, 2, "bad.png");
     free(whole);
+    abuse_all_tried();
 }
 
 /* ---- Lines --------------------------------------------------------------------------------------
@@ -306,6 +310,7 @@ static void bad_lines(void **state)
             abuse_forget(&done);
         }
     }
+    abuse_all_tried();
 }
 
 /* A megabyte in one line, a binary file, and what cannot be read at all. */
@@ -339,6 +344,7 @@ static void unusual_streams(void **state)
             abuse_forget(&done);
         }
     }
+    abuse_all_tried();
 }
 
 /* ---- Packets ------------------------------------------------------------------------------------
@@ -376,14 +382,18 @@ static void bad_packets(void **state)
         abuse_expect_failure(&done, line, 2, paths[i]);
         abuse_forget(&done);
     }
+    abuse_all_tried();
 }
+
+enum { TESTS = 7 };
 
 /* The last: all others have been counted. */
 static void the_counts_are_documented(void **state)
 {
     (void)state;
     abuse_expect_documented(
-        "inputs", "bad meshes, pictures, lines and packets are refused with one line, or drawn");
+        "inputs", "bad meshes, pictures, lines and packets are refused with one line, or drawn",
+        TESTS);
 }
 
 int main(void)
@@ -398,5 +408,6 @@ int main(void)
         cmocka_unit_test(bad_packets),
         cmocka_unit_test(the_counts_are_documented),
     };
+    _Static_assert(sizeof tests / sizeof tests[0] == TESTS + 1, "the tests before the last");
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

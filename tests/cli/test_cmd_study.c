@@ -283,8 +283,9 @@ static void an_interrupted_study_leaves_the_one_before(void **state)
         glint_under_test(), "study", "--size", "320x240", "--b",       "schlick", "--n", "1,2,3,4",
         "--frames",         "200",   "--out",  out,       "--threads", "1",       NULL};
     const pid_t child = child_start(argv, scratch_path("child.out"), scratch_path("child.err"));
-    const double limit = child_seconds() + 60;
-    while (open_in(child, out) < 2 && child_seconds() < limit) {
+    const double start = child_seconds();
+    while (open_in(child, out) < 2 && !child_has_ended(child) &&
+           child_seconds() - start < child_patience) {
         child_pause(); /* until a sheet is made, and held */
     }
     assert_true(open_in(child, out) >= 2);

@@ -24,17 +24,6 @@
 
 static char shown[SHOWN_MAX];
 
-/* Where there is no devpts there is no terminal. */
-static void need_terminals(void)
-{
-    const int master = posix_openpt(O_RDWR | O_NOCTTY);
-    if (master < 0 || grantpt(master) != 0) {
-        print_message("no terminals can be opened here\n");
-        skip();
-    }
-    close(master);
-}
-
 static int make_pictures(void)
 {
     char line[1200];
@@ -60,7 +49,7 @@ static void compare_shown(const char *other)
     (void)snprintf(b, sizeof b, "%s/%s", scratch_directory, other);
     const char *const argv[] = {glint_under_test(), "compare", a, b, NULL};
     const pid_t child = child_start(argv, screen.name, screen.name);
-    terminal_wait_for(&screen, "NMSE", SECONDS, shown, sizeof shown);
+    terminal_wait_for(&screen, child, "NMSE", shown, sizeof shown);
     assert_int_equal(child_wait(child, SECONDS), strcmp(other, "a.png") == 0 ? 0 : 1);
     terminal_close(&screen);
 }
@@ -68,7 +57,6 @@ static void compare_shown(const char *other)
 static void a_verdict_is_coloured_on_a_terminal(void **state)
 {
     (void)state;
-    need_terminals();
     assert_int_equal(unsetenv("NO_COLOR"), 0);
     assert_int_equal(setenv("TERM", "xterm", 1), 0);
     compare_shown("a.png");
@@ -81,7 +69,6 @@ static void a_verdict_is_coloured_on_a_terminal(void **state)
 static void not_where_colours_are_unwanted(void **state)
 {
     (void)state;
-    need_terminals();
     assert_int_equal(setenv("TERM", "xterm", 1), 0);
     assert_int_equal(setenv("NO_COLOR", "1", 1), 0);
     compare_shown("b.png");
@@ -121,11 +108,10 @@ static void nothing_is_coloured_in_a_file(void **state)
 static void a_message_has_its_name_in_colour(void **state)
 {
     (void)state;
-    need_terminals();
     terminal screen = terminal_open();
     const char *const argv[] = {glint_under_test(), "compare", PNG, NULL};
     const pid_t child = child_start(argv, scratch_path("child.out"), screen.name);
-    terminal_wait_for(&screen, "--help)", SECONDS, shown, sizeof shown);
+    terminal_wait_for(&screen, child, "--help)", shown, sizeof shown);
     assert_says(shown, RED "glint compare:" PLAIN " B.png is missing");
     assert_int_equal(child_wait(child, SECONDS), 2);
     terminal_close(&screen);
@@ -157,15 +143,14 @@ static void who_waits_says_for_what(void **state)
         {"divide", "glint divide: waits for divisions, one a line: difference k", "16 2\n",
          "16,2,12,32768,8,8,0"},
     };
-    need_terminals();
     for (size_t i = 0; i < 2; i++) {
         terminal screen = terminal_open();
         const pid_t child = start_typed(typing[i].subcommand, &screen);
-        terminal_wait_for(&screen, "Ctrl-D ends", SECONDS, shown, sizeof shown);
+        terminal_wait_for(&screen, child, "Ctrl-D ends", shown, sizeof shown);
         assert_says(shown, typing[i].hint);
         const size_t length = strlen(typing[i].typed);
         assert_int_equal(write(screen.master, typing[i].typed, length), length);
-        terminal_wait_for(&screen, typing[i].answer, SECONDS, shown, sizeof shown);
+        terminal_wait_for(&screen, child, typing[i].answer, shown, sizeof shown);
         assert_int_equal(write(screen.master, "\004", 1), 1);
         assert_int_equal(child_wait(child, SECONDS), 0);
         terminal_close(&screen);
@@ -179,7 +164,6 @@ static void a_large_frame_shows_how_far_it_is(void **state)
 {
     (void)state;
     char picture[1024];
-    need_terminals();
     (void)snprintf(picture, sizeof picture, "%s/large.png", scratch_directory);
     const char *const argv[] = {glint_under_test(),
                                 "render",
@@ -192,7 +176,7 @@ static void a_large_frame_shows_how_far_it_is(void **state)
                                 NULL};
     terminal screen = terminal_open();
     const pid_t child = child_start(argv, scratch_path("child.out"), screen.name);
-    terminal_wait_for(&screen, "rows of the picture, ", SECONDS, shown, sizeof shown);
+    terminal_wait_for(&screen, child, "rows of the picture, ", shown, sizeof shown);
     assert_says(shown, "glint render: ");
     assert_says(shown, " bands of the frame, ");
     assert_int_equal(child_wait(child, SECONDS), 0);

@@ -407,7 +407,7 @@ static void a_full_pipe_keeps_nobody_who_gives_up(void **state)
     const pid_t child = fork();
     assert_true(child >= 0);
     if (child == 0) {
-        alarm(20); /* which ends it */
+        alarm((unsigned)child_patience); /* which ends it */
         be_given_up(scratch_path("full"));
     }
     assert_int_equal(waitpid(child, &status, 0), child);

@@ -295,7 +295,7 @@ static char *interrupt_verify(const char *last_argument)
     const char *const argv[] = {glint_under_test(), "verify", "--clocks",    "1000000000000",
                                 "--seed",           "5",      last_argument, NULL};
     const pid_t child = child_start(argv, scratch_path("verify.out"), scratch_path("verify.err"));
-    child_wait_for_handler(child, SECONDS);
+    child_wait_for_handler(child);
     for (int i = 0; i < 10; i++) {
         child_pause();
     }

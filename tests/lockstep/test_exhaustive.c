@@ -168,7 +168,7 @@ static char *interrupt_run(const char *options, char *shown, size_t size)
     terminal terminal = terminal_open();
     const pid_t child =
         child_start((const char *const *)argv, scratch_path("interrupted.out"), terminal.name);
-    terminal_wait_for(&terminal, " s left", SECONDS, shown, size);
+    terminal_wait_for(&terminal, child, " s left", shown, size);
     assert_int_equal(kill(child, SIGINT), 0);
     assert_int_equal(child_wait(child, SECONDS), 2);
     terminal_close(&terminal);

@@ -28,7 +28,7 @@ enum {
     W_CODES = 196609, /* those that occur with n = 2: test_model counts them by the blocks */
     QUARTER = 49152,  /* of them, in the multipliers' sweep of n = 0…767 */
     THREADS = 4,
-    SECONDS = 120, /* until threads that do not come are given up */
+    SECONDS = 600, /* until threads that do not come are given up */
 };
 
 /* One point of a batch, as the plant sees it. */

@@ -79,7 +79,7 @@ static long process_noted(const char *name)
 static void assert_ends(const char *name)
 {
     const long process = process_noted(name);
-    const double limit = child_seconds() + 10;
+    const double limit = child_seconds() + child_patience;
     while (runs(process) && child_seconds() < limit)
         child_pause();
     assert_false(runs(process));
@@ -109,22 +109,22 @@ static void assert_is_stopped(const char *lines)
     write_gnuplot(lines);
     alarm(1);
     const double begin = child_seconds();
-    assert_int_equal(plot(60.0, &err), GLINT_INTERRUPTED);
+    assert_int_equal(plot(2.0 * child_patience, &err), GLINT_INTERRUPTED);
     assert_string_equal(err.text, "interrupted");
-    assert_true(child_seconds() - begin < 20.0);
+    assert_true(child_seconds() - begin < child_patience);
     assert_nothing_is_left();
 }
 
 static void a_gnuplot_that_says_nothing_is_stopped(void **state)
 {
     (void)state;
-    assert_is_stopped("exec /bin/sleep 1000\n");
+    assert_is_stopped("exec /bin/sleep 10000\n");
 }
 
 static void a_gnuplot_that_ends_its_picture_but_not_itself_is_stopped(void **state)
 {
     (void)state;
-    assert_is_stopped("echo a picture\nexec >&-\nexec /bin/sleep 1000\n");
+    assert_is_stopped("echo a picture\nexec >&-\nexec /bin/sleep 10000\n");
 }
 
 static void a_gnuplot_that_never_ends_its_picture_is_stopped(void **state)
@@ -137,7 +137,7 @@ static void what_gnuplot_started_ends_with_it(void **state)
 {
     (void)state;
     char lines[1200];
-    snprintf(lines, sizeof lines, "/bin/sleep 1000 &\necho $! >%s\nwait\n",
+    snprintf(lines, sizeof lines, "/bin/sleep 10000 &\necho $! >%s\nwait\n",
              scratch_path("started"));
     assert_is_stopped(lines);
     assert_ends("started");
@@ -147,7 +147,7 @@ static void a_gnuplot_that_takes_too_long_is_a_failure(void **state)
 {
     (void)state;
     glint_error err;
-    write_gnuplot("exec /bin/sleep 1000\n");
+    write_gnuplot("exec /bin/sleep 10000\n");
     assert_int_equal(plot(1.0, &err), GLINT_IO_ERROR);
     assert_memory_equal(err.text, "gnuplot did not end within 1 s; run it in ", 42);
     assert_nothing_is_left();
@@ -158,7 +158,7 @@ static void a_slow_gnuplot_is_waited_for(void **state)
     (void)state;
     glint_error err;
     write_gnuplot("echo half\n/bin/sleep 0.3\necho whole\nexec >&-\n/bin/sleep 0.3\n");
-    assert_int_equal(plot(60.0, &err), GLINT_OK);
+    assert_int_equal(plot(child_patience, &err), GLINT_OK);
     char *picture = scratch_read(scratch_path("figure.svg"), NULL);
     assert_string_equal(picture, "half\nwhole\n");
     free(picture);
