@@ -96,11 +96,21 @@ static double children_seconds(void)
     return (double)usage.ru_utime.tv_sec + 1e-6 * (double)usage.ru_utime.tv_usec;
 }
 
+static int lines_in(const char *text)
+{
+    int count = 0;
+    for (const char *c = text; *c != '\0'; c++) {
+        count += *c == '\n';
+    }
+    return count;
+}
+
 static double seconds_of(const char *command_line, const char *input)
 {
     const double before = children_seconds();
     outcome done = run(command_line, input);
     assert_outcome(&done, 0, "");
+    assert_int_equal(lines_in(done.out), 1 + lines_in(input));
     forget(&done);
     return children_seconds() - before;
 }
@@ -368,6 +378,7 @@ static outcome divide_all(const char *options, int shifts, const char *divisions
     snprintf(command_line, sizeof command_line, "divide --shifts %d --backend %s", shifts, options);
     outcome done = run(command_line, divisions);
     assert_outcome(&done, 0, "");
+    assert_int_equal(lines_in(done.out), 1 + lines_in(divisions));
     return done;
 }
 

@@ -98,6 +98,7 @@ static void nothing_is_coloured_in_a_file(void **state)
                        end != NULL ? scratch_directory : "",
                        end != NULL ? strrchr(lines[i], '/') : "");
         outcome done = run(line, "");
+        assert_true(done.out[0] != '\0' || done.err[0] != '\0');
         assert_null(strchr(done.out, '\033'));
         assert_null(strchr(done.err, '\033'));
         assert_null(strchr(done.err, '\r'));

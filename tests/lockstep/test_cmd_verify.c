@@ -282,6 +282,7 @@ static void nothing_is_left_when_all_is_well(void **state)
                    scratch_path("failure"));
     outcome done = run(command_line, "");
     assert_outcome(&done, 0, "");
+    assert_memory_equal(done.out, "0 mismatches of ", 16);
     assert_int_equal(access(scratch_path("failure"), F_OK), -1);
     forget(&done);
 }

@@ -1,0 +1,184 @@
+/* A test of the command has to fail when the command does nothing. All of them are run with
+ * /bin/true and with /bin/false in the place of the command and of those with wrong circuits; none
+ * may pass, but for those that are named here, with the reason. */
+#define _XOPEN_SOURCE 700
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "../scratch.h"
+
+#include "../child.h"
+
+typedef struct exception {
+    const char *program, *test, *reason;
+} exception;
+
+#define OF_THE_LIBRARY "calls the library and runs no command"
+
+static const exception exceptions[] = {
+    {"failure/test_answer", "the_points_about_it_stay_on_their_lanes", OF_THE_LIBRARY},
+    {"failure/test_answer", "a_circuit_that_keeps_a_lone_answer_back_has_a_packet", OF_THE_LIBRARY},
+    {"failure/test_answer", "what_went_before_is_played", OF_THE_LIBRARY},
+    {"failure/test_answer", "where_the_answer_is_right_the_first_difference_is_marked",
+     OF_THE_LIBRARY},
+    {"failure/test_answer", "a_circuit_that_keeps_an_answer_back_is_found_out", OF_THE_LIBRARY},
+    {"failure/test_answer", "what_does_not_matter_is_left_out", OF_THE_LIBRARY},
+    {"failure/test_answer", "a_history_keeps_the_last_clocks", OF_THE_LIBRARY},
+    {"failure/test_answer", "a_frame_without_an_answer_still_says_where", OF_THE_LIBRARY},
+    {"failure/test_answer", "one_thread_alone_can_be_watched", OF_THE_LIBRARY},
+    {"failure/test_answer", "a_right_circuit_is_never_noted", OF_THE_LIBRARY},
+};
+#define EXCEPTIONS (sizeof exceptions / sizeof exceptions[0])
+
+static bool used[EXCEPTIONS];
+
+static bool is_excepted(const char *program, const char *test)
+{
+    for (size_t i = 0; i < EXCEPTIONS; i++) {
+        if (strcmp(program, exceptions[i].program) == 0 && strcmp(test, exceptions[i].test) == 0) {
+            used[i] = true;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The commands of a build directory that has nothing but `idle` to run. */
+static void make_commands(const char *idle)
+{
+    static const char *const directories[] = {"wrong", "wrong/divider", "wrong/silent", "late"};
+    for (size_t i = 0; i < sizeof directories / sizeof directories[0]; i++) {
+        char path[64];
+        (void)mkdir(scratch_path(directories[i]), 0777);
+        (void)snprintf(path, sizeof path, "%s/glint", directories[i]);
+        (void)unlink(scratch_path(path));
+        assert_int_equal(symlink(idle, scratch_path(path)), 0);
+    }
+}
+
+/* tests/cli/test_x.c to cli/test_x. */
+static void name_of(const char *source, char name[256])
+{
+    const size_t length = strlen(source) - strlen("tests/") - strlen(".c");
+    assert_true(length < 256);
+    memcpy(name, source + strlen("tests/"), length);
+    name[length] = '\0';
+}
+
+/* How many tests a program ran; each that passed, and may not, is told and counted in *passed. */
+static int judge(const char *program, char *log, int *passed)
+{
+    static const char ran[] = "[ RUN      ] ", good[] = "[       OK ] ";
+    int count = 0;
+    for (char *line = strtok(log, "\n"); line != NULL; line = strtok(NULL, "\n")) {
+        count += strncmp(line, ran, sizeof ran - 1) == 0;
+        if (strncmp(line, good, sizeof good - 1) == 0 &&
+            !is_excepted(program, line + sizeof good - 1)) {
+            print_error("%s: %s passes with a command that does nothing\n", program,
+                        line + sizeof good - 1);
+            (*passed)++;
+        }
+    }
+    return count;
+}
+
+/* How many tests the source declares. */
+static int declared_in(const char *source)
+{
+    static const char word[] = "cmocka_unit_test";
+    int count = 0;
+    char *text = scratch_read(source, NULL);
+    for (const char *c = text; (c = strstr(c, word)) != NULL; c += sizeof word) {
+        count++;
+    }
+    free(text);
+    return count;
+}
+
+/* A group whose setup fails, as it may here, runs no test; else it runs all, none of them crashing
+ * the program before the next. */
+static int run_program(const char *build, const char *source, const char *idle)
+{
+    char name[256], path[1024];
+    int passed = 0;
+    name_of(source, name);
+    (void)snprintf(path, sizeof path, "%s/tests/%s", build, name);
+    assert_int_equal(setenv("GLINT", idle, 1), 0);
+    assert_int_equal(setenv("GLINT_BUILD", scratch_directory, 1), 0);
+    const char *const argv[] = {path, NULL};
+    const int status =
+        child_wait(child_start(argv, scratch_path("tests.log"), scratch_path("tests.err")), 120.0);
+    char *log = scratch_read(scratch_path("tests.log"), NULL);
+    const int ran = judge(name, log, &passed);
+    if (status == CHILD_TIMED_OUT || (ran != 0 && ran != declared_in(source))) {
+        print_error("%s: exit status %d after %d of %d tests\n", name, status, ran,
+                    declared_in(source));
+        passed++;
+    }
+    free(log);
+    return passed;
+}
+
+static void run_all(const char *idle)
+{
+    static const char find[] =
+        "grep -l -e '\"run.h\"' -e 'cli/run.h\"' -e '\"abuse.h\"' -e 'getenv(\"GLINT\")'"
+        " tests/*/test_*.c | grep -v harness";
+    const char *given = getenv("GLINT_BUILD");
+    char *const build = strdup(given != NULL ? given : "build");
+    const char *const argv[] = {"sh", "-c", find, NULL};
+    int programs = 0, passed = 0;
+    assert_non_null(build);
+    make_commands(idle);
+    assert_int_equal(child_run(argv, 60.0), 0);
+    char *list = scratch_read(scratch_path("child.out"), NULL);
+    char *rest = list;
+    for (char *source; (source = strtok_r(rest, "\n", &rest)) != NULL;) {
+        passed += run_program(build, source, idle);
+        programs++;
+    }
+    assert_int_equal(setenv("GLINT_BUILD", build, 1), 0);
+    free(list);
+    free(build);
+    assert_true(programs >= 25);
+    assert_int_equal(passed, 0);
+}
+
+static void no_test_passes_with_a_command_that_does_nothing(void **state)
+{
+    (void)state;
+    run_all("/bin/true");
+}
+
+static void no_test_passes_with_a_command_that_fails_in_silence(void **state)
+{
+    (void)state;
+    run_all("/bin/false");
+}
+
+static void no_exception_is_out_of_date(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < EXCEPTIONS; i++) {
+        if (!used[i]) {
+            fail_msg("%s: %s does not pass, or is no more", exceptions[i].program,
+                     exceptions[i].test);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_test_passes_with_a_command_that_does_nothing),
+        cmocka_unit_test(no_test_passes_with_a_command_that_fails_in_silence),
+        cmocka_unit_test(no_exception_is_out_of_date),
+    };
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
+}
