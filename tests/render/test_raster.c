@@ -88,7 +88,11 @@ static void count_band(scene *s, glint_visibility *band, const glint_triangle_li
 /* Each triangle is drawn on its own, so that none hides another. */
 static void count_coverage(scene *s, const glint_camera *camera)
 {
-    const glint_mesh mesh = {s->corners, s->position, s->normal, s->triangles, s->index};
+    const glint_mesh mesh = {.vertex_count = s->corners,
+                             .position = s->position,
+                             .normal = s->normal,
+                             .triangle_count = s->triangles,
+                             .index = s->index};
     glint_screen_vertex *screen = calloc(s->corners, sizeof *screen);
     assert_non_null(screen);
     glint_setup_vertices(camera, &mesh, 0, s->corners, screen);

@@ -90,7 +90,11 @@ static void make_triangle(steep_triangle *t)
         glint_vec3_store(glint_vec3_scale(lean[i], 1.0 / glint_vec3_length(lean[i])),
                          &t->normal[3 * i]);
     }
-    t->mesh = (glint_mesh){3, t->position, t->normal, 1, t->index};
+    t->mesh = (glint_mesh){.vertex_count = 3,
+                           .position = t->position,
+                           .normal = t->normal,
+                           .triangle_count = 1,
+                           .index = t->index};
 }
 
 static glint_vec3 unit(glint_vec3 v)
