@@ -70,23 +70,61 @@ static double height_of(const struct aiMesh *mesh, const struct aiFace *face)
     return longest > 0.0 ? glint_vec3_length(glint_vec3_cross(ab, ac)) / longest : 0.0;
 }
 
-static glint_status check_mesh(const char *path, const struct aiMesh *mesh, glint_error *err)
+/* What the check finds. */
+typedef struct findings {
+    size_t triangles, lost; /* of all meshes */
+    size_t meshes;          /* those that have lost most of their triangles */
+    double reach, size;     /* of the one of them that has lost the most */
+    size_t most;
+} findings;
+
+static void check_mesh(const struct aiMesh *mesh, findings *found)
 {
+    if (mesh->mNumVertices == 0) {
+        return;
+    }
     const extent e = extent_of(mesh);
     const double size = largest(glint_vec3_sub(e.high, e.low));
     const double reach = fmax(largest(e.low), largest(e.high));
     const double step = step_at(reach);
-    if (mesh->mNumVertices == 0 || size >= STEPS_ENOUGH * step) {
-        return GLINT_OK;
+    if (reach == 0.0) { /* all in the origin: nowhere are steps finer */
+        return;
     }
+    const bool is_held = size >= STEPS_ENOUGH * step;
     size_t count = 0, lost = 0;
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         if (is_triangle(mesh, &mesh->mFaces[i])) {
             count++;
-            lost += height_of(mesh, &mesh->mFaces[i]) < STEPS_NEEDED * step;
+            lost += !is_held && height_of(mesh, &mesh->mFaces[i]) < STEPS_NEEDED * step;
         }
     }
+    found->triangles += count;
     if (2 * lost <= count) {
+        return;
+    }
+    found->lost += lost;
+    found->meshes++;
+    if (lost > found->most) {
+        found->most = lost;
+        found->reach = reach;
+        found->size = size;
+    }
+}
+
+glint_status glint_detail_check(const char *path, const struct aiScene *scene,
+                                glint_remarks *remarks, glint_error *err)
+{
+    findings found = {0};
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        check_mesh(scene->mMeshes[i], &found);
+    }
+    if (found.meshes == 0) {
+        return GLINT_OK;
+    }
+    if (2 * found.lost <= found.triangles) {
+        glint_remark(remarks, "%zu %s", found.meshes,
+                     found.meshes == 1 ? "mesh is too fine for single precision where it lies"
+                                       : "meshes are too fine for single precision where they lie");
         return GLINT_OK;
     }
     return glint_fail(
@@ -94,16 +132,5 @@ static glint_status check_mesh(const char *path, const struct aiMesh *mesh, glin
         "%.300s: single precision cannot hold it: at coordinates of %.3g it has steps "
         "of %.2g, too coarse for %zu of %zu triangles of an object of size %.3g: move "
         "it to the origin, or scale it up",
-        path, reach, step, lost, count, size);
-}
-
-glint_status glint_detail_check(const char *path, const struct aiScene *scene, glint_error *err)
-{
-    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
-        const glint_status status = check_mesh(path, scene->mMeshes[i], err);
-        if (status != GLINT_OK) {
-            return status;
-        }
-    }
-    return GLINT_OK;
+        path, found.reach, step_at(found.reach), found.lost, found.triangles, found.size);
 }

@@ -6,9 +6,12 @@
 #include <assimp/scene.h>
 
 #include "glint_status.h"
+#include "render/remarks.h"
 
-/* GLINT_BAD_INPUT when a mesh of the scene, already of triangles, lies so far from the origin that
- * its triangles are lost in the rounding of their coordinates. `path` is for the message only. */
-glint_status glint_detail_check(const char *path, const struct aiScene *scene, glint_error *err);
+/* GLINT_BAD_INPUT when meshes of the scene, already of triangles, lie so far from the origin that
+ * most of the scene's triangles are lost in the rounding of their coordinates; a remark when it is
+ * most of a mesh, but not of the scene. `path` is for the message only. */
+glint_status glint_detail_check(const char *path, const struct aiScene *scene,
+                                glint_remarks *remarks, glint_error *err);
 
 #endif

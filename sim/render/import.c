@@ -123,7 +123,7 @@ static glint_status read_triangles(reading *in, glint_imported *imported)
         return glint_fail(in->err, GLINT_NO_MEMORY, "%.300s: no memory for its triangles",
                           in->path);
     }
-    status = glint_detail_check(in->path, scene, in->err);
+    status = glint_detail_check(in->path, scene, &in->remarks, in->err);
     if (status == GLINT_OK) {
         status = glint_imported_mesh(in->path, scene, in->groups, imported, in->err);
     }

@@ -145,10 +145,11 @@ static void free_mesh(struct aiMesh *mesh)
 static void import_and_draw(const struct aiScene *scene, uint32_t view)
 {
     glint_imported imported = {.mesh = NULL};
+    glint_remarks remarks = {""};
     glint_error err = {""};
     glint_status status = glint_imported_check("scene", scene, &err);
     if (status == GLINT_OK) {
-        status = glint_detail_check("scene", scene, &err);
+        status = glint_detail_check("scene", scene, &remarks, &err);
     }
     if (status == GLINT_OK) {
         status = glint_imported_mesh("scene", scene, NULL, &imported, &err);

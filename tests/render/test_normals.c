@@ -542,6 +542,40 @@ static void what_floats_cannot_hold_is_refused(void **state)
     close_studio(&expected);
 }
 
+/* A cube, and behind it a triangle of no size that its maker left somewhere.
+ * What `expected` says is remarked, and the cube is drawn, with `drawn` triangles more. */
+static void expect_aside(const char *more, size_t drawn, const char *expected)
+{
+    glint_mesh *mesh = NULL;
+    glint_error err = {""};
+    solid_cube(&made);
+    put_obj(&made);
+    put("o aside\n%s", more);
+    const char *path = put_down("aside.obj");
+    if (glint_mesh_load(path, NULL, &mesh, &err) != GLINT_OK) {
+        fail_msg("%s", err.text);
+    }
+    assert_string_equal(mesh->remarks, expected);
+    assert_int_equal(mesh->triangle_count, made.triangles + drawn);
+    glint_mesh_destroy(mesh);
+}
+
+/* A file is not refused for a trifle beside the object; it is said. What is all in the origin is
+ * not refused for its place. */
+static void a_trifle_beside_the_object_refuses_nothing(void **state)
+{
+    (void)state;
+    expect_aside("v 0 0 0\nv 0 0 0\nv 0 0 0\nf -1 -2 -3\n", 0, "");
+    expect_aside("f 1 1 1\n", 0, "1 mesh is too fine for single precision where it lies");
+    expect_aside("v 9 9 9\nv 9 9 9.00001\nv 9 9.00001 9\nf -1 -2 -3\n", 1,
+                 "1 mesh is too fine for single precision where it lies");
+    glint_mesh *mesh = NULL;
+    glint_error err = {""};
+    put("v 0 0 0\nv 1e-46 0 0\nv 0 1e-46 0\nf 1 2 3\n");
+    assert_int_equal(glint_mesh_load(put_down("nothing.obj"), NULL, &mesh, &err), GLINT_BAD_INPUT);
+    assert_non_null(strstr(err.text, "two corners in one place, in single precision"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -559,6 +593,7 @@ int main(void)
         cmocka_unit_test(size_says_nothing),
         cmocka_unit_test(a_tiny_polygon_is_cut_like_a_large_one),
         cmocka_unit_test(what_floats_cannot_hold_is_refused),
+        cmocka_unit_test(a_trifle_beside_the_object_refuses_nothing),
     };
     return cmocka_run_group_tests_name("normals", tests, scratch_make, scratch_remove);
 }
