@@ -282,6 +282,54 @@ static void a_wrong_saturation_of_the_first_code_is_found(void **state)
     }
 }
 
+/* ---- Every colour and every place of a stride
+ */
+
+enum { STRIDE = 64 };
+
+static bool has_color[3][256];    /* in the sweeps in colour */
+static bool has_place[2][STRIDE]; /* where the codes of the sweeps in colour and white begin */
+
+static bool note_material(const point *point)
+{
+    const glint_material *m = point->material;
+    const bool is_white = m->r == 255 && m->g == 255 && m->b == 255;
+    if (m->n != 2) {
+        has_place[is_white][point->code % STRIDE] = true;
+    }
+    if (m->n != 2 && !is_white) {
+        has_color[0][m->r] = has_color[1][m->g] = has_color[2][m->b] = true;
+    }
+    return false;
+}
+
+static int count_of(const bool *has, int room)
+{
+    int count = 0;
+    for (int i = 0; i < room; i++) {
+        count += has[i];
+    }
+    return count;
+}
+
+/* Over all n each component takes each value, and a stride begins at each of its places. */
+static void colors_and_strides_change_with_n(void **state)
+{
+    (void)state;
+    const plant note = {.where = note_material};
+    glint_exhaustive_options options = options_for(sound);
+    options.stride = STRIDE;
+    options.seed = 1;
+    plant_and_compare(&note, options);
+    assert_int_equal(result.circuit[0].mismatches, 0);
+    for (int component = 0; component < 3; component++) {
+        assert_int_equal(count_of(has_color[component], 256), 256);
+    }
+    for (int sweep = 0; sweep < 2; sweep++) {
+        assert_int_equal(count_of(has_place[sweep], STRIDE), STRIDE);
+    }
+}
+
 /* ---- Every thread
  * ---------------------------------------------------------------------------------
  */
@@ -498,6 +546,7 @@ int main(void)
         cmocka_unit_test(a_code_comes_once_in_each_sweep),
         cmocka_unit_test(the_multipliers_see_every_w),
         cmocka_unit_test(a_wrong_saturation_of_the_first_code_is_found),
+        cmocka_unit_test(colors_and_strides_change_with_n),
         cmocka_unit_test(the_mismatches_of_every_thread_count),
         cmocka_unit_test(a_lone_mismatch_of_any_thread_is_kept),
         cmocka_unit_test(lanes_turn_from_n_to_n),

@@ -18,6 +18,7 @@
 #include "../scratch.h"
 
 #include "../cli/run.h"
+#include "lockstep/answer.h"
 
 enum { SETTINGS = 52, PLANTED_AT = 7 };
 
@@ -124,6 +125,50 @@ static void each_setting_s_mismatch_leaves_a_packet(void **state)
     forget(&told);
 }
 
+/* ---- Exhaustion ---------------------------------------------------------------------------------
+ */
+
+enum { CIRCUITS = 6, POINTS = 272 }; /* of each circuit, with one n and this stride */
+
+/* Answers are numbered through: one thread asks the circuits one after the other. */
+static cJSON *exhaust(long answer, int value)
+{
+    char line[600];
+    plant_number("GLINT_PLANTED_ANSWER", answer);
+    plant_number("GLINT_PLANTED_VALUE", value);
+    (void)snprintf(line, sizeof line,
+                   "verify --exhaustive --gate all --pipeline all --shard 5/1024 --stride 4096 "
+                   "--threads 1 --seed 3 --json --out %s",
+                   scratch_path("packets"));
+    outcome done = run(line, "");
+    assert_int_equal(done.status, 1);
+    cJSON *json = cJSON_Parse(done.out);
+    assert_non_null(json);
+    forget(&done);
+    return json;
+}
+
+/* Each value of a point in each circuit, counted there and nowhere else. */
+static void each_circuit_s_mismatch_is_told(void **state)
+{
+    (void)state;
+    for (int c = 0; c < CIRCUITS; c++) {
+        for (int value = 0; value < GLINT_ANSWER_VALUES; value++) {
+            cJSON *json = exhaust((long)c * POINTS + 50, value);
+            const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "circuits");
+            assert_int_equal(cJSON_GetArraySize(list), CIRCUITS);
+            for (int i = 0; i < CIRCUITS; i++) {
+                const cJSON *circuit = cJSON_GetArrayItem(list, i);
+                assert_true(number(circuit, "points") == POINTS);
+                assert_true(number(circuit, "mismatches") == (i == c));
+            }
+            assert_true(number(json, "mismatches") == 1);
+            assert_true(number(json, "comparisons") == 4 * CIRCUITS * POINTS);
+            cJSON_Delete(json);
+        }
+    }
+}
+
 /* ---- A frame ------------------------------------------------------------------------------------
  */
 
@@ -177,6 +222,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_teardown(each_thread_s_mismatches_are_told, pull_out),
         cmocka_unit_test_teardown(each_setting_s_mismatch_leaves_a_packet, pull_out),
+        cmocka_unit_test_teardown(each_circuit_s_mismatch_is_told, pull_out),
         cmocka_unit_test_teardown(each_value_of_a_frame_is_looked_at, pull_out),
     };
     return cmocka_run_group_tests(tests, choose_command, scratch_remove);
