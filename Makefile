@@ -437,6 +437,7 @@ help:
 	@echo "make           build the command $(BUILD)/glint"
 	@echo "make verification  all of it, and the table in docs/verification.md"
 	@echo "make netlist   second opinions: synthesised netlists and other Verilator settings against the C model"
+	@echo "make portability  the C model with musl, and on a big-endian machine by qemu"
 	@echo "make reference the C model against exact rationals, every input"
 	@echo "make formal    proofs over every sequence of inputs, by yosys-smtbmc and z3 (docs/formal.md)"
 	@echo "make mutation  1000 single faults of each of four synthesised circuits: killed, or proven equivalent"

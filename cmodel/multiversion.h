@@ -2,10 +2,13 @@
  * widest that the machine can run is chosen when the program is loaded. All give the same bits: the
  * project is built without contraction or reordering of floating-point operations.
  *
- * Sanitizers are not ready yet when the choice is made, so their builds have the plain loop only.
+ * glibc's loader makes the choice. musl's cannot, and sanitizers are not ready yet when it is made,
+ * so their builds have the plain loop only.
  */
 #ifndef GLINT_MULTIVERSION_H
 #define GLINT_MULTIVERSION_H
+
+#include <stdint.h> /* any header of glibc's defines __GLIBC__ */
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) ||                         \
@@ -17,7 +20,7 @@
 #define GLINT_SANITIZED 1
 #endif
 
-#if !defined(__x86_64__) || !defined(__gnu_linux__) || defined(GLINT_SANITIZED)
+#if !defined(__x86_64__) || !defined(__GLIBC__) || defined(GLINT_SANITIZED)
 #define GLINT_MULTIVERSION
 #elif defined(__clang__)
 #define GLINT_MULTIVERSION __attribute__((target_clones("avx512bw", "avx2", "default")))

@@ -9,11 +9,12 @@
 set -u
 
 build='gcc g++ make pkg-config verilator zlib1g-dev libpng-dev libfreetype-dev fonts-dejavu-core libassimp-dev libcjson-dev libcmark-gfm-dev libcmark-gfm-extensions-dev nettle-dev'
-checks="$build libcmocka-dev libgmp-dev bc iverilog yosys clang valgrind"
+checks="$build libcmocka-dev libgmp-dev bc musl-tools iverilog yosys clang valgrind"
 view='gtkwave xvfb xauth imagemagick'
 meshes='assimp-testmodels glmark2-data'
 plots='gnuplot-nox'
 solver='z3'
+foreign='gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user-static'
 
 # The one table: what each goal needs.
 packages_of() {
@@ -25,6 +26,7 @@ packages_of() {
     fuzz) echo "$checks" ;;
     report) echo "$build $plots" ;;
     test) echo "$checks $view $meshes $plots $solver" ;;
+    portability) echo "$checks $foreign" ;;
     gtkwave) echo "$view" ;;
     *) return 1 ;;
     esac
@@ -52,7 +54,7 @@ installed $package
     done
 }
 
-[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build demo bench wave report install lint test gtkwave mutation netlist formal coverage fuzz)"
+[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build demo bench wave report install lint test gtkwave mutation netlist formal coverage fuzz portability)"
 
 needed=
 for goal in "$@"; do
