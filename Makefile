@@ -3,6 +3,7 @@
 # BUILD=DIR     where everything that is made goes (build)
 # CC, CXX       the compilers (gcc, g++)
 # SANITIZE=1    the C code with AddressSanitizer and UBSan (see the target sanitize)
+# PREFIX=DIR    where make install puts things (/usr/local); DESTDIR=DIR: what stands before it
 # NO_INSTALL=1  say which Debian packages are missing instead of installing them
 
 # Verilator's own makefiles cannot work below a directory with a space in its name.
@@ -412,22 +413,46 @@ report:
 	+$(MAKE) -j$(JOBS) $(BUILD)/glint
 	$(BUILD)/glint report --out $(BUILD)/report
 
-VERSION = $(shell sed -n 's/.*GLINT_VERSION "\(.*\)"/\1/p' sim/cli/version.h)
-DEST    = $(DESTDIR)$(PREFIX)
+# ---- Installing ------------------------------------------------------------------------------------
 
-# The library with its headers and pkg-config file, the command, and the Verilog.
+VERSION   := $(shell sed -n 's/.*GLINT_VERSION "\(.*\)"/\1/p' sim/cli/version.h)
+SHARED    := $(BUILD)/libglint.so.$(VERSION)
+INSTALLED := $(BUILD)/glint $(BUILD)/libglint.a $(SHARED) $(BUILD)/install/man/glint.1 \
+             $(BUILD)/install/completion/glint.bash
+
+$(BUILD)/pic/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS_ALL) -fPIC -c $< -o $@
+
+# Programs that were linked with one version run with every later one of the same first number.
+$(SHARED): $(MODEL_SOURCES:%.c=$(BUILD)/pic/%.o)
+	$(CC) $(LDFLAGS) -shared -Wl,-soname,libglint.so.$(firstword $(subst ., ,$(VERSION))) -o $@ $^ -lm
+
+# Made of what the command's --help says.
+$(BUILD)/install/man/glint.1: $(BUILD)/glint sim/install/man.sh
+	sim/install/man.sh $(BUILD)/glint $(VERSION) @docdir@ $(@D)
+
+$(BUILD)/install/completion/glint.bash: $(BUILD)/glint $(wildcard sim/install/*completion*) \
+    sim/install/options.awk
+	sim/install/completion.sh $(BUILD)/glint $(@D)
+
+# A path with anything in it, for the shell. $1: the path
+quoted = '$(subst ','\'',$1)'
+PLACES = PREFIX=$(call quoted,$(PREFIX)) DESTDIR=$(call quoted,$(DESTDIR))
+
+.PHONY: installable uninstall
+installable: $(INSTALLED)
+build-tests: installable
+
+# sim/install/install.sh lists what goes where.
 install:
+	@$(PLACES) sim/install/install.sh check
 	sim/deps.sh install
-	+$(MAKE) -j$(JOBS) $(BUILD)/glint
-	install -d $(DEST)/bin $(DEST)/lib/pkgconfig $(DEST)/include/glint $(DEST)/share/glint/rtl
-	install $(BUILD)/glint $(DEST)/bin/
-	install -m 644 $(BUILD)/libglint.a $(DEST)/lib/
-	install -m 644 $(wildcard cmodel/glint*.h) $(DEST)/include/glint/
-	install -m 644 $(RTL) $(DEST)/share/glint/rtl/
-	printf '%s\n' 'prefix=$(PREFIX)' 'rtldir=$${prefix}/share/glint/rtl' '' 'Name: glint' \
-	    'Description: bit-exact models of a specular-colour device and a shift-accumulate divider' 'Version: $(VERSION)' \
-	    'Cflags: -I$${prefix}/include/glint' 'Libs: -L$${prefix}/lib -lglint -lm' \
-	    > $(DEST)/lib/pkgconfig/libglint.pc
+	+$(MAKE) -j$(JOBS) installable
+	$(PLACES) sim/install/install.sh install $(BUILD) $(VERSION)
+
+uninstall:
+	$(PLACES) sim/install/install.sh uninstall $(BUILD) $(VERSION)
 
 help:
 	@echo "make demo      install what is missing, build, render the teapot by C and by Verilog, compare,"
@@ -449,7 +474,8 @@ help:
 	@echo "make sanitize  the tests under AddressSanitizer and UBSan"
 	@echo "make fuzz      20 s of fuzzing (FUZZ_SECONDS=) for each reader of what comes from outside"
 	@echo "make generate  write the generated Verilog anew from cmodel/"
-	@echo "make install PREFIX=DIR   library, headers, pkg-config file, command, Verilog"
+	@echo "make install PREFIX=DIR   command, library, headers, Verilog, documentation ($(PREFIX)); DESTDIR= before it"
+	@echo "make uninstall PREFIX=DIR what make install has put there"
 	@echo "make clean     remove $(BUILD)/"
 	@echo "Variables: BUILD=DIR, CC=, CXX=, JOBS=N, NO_INSTALL=1 (only say which packages are missing)"
 

@@ -9,7 +9,7 @@
 set -u
 
 build='gcc g++ make pkg-config verilator zlib1g-dev libpng-dev libfreetype-dev fonts-dejavu-core libassimp-dev libcjson-dev libcmark-gfm-dev libcmark-gfm-extensions-dev nettle-dev'
-checks="$build libcmocka-dev libgmp-dev bc musl-tools iverilog yosys clang valgrind"
+checks="$build libcmocka-dev libgmp-dev bc musl-tools help2man iverilog yosys clang valgrind"
 view='gtkwave xvfb xauth imagemagick'
 meshes='assimp-testmodels glmark2-data'
 plots='gnuplot-nox'
@@ -19,7 +19,8 @@ foreign='gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user-static'
 # The one table: what each goal needs.
 packages_of() {
     case $1 in
-    build | demo | bench | wave | install) echo "$build" ;;
+    build | demo | bench | wave) echo "$build" ;;
+    install) echo "$build help2man" ;;
     lint | mutation | netlist) echo "$checks" ;;
     formal) echo "yosys $solver make" ;;
     coverage) echo "$checks gcovr $view $meshes $plots" ;;
