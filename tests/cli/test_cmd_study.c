@@ -226,7 +226,7 @@ static void equal_pictures_have_no_largest_difference(void **state)
     free(csv);
     forget(&done);
     done = study("equal", "--n 10 --frames 0 --ks 0 --kd 0 --ia 0");
-    assert_null(strstr(done.out, "-1"));
+    assert_null(strstr(done.out, "-1,")); /* "-1" alone may be in the name of the directory */
     forget(&done);
 }
 
