@@ -34,7 +34,7 @@ static int run_lines(const char *lines)
     const int length =
         snprintf(script, sizeof script,
                  "set -eu; S='%s'; HOME=$S; export HOME NO_INSTALL=1\n"
-                 "make() { command make -s \"$@\" BUILD='%s'; }\n"
+                 "make() { command make -s --no-print-directory \"$@\" BUILD='%s'; }\n"
                  "cc() { command cc \"$@\" %s; }\n%s",
                  scratch_directory, build != NULL ? build : "build", COMPILED_AS, lines);
     assert_true(length < (int)sizeof script);

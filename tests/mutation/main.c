@@ -51,7 +51,7 @@ static void print_help(void)
            "  --sweep N      clocks of the sweep at most (all)\n"
            "  --seed N       of the random pins (1)\n"
            "\n"
-           "Exit status 1 when the netlist without a fault differs, or nothing was compared.\n",
+           "Exit status 2 when the netlist without a fault differs, or nothing was compared.\n",
            mutation_netlist.circuit);
 }
 
