@@ -66,6 +66,7 @@ static void the_files_and_the_table(void **state)
     assert_says(times, "\n200,2,");
     char *text = read_from("first", "study.json", NULL);
     cJSON *json = cJSON_Parse(text);
+    assert_non_null(json);
     assert_string_equal(cJSON_GetObjectItem(json, "b")->valuestring, "cosine-quadratic");
     const cJSON *rows = cJSON_GetObjectItem(json, "rows");
     assert_int_equal(cJSON_GetArraySize(rows), 2);
@@ -116,6 +117,7 @@ static void the_numbers_are_those_of_compare(void **state)
     outcome done = study("numbers", "--b schlick --n 25 --frames 0 --json --yaw 60");
     assert_outcome(&done, 0, "");
     cJSON *json = cJSON_Parse(done.out);
+    assert_non_null(json);
     const cJSON *row = cJSON_GetArrayItem(cJSON_GetObjectItem(json, "rows"), 0);
     static const char *const models[] = {"blinn", "schlick"};
     for (int i = 0; i < 2; i++) {
@@ -131,6 +133,7 @@ static void the_numbers_are_those_of_compare(void **state)
     outcome compared = run(command_line, "");
     assert_outcome(&compared, 1, "");
     cJSON *expected = cJSON_Parse(compared.out);
+    assert_non_null(expected);
     static const char *const names[] = {"nmse", "psnr", "largest", "differing_pixels",
                                         "object_pixels"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
@@ -150,6 +153,7 @@ static void times_are_in_the_json_when_asked_for(void **state)
     outcome done = study("timed", "--b schlick --n 10,25 --frames 1 --json");
     assert_outcome(&done, 0, "");
     cJSON *json = cJSON_Parse(done.out);
+    assert_non_null(json);
     const cJSON *times = cJSON_GetObjectItem(json, "times");
     assert_int_equal(cJSON_GetArraySize(times), 2);
     cJSON_Delete(json);
@@ -163,6 +167,7 @@ static void the_tables_say_what_they_are_of(void **state)
     outcome done = study("named", "--model sphere --density 20 --n 10,20 --frames 1 --json");
     assert_outcome(&done, 0, "");
     cJSON *json = cJSON_Parse(done.out);
+    assert_non_null(json);
     const cJSON *scene = cJSON_GetObjectItem(json, "scene");
     assert_string_equal(cJSON_GetObjectItem(scene, "model")->valuestring, "sphere");
     assert_int_equal(cJSON_GetObjectItem(scene, "density")->valueint, 20);
@@ -197,6 +202,7 @@ static void a_file_is_named_in_quotes_where_it_must_be(void **state)
     outcome done = study("quoted", options);
     assert_outcome(&done, 0, "");
     cJSON *json = cJSON_Parse(done.out);
+    assert_non_null(json);
     const cJSON *scene = cJSON_GetObjectItem(json, "scene");
     assert_string_equal(cJSON_GetObjectItem(scene, "model")->valuestring,
                         scratch_path("one,\"two\".obj"));
@@ -215,6 +221,7 @@ static void equal_pictures_have_no_largest_difference(void **state)
     outcome done = study("equal", "--n 10 --frames 0 --ks 0 --kd 0 --ia 0 --json");
     assert_outcome(&done, 0, "");
     cJSON *json = cJSON_Parse(done.out);
+    assert_non_null(json);
     const cJSON *row = cJSON_GetArrayItem(cJSON_GetObjectItem(json, "rows"), 0);
     assert_int_equal(cJSON_GetObjectItem(row, "largest")->valueint, 0);
     assert_true(cJSON_IsNull(cJSON_GetObjectItem(row, "largest_x")));

@@ -95,6 +95,7 @@ static void the_json_says_where_it_is_above_one(void **state)
     outcome done = run("energy --model energy-conserving --n 1..50 --angle 0,45 --json", "");
     assert_outcome(&done, 0, "");
     cJSON *json = cJSON_Parse(done.out);
+    assert_non_null(json);
     const cJSON *model = cJSON_GetArrayItem(cJSON_GetObjectItem(json, "models"), 0);
     assert_string_equal(cJSON_GetObjectItem(model, "model")->valuestring, "energy-conserving");
     assert_int_equal(cJSON_GetObjectItem(model, "first_above_1")->valueint, 7);
