@@ -2,6 +2,8 @@
 #ifndef GLINT_SIGNAL_H
 #define GLINT_SIGNAL_H
 
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -24,6 +26,9 @@ typedef struct glint_signal_info {
     int lane; /* of the specular device, or stage of the pipelined divider; −1: of the whole circuit
                */
     const char *meaning;
+    size_t offset;       /* of its int64_t, or its uint64_t words, in the model's signals */
+    const char *path;    /* below the top, or the lane's scope: "u.acc"; NULL: its name */
+    const char *heading; /* that it stands under in a waveform */
 } glint_signal_info;
 
 #ifdef __cplusplus

@@ -1,0 +1,130 @@
+/* A circuit as a description: what it is called, its parameters, pins and signals, and its C model.
+ *
+ * Everything else follows from one `glint_circuit`: the Verilog is built and loaded by it (sim/rtl),
+ * and lockstep, exhaustion, packets and replay, waveforms and save files, `glint eval`, options,
+ * help and JSON are loops over its tables. docs/your-circuit.md writes one from nothing.
+ *
+ * A *setting* is a circuit and a value for each of its parameters, `values[i]` that of
+ * parameters[i]. What depends on the setting is a function of values.
+ *
+ * Values. A pin or a signal of at most 64 bits is an integer in memory, of the size its table says
+ * (a signal: int64_t), signed where the table says so; a wider one is an array of uint64_t, the
+ * lowest word first. Its bits are as many as its width, two's complement; what lies above is
+ * ignored. */
+#ifndef GLINT_CIRCUIT_H
+#define GLINT_CIRCUIT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "glint_signal.h"
+#include "glint_status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define GLINT_PARAMETERS_MAX 8
+
+typedef struct glint_parameter {
+    const char *name;    /* of its option and in JSON: "lanes" is --lanes */
+    const char *verilog; /* the Verilog's parameter; NULL: it has none (the top depends on it) */
+    const char *meaning; /* for --help */
+    const char *const *choices; /* names of the values 0…max, min is 0; NULL: a number */
+    int min, max;
+    int standard;      /* when nothing is said */
+    const int *listed; /* the values that `verify` tries unasked, listed_count; NULL: min…max */
+    int listed_count;
+} glint_parameter;
+
+/* What a pin is for. */
+typedef enum glint_pin_role {
+    GLINT_PIN_RESET,     /* 1 resets, at the clock's edge or at once */
+    GLINT_PIN_RESET_LOW, /* 0 resets */
+    GLINT_PIN_ENABLE,    /* 0 freezes everything but reset */
+    GLINT_PIN_VALID,     /* 1 (of several bits: any): something is taken */
+    GLINT_PIN_STROBE,    /* a one-bit control that random pins draw 1 or 0 */
+    GLINT_PIN_DATA,      /* numbers: what `eval` reads, in this order */
+} glint_pin_role;
+
+/* An input pin; the clock is none of them. The port `name` of the Verilog has this pin alone (lane
+ * −1), or those of all lanes side by side, lane 0 lowest. */
+typedef struct glint_pin_info {
+    const char *name;
+    glint_pin_role role;
+    int int_bits, frac_bits, is_signed; /* width: int_bits + frac_bits; int_bits has the sign */
+    int lane;
+    size_t offset, size; /* in the struct of pins: bytes, 1, 2, 4 or 8; wider: 8 a word */
+    const char *meaning;
+} glint_pin_info;
+
+/* A heading of waveforms. */
+typedef struct glint_heading {
+    const char *title;
+    int folded; /* of use to few */
+} glint_heading;
+
+/* Where `verify --exhaustive` walks: every input of a circuit that has not too many. Point p is
+ * taken by one clock (of a circuit with lanes: by one lane). The C model and the Verilog are clocked
+ * with the same pins and every signal of kind OUTPUT is compared after every clock. */
+typedef struct glint_domain {
+    const char *what; /* "every k with every difference": for help and verdict */
+    uint64_t (*points)(const int *values);
+    void (*put)(const int *values, uint64_t point, void *pins); /* on pins that are 0 */
+} glint_domain;
+
+typedef struct glint_circuit {
+    const char *name;  /* of --circuit, of files and in JSON: a C identifier */
+    const char *title; /* for people: "Specular-colour device" */
+    const char *clock; /* the clock's port, rising edge; NULL: a circuit without one */
+    const char *(*top)(const int *values); /* the Verilog's top module, in the file of that name */
+
+    const glint_parameter *parameters;
+    int parameter_count; /* 0…GLINT_PARAMETERS_MAX */
+
+    /* Pins 0…count−1. All of a port's lanes stand one behind the other. */
+    int (*pin_count)(const int *values);
+    glint_pin_info (*pin)(const int *values, int index);
+    size_t pins_size; /* of the struct that they lie in; 0 is every pin's rest but reset-low's */
+
+    /* Signals 0…count−1: what is compared after every clock. One of kind GLINT_SIGNAL_OUTPUT is the
+     * output port of that name, or a lane's part of it; any other is found below the top by its
+     * path: signal.path, or its name, behind the scope of its lane. */
+    int (*signal_count)(const int *values);
+    glint_signal_info (*signal)(const int *values, int index);
+    const char *lane_name;  /* "lane", "stage": what signal.lane counts; NULL: none does */
+    const char *lane_scope; /* "lane[%d].u": %d is signal.lane */
+
+    const glint_heading *headings; /* in the order of waveforms; signal.heading is one of these */
+    int heading_count;
+
+    /* Clocks from the edge that takes something to the one after which its result is out, both
+     * counted; 0: the outputs are those of the pins, with no register between. */
+    int (*latency)(const int *values);
+    /* Clocks that one thing keeps the circuit busy, during which it takes nothing; NULL: 1. */
+    int (*pace)(const int *values);
+
+    /* The C model: created in reset state; clock() is one rising edge with these pins, after which
+     * signals() is what the Verilog's have with these pins still there. */
+    glint_status (*create)(const int *values, void **model);
+    void (*destroy)(void *model);
+    void (*clock)(void *model, const void *pins);
+    const void *(*signals)(const void *model); /* the struct that signal.offset counts in */
+
+    /* Random pins of one's own; NULL: every pin by its role, data anywhere and at the ends of its
+     * range. The same seed gives the same pins. */
+    size_t stimulus_size;
+    void (*stimulus_begin)(void *stimulus, const int *values, uint64_t seed);
+    void (*stimulus_next)(void *stimulus, void *pins);
+
+    const glint_domain *domain; /* NULL: exhaustion says that there is none */
+} glint_circuit;
+
+/* What a directory of one's own defines (glint --circuit-dir): one circuit. */
+extern const glint_circuit glint_my_circuit;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

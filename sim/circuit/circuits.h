@@ -1,0 +1,28 @@
+/* The circuits that Glint knows: one line each in circuits.c. */
+#ifndef GLINT_SIM_CIRCUITS_H
+#define GLINT_SIM_CIRCUITS_H
+
+#include "glint_circuit.h"
+
+extern const glint_circuit glint_circuit_specular; /* figure 3.1: gate, pipeline, lanes */
+extern const glint_circuit glint_circuit_divider;  /* figure 2.13: form, shifts */
+
+/* Number 0…; NULL past the last. */
+const glint_circuit *glint_circuit_number(int index);
+
+/* By its name; NULL: there is none. */
+const glint_circuit *glint_circuit_named(const char *name);
+
+/* Where the parameters of the thesis's circuits stand in `values`. */
+enum { GLINT_SPECULAR_GATE, GLINT_SPECULAR_PIPELINE, GLINT_SPECULAR_LANES };
+enum { GLINT_DIVIDER_FORM, GLINT_DIVIDER_SHIFTS };
+
+/* The settings of the typed interfaces as values, and back. */
+#include "circuit/setting.h"
+#include "glint_divider_device.h"
+#include "glint_specular_device.h"
+glint_setting glint_setting_specular(const glint_specular_config *config);
+glint_setting glint_setting_divider(glint_divider_form form, int shifts);
+glint_specular_config glint_specular_config_of(const int *values);
+
+#endif

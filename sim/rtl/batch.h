@@ -1,0 +1,29 @@
+/* Runs of points and of divisions at full speed, through the ports of a fast circuit: one small
+ * file a circuit (specular_batch.c, divider_batch.c). */
+#ifndef GLINT_SIM_RTL_BATCH_H
+#define GLINT_SIM_RTL_BATCH_H
+
+#include "glint_divider_device.h"
+#include "glint_specular.h"
+#include "rtl/rtl.h"
+
+/* A run of points of one material; arrays of `count`. */
+typedef struct glint_points {
+    const uint32_t *cos;
+    size_t count;
+    uint32_t *w; /* may be NULL */
+    uint8_t *r, *g, *b;
+} glint_points;
+
+/* Writes the material with the first cosines, then feeds `lanes` cosines a clock with no gap and
+ * collects the results. GLINT_DEVICE_FAULT when the circuit does not give every result back within
+ * its latency. Points that glint_rtl_clock() left in flight would be taken for results. */
+glint_status glint_rtl_shade(glint_rtl *rtl, const glint_material *material,
+                             const glint_points *points, glint_error *err);
+
+/* Divides count times: the pipelined form takes one division a clock, the sequential one component
+ * after component. GLINT_DEVICE_FAULT when the circuit does not give every quotient back in time. */
+glint_status glint_rtl_divide(glint_rtl *rtl, const glint_division *divisions, size_t count,
+                              glint_quotients *quotients, glint_error *err);
+
+#endif
