@@ -5,6 +5,7 @@
 # SANITIZE=1    the C code with AddressSanitizer and UBSan (see the target sanitize)
 # PREFIX=DIR    where make install puts things (/usr/local); DESTDIR=DIR: what stands before it
 # NO_INSTALL=1  say which Debian packages are missing instead of installing them
+# V=1           every command as it is run, instead of CC x.c
 
 # Verilator's own makefiles cannot work below a directory with a space in its name.
 ifneq ($(word 2,$(CURDIR)),)
@@ -18,12 +19,21 @@ VERILATOR ?= verilator
 PREFIX    ?= /usr/local
 JOBS      ?= $(shell nproc)
 
+# Quiet: `$Q` before a command, `$(call say,WHAT,FILE)` before that.
+Q    := $(if $(V),,@)
+say   = $(if $(V),,@printf '  %-8s %s\n' $1 $2)
+
+# Asked when they are first needed: by then $(BUILD)/packages has installed what was missing.
 PACKAGES   := libpng freetype2 assimp libcjson libcmark-gfm nettle
-PACKAGE_CFLAGS := $(shell pkg-config --cflags $(PACKAGES) 2>/dev/null)
-PACKAGE_LIBS   := $(shell pkg-config --libs $(PACKAGES) 2>/dev/null)
+once        = $(eval $1 := $(shell $2))$($1)
+PACKAGE_CFLAGS = $(call once,PACKAGE_CFLAGS,pkg-config --cflags $(PACKAGES) 2>/dev/null)
+PACKAGE_LIBS   = $(call once,PACKAGE_LIBS,pkg-config --libs $(PACKAGES) 2>/dev/null)
 WARNINGS   := -Wall -Wextra -Wpedantic -Wconversion -Werror
+# What runs once a command is compiled in half the time; what runs a million times is not.
+COLD       := $(patsubst %,sim/%/,cli failure file install report study wave) tests/
+OPTIMIZE    = $(if $(filter $(addsuffix %,$(COLD)),$<),-O1,-O3)
 # No contraction: a frame has the same bits on every machine.
-CFLAGS_ALL := -std=c17 -O3 -g -ffp-contract=off -fno-math-errno $(WARNINGS) -MMD -MP \
+CFLAGS_ALL  = -std=c17 $(OPTIMIZE) -g -ffp-contract=off -fno-math-errno $(WARNINGS) -MMD -MP \
               -Icmodel -Isim -I$(BUILD) $(PACKAGE_CFLAGS) $(CFLAGS)
 LDLIBS      = $(PACKAGE_LIBS) -lz -lm -lpthread
 
@@ -37,21 +47,30 @@ endif
 
 all: $(BUILD)/glint
 
+# Sees once that what a build needs is installed; whatever is compiled waits for it.
+$(BUILD)/packages: sim/deps.sh
+	$Qsim/deps.sh build
+	@mkdir -p $(@D)
+	@touch $@
+
 # ---- The C model: libglint, and the generator of what rtl/ and sim/rtl/ include --------------------
 
 MODEL_SOURCES := $(filter-out cmodel/gen.c,$(wildcard cmodel/*.c))
 MODEL_OBJECTS := $(MODEL_SOURCES:%.c=$(BUILD)/%.o)
 
-$(BUILD)/%.o: %.c
+$(BUILD)/%.o: %.c | $(BUILD)/packages
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS_ALL) -c $< -o $@
+	$(call say,CC,$<)
+	$Q$(CC) $(CFLAGS_ALL) -c $< -o $@
 
 $(BUILD)/libglint.a: $(MODEL_OBJECTS)
-	rm -f $@
-	ar rcs $@ $^
+	$(call say,AR,$@)
+	@rm -f $@
+	$Qar rcs $@ $^
 
 $(BUILD)/glint-gen: $(BUILD)/cmodel/gen.o $(BUILD)/libglint.a
-	$(CC) $(LDFLAGS) -o $@ $^ -lm
+	$(call say,LD,$@)
+	$Q$(CC) $(LDFLAGS) -o $@ $^ -lm
 
 # What is generated is committed; `make generate` makes it anew, and a test compares. A file that stays
 # the same is not touched: everything Verilated depends on it.
@@ -196,13 +215,15 @@ $(BUILD)/sim/wave/waveform.o $(BUILD)/sim/failure/wave.o: CFLAGS_ALL += -isystem
 $(BUILD)/sim/bench/formulas.o: CFLAGS_ALL += -ffast-math
 
 $(BUILD)/libglint-sim.a: $(SIM_OBJECTS)
-	rm -f $@
-	ar rcs $@ $^
+	$(call say,AR,$@)
+	@rm -f $@
+	$Qar rcs $@ $^
 
 LIBRARIES = $(BUILD)/libglint-sim.a $(VERILATED)/libmodels.a $(BUILD)/libglint.a
 
 $(BUILD)/glint: $(CLI_OBJECTS) $(LIBRARIES)
-	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	$(call say,LD,$@)
+	$Q$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
 
@@ -267,11 +288,13 @@ TEST_HELPERS := $(filter-out $(TEST_SOURCES) %/main.c %/drive.c,$(wildcard tests
 TEST_HELPER_OBJECTS := $(TEST_HELPERS:%.c=$(BUILD)/%.o)
 
 $(BUILD)/libtest.a: $(TEST_HELPER_OBJECTS)
-	rm -f $@
-	ar rcs $@ $^
+	$(call say,AR,$@)
+	@rm -f $@
+	$Qar rcs $@ $^
 
 $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/libtest.a $(WRONG_OBJECTS) $(LIBRARIES)
-	$(CXX) $(LDFLAGS) -o $@ $< $(BUILD)/libtest.a $(WRONG_OBJECTS) $(WRONG_ARCHIVES) $(LIBRARIES) \
+	$(call say,LD,$@)
+	$Q$(CXX) $(LDFLAGS) -o $@ $< $(BUILD)/libtest.a $(WRONG_OBJECTS) $(WRONG_ARCHIVES) $(LIBRARIES) \
 	    -lcmocka $(LDLIBS)
 
 # The command with a wrong circuit: what it says when C and Verilog differ. A wrong device is its only
@@ -420,13 +443,15 @@ SHARED    := $(BUILD)/libglint.so.$(VERSION)
 INSTALLED := $(BUILD)/glint $(BUILD)/libglint.a $(SHARED) $(BUILD)/install/man/glint.1 \
              $(BUILD)/install/completion/glint.bash
 
-$(BUILD)/pic/%.o: %.c
+$(BUILD)/pic/%.o: %.c | $(BUILD)/packages
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS_ALL) -fPIC -c $< -o $@
+	$(call say,CC,$<)
+	$Q$(CC) $(CFLAGS_ALL) -fPIC -c $< -o $@
 
 # Programs that were linked with one version run with every later one of the same first number.
 $(SHARED): $(MODEL_SOURCES:%.c=$(BUILD)/pic/%.o)
-	$(CC) $(LDFLAGS) -shared -Wl,-soname,libglint.so.$(firstword $(subst ., ,$(VERSION))) -o $@ $^ -lm
+	$(call say,LD,$@)
+	$Q$(CC) $(LDFLAGS) -shared -Wl,-soname,libglint.so.$(firstword $(subst ., ,$(VERSION))) -o $@ $^ -lm
 
 # Made of what the command's --help says.
 $(BUILD)/install/man/glint.1: $(BUILD)/glint sim/install/man.sh
