@@ -92,17 +92,18 @@ VERILATED    ?= $(BUILD)/verilated
 VERILATOR_ROOT_DIR = $(shell $(VERILATOR) --getenv VERILATOR_ROOT 2>/dev/null)
 RTL          := $(wildcard rtl/*.v rtl/*.vh)
 GATES        := cosine sign drawn
-PIPELINES    := drawn pipelined
+PIPELINES    := combinational pipelined
 LANE_COUNTS  := 1 2 4 8 16
 # Every setting with its signals readable, for lockstep and waveforms; and, for speed, the settings
 # that frames and bench use once more without (sim/rtl/rtl.h).
 OBSERVED     := $(foreach g,$(GATES),$(foreach p,$(PIPELINES),$(foreach l,$(LANE_COUNTS),$g-$p-$l)))
 FAST         := $(LANE_COUNTS:%=cosine-pipelined-%-fast) \
-                $(foreach x,cosine-drawn sign-drawn sign-pipelined drawn-drawn drawn-pipelined,$x-16-fast)
+                $(foreach x,cosine-combinational sign-combinational sign-pipelined \
+                            drawn-combinational drawn-pipelined,$x-16-fast)
 MODELS       := $(OBSERVED) $(FAST)
 
 gate_number      = $(if $(filter cosine,$1),0,$(if $(filter sign,$1),1,2))
-pipeline_number  = $(if $(filter drawn,$1),0,1)
+pipeline_number  = $(if $(filter combinational,$1),0,1)
 upper            = $(shell echo $1 | tr a-z A-Z)
 field            = $(word $2,$(subst -, ,$1))
 

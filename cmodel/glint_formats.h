@@ -47,8 +47,8 @@
 #define GLINT_DRAWN_LIMIT ((GLINT_W_ONE + GLINT_COLOR_MAX) / (2u * GLINT_COLOR_MAX))
 
 /* Clocks from the edge that loads registers 1–5 to a valid output, that edge included. */
-#define GLINT_LATENCY_DRAWN     1
-#define GLINT_LATENCY_PIPELINED 4
+#define GLINT_LATENCY_COMBINATIONAL 1
+#define GLINT_LATENCY_PIPELINED     4
 
 /* Cosines a clock with one material. */
 #define GLINT_LANES_MAX 16

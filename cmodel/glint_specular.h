@@ -32,8 +32,8 @@ typedef enum glint_gate {
 
 /* Where the registers are. */
 typedef enum glint_pipeline {
-    GLINT_PIPELINE_DRAWN,     /* registers 1–5, then combinational: 1 clock */
-    GLINT_PIPELINE_PIPELINED, /* one point a clock, GLINT_LATENCY_PIPELINED clocks */
+    GLINT_PIPELINE_COMBINATIONAL, /* registers 1–5, then combinational: 1 clock */
+    GLINT_PIPELINE_PIPELINED,     /* one point a clock, GLINT_LATENCY_PIPELINED clocks */
     GLINT_PIPELINE_COUNT
 } glint_pipeline;
 

@@ -110,7 +110,7 @@ void glint_specular_device_clock(glint_specular_device *device,
 const glint_specular_signals *glint_specular_device_signals(const glint_specular_device *device);
 
 /* Clocks from the edge that takes a cosine to the edge after which its result is out, both counted:
- * GLINT_LATENCY_DRAWN or GLINT_LATENCY_PIPELINED. */
+ * GLINT_LATENCY_COMBINATIONAL or GLINT_LATENCY_PIPELINED. */
 int glint_specular_latency(glint_pipeline pipeline);
 
 /* Number of signals of a device with these settings: the shared ones first, then lane after lane.
@@ -124,7 +124,7 @@ glint_signal_info glint_specular_signal_info(const glint_specular_config *config
 uint64_t glint_specular_signal_bits(const glint_specular_config *config,
                                     const glint_specular_signals *signals, int index);
 
-/* "cosine", "sign", "drawn"; "drawn", "pipelined". NULL when out of range. */
+/* "cosine", "sign", "drawn"; "combinational", "pipelined". NULL when out of range. */
 const char *glint_gate_name(glint_gate gate);
 const char *glint_pipeline_name(glint_pipeline pipeline);
 

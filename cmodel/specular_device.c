@@ -1,6 +1,7 @@
 /* The specular device clock by clock. Each pass_* function is the row of pipeline registers between
  * two stages: in the pipelined form an edge moves all of them, the last first, so that each takes
- * what its stage held before the edge; in the drawn form they are wires, passed while settling. */
+ * what its stage held before the edge; in the combinational form they are wires, passed while
+ * settling. */
 #include "glint_specular_device.h"
 
 #include <stdlib.h>
@@ -121,7 +122,7 @@ static void pass_outputs(glint_specular_device *d)
 /* Everything combinational, from what the registers hold. */
 static void settle(glint_specular_device *d)
 {
-    const int wires = d->config.pipeline == GLINT_PIPELINE_DRAWN;
+    const int wires = d->config.pipeline == GLINT_PIPELINE_COMBINATIONAL;
     settle_stage1(d);
     if (wires)
         pass_stage2(d);
@@ -185,5 +186,6 @@ const glint_specular_signals *glint_specular_device_signals(const glint_specular
 
 int glint_specular_latency(glint_pipeline pipeline)
 {
-    return pipeline == GLINT_PIPELINE_DRAWN ? GLINT_LATENCY_DRAWN : GLINT_LATENCY_PIPELINED;
+    return pipeline == GLINT_PIPELINE_COMBINATIONAL ? GLINT_LATENCY_COMBINATIONAL
+                                                    : GLINT_LATENCY_PIPELINED;
 }

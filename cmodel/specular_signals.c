@@ -74,6 +74,6 @@ const char *glint_gate_name(glint_gate gate)
 
 const char *glint_pipeline_name(glint_pipeline pipeline)
 {
-    static const char *const names[GLINT_PIPELINE_COUNT] = {"drawn", "pipelined"};
+    static const char *const names[GLINT_PIPELINE_COUNT] = {"combinational", "pipelined"};
     return (unsigned)pipeline < GLINT_PIPELINE_COUNT ? names[pipeline] : NULL;
 }

@@ -8,7 +8,7 @@
 // Formats     cos U1.18 (codes above 1.0 saturate), n U10.0, r, g, b U8.0 (already times Ks),
 //             out_w U1.18, out_r, out_g, out_b U8.0; lane i in bits [i*width +: width]
 // Rounding    half up, see specular_lane; each output within 0.52 of an 8-bit step of the formula
-// Latency     PIPELINED = 1: 4 clocks; 0: 1 clock, registers 1-5 and then combinational, as drawn.
+// Latency     PIPELINED = 1: 4 clocks; 0: 1 clock, registers 1-5 and then combinational.
 //             Counted from the edge that takes the cosine to the edge after which its result is out,
 //             both included. Throughput: LANES cosines a clock, every clock.
 // Reset       synchronous, active high; clears every register, whatever en says.

@@ -130,7 +130,7 @@ module specular_lane #(
     color_multiplier u_mul14 (.w(s3_keys12), .color(s3_reg4), .product(mul14));
     color_multiplier u_mul15 (.w(s3_keys12), .color(s3_reg5), .product(mul15));
 
-    // What stands between the stages: registers, or wires where the device is as drawn.
+    // What stands between the stages: registers, or wires where it is combinational.
     generate
         if (PIPELINED != 0) begin : g_stages
             always @(posedge clk)

@@ -53,7 +53,7 @@ sequential | pipelined)
 *)
     top=specular_device
     gate=$(number_of "$first" cosine sign drawn)
-    pipeline=$(number_of "$second" drawn pipelined)
+    pipeline=$(number_of "$second" combinational pipelined)
     parameters="GATE=$gate PIPELINED=$pipeline LANES=$third"
     signals=sim/rtl/specular_signals.vlt
     shim=model_shim.cpp

@@ -31,7 +31,7 @@ static const fact facts[] = {
     {"color_bits", GLINT_COLOR_BITS, "registers 3-5, multipliers 13-15: bits"},
     {"drawn_limit", GLINT_DRAWN_LIMIT, "ROM 9 with gate drawn: limit of W, a code"},
     {"latency", GLINT_LATENCY_PIPELINED, "clocks, pipeline pipelined"},
-    {"latency_drawn", GLINT_LATENCY_DRAWN, "clocks, pipeline drawn"},
+    {"latency_combinational", GLINT_LATENCY_COMBINATIONAL, "clocks, pipeline combinational"},
     {"lanes_max", GLINT_LANES_MAX, "cosines a clock, at most"},
     {"divider_difference_bits", GLINT_DIVIDER_DIFFERENCE_BITS,
      "divider, difference: bits of S9.0, and integer bits of the quotient S9.n"},
@@ -77,7 +77,7 @@ static void print_text(void)
     printf("glint %s, the specular-colour device and the shift-accumulate divider\n",
            GLINT_VERSION);
     printf("gates      cosine (default), sign, drawn\n");
-    printf("pipelines  pipelined (default), drawn\n");
+    printf("pipelines  pipelined (default), combinational\n");
     for (size_t i = 0; i < FACT_COUNT; i++)
         printf("%-24s %5d  %s\n", facts[i].key, facts[i].value, facts[i].meaning);
     printf("rounding   half up, at multipliers 7, 10, 13, 14, 15\n");

@@ -55,7 +55,7 @@ typedef struct verification {
 static const char *const circuit_choices[] = {"specular", "divider", "all", NULL};
 static const char *const form_choices[] = {"sequential", "pipelined", "all", NULL};
 static const char *const gate_choices[] = {"cosine", "sign", "drawn", "all", NULL};
-static const char *const pipeline_choices[] = {"drawn", "pipelined", "all", NULL};
+static const char *const pipeline_choices[] = {"combinational", "pipelined", "all", NULL};
 
 static int parse(int argc, char **argv, verify_options *chosen)
 {

@@ -39,7 +39,7 @@ typedef struct run {
 } run;
 
 static const char *const gate_choices[] = {"cosine", "sign", "drawn", "all", NULL};
-static const char *const pipeline_choices[] = {"drawn", "pipelined", "all", NULL};
+static const char *const pipeline_choices[] = {"combinational", "pipelined", "all", NULL};
 
 static int refuse_shard(const char *text)
 {

@@ -28,7 +28,7 @@ typedef struct wave_options {
 } wave_options;
 
 static const char *const circuit_choices[] = {"specular", "divider", "all", NULL};
-static const char *const pipeline_choices[] = {"drawn", "pipelined", "both", NULL};
+static const char *const pipeline_choices[] = {"combinational", "pipelined", "both", NULL};
 static const char *const format_choices[] = {"fst", "vcd", NULL};
 
 static int parse(int argc, char **argv, wave_options *chosen)

@@ -18,7 +18,7 @@ const char *const glint_gate_names[] = {
 };
 
 const char *const glint_pipeline_names[] = {
-    [GLINT_PIPELINE_DRAWN] = "drawn",
+    [GLINT_PIPELINE_COMBINATIONAL] = "combinational",
     [GLINT_PIPELINE_PIPELINED] = "pipelined",
     [GLINT_PIPELINE_COUNT] = NULL,
 };

@@ -44,11 +44,11 @@ static void add_signal(glint_gtkw *rows, const glint_specular_config *config,
     glint_gtkw_curve_height(rows);
 }
 
-/* With pipeline drawn a stage is a wire and says nothing new. The saturated square differs from the
- * square, and the limit is needed in stage 2, with gate drawn only. */
+/* With pipeline combinational a stage is a wire and says nothing new. The saturated square differs
+ * from the square, and the limit is needed in stage 2, with gate drawn only. */
 static bool is_shown(const glint_specular_config *config, const glint_signal_info *signal)
 {
-    if (signal->kind == GLINT_SIGNAL_STAGE && config->pipeline == GLINT_PIPELINE_DRAWN)
+    if (signal->kind == GLINT_SIGNAL_STAGE && config->pipeline == GLINT_PIPELINE_COMBINATIONAL)
         return strcmp(signal->name, "s1_valid") == 0;
     if (strcmp(signal->name, "sat10") == 0 || strcmp(signal->name, "s2_rom9") == 0)
         return config->gate == GLINT_GATE_DRAWN;
@@ -112,7 +112,7 @@ static void add_section(glint_gtkw *rows, const glint_specular_config *config, i
     if (!glint_show_specular_folded(section)) {
         glint_gtkw_heading(rows, title);
         add_signals(rows, config, section);
-    } else if (config->pipeline != GLINT_PIPELINE_DRAWN) {
+    } else if (config->pipeline != GLINT_PIPELINE_COMBINATIONAL) {
         glint_gtkw_begin_closed_group(rows, title);
         add_signals(rows, config, section);
         glint_gtkw_end_group(rows, title);

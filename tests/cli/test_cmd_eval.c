@@ -36,7 +36,7 @@ static void a_point_is_answered(void **state)
         "--backend rtl",
         "--backend real",
         "--backend rtl --lanes 1",
-        "--backend rtl --lanes 4 --pipeline drawn",
+        "--backend rtl --lanes 4 --pipeline combinational",
         "--backend rtl --lanes 0",
     };
     for (size_t i = 0; i < sizeof backends / sizeof backends[0]; i++) {
@@ -347,9 +347,9 @@ static void c_and_rtl_agree_on_random_points(void **state)
         "",
         " --gate sign",
         " --gate drawn",
-        " --pipeline drawn",
-        " --gate sign --pipeline drawn",
-        " --gate drawn --pipeline drawn",
+        " --pipeline combinational",
+        " --gate sign --pipeline combinational",
+        " --gate drawn --pipeline combinational",
     };
     char *points = random_points();
     for (size_t i = 0; i < sizeof settings / sizeof settings[0]; i++) {

@@ -76,7 +76,7 @@ static void both_backends_are_equal(void **state)
         "--backend both --size 200x150",
         "--backend both --size 200x150 --model sphere --gate sign --n 1023",
         "--backend both --size 200x150 --gate drawn --n 40",
-        "--backend both --size 200x150 --pipeline drawn --threads 3 --lanes 1",
+        "--backend both --size 200x150 --pipeline combinational --threads 3 --lanes 1",
         "--backend both --size 200x150 --shading flat",
         "--backend both --size 200x150 --shading gouraud",
         "--backend both --size 200x150 --shading gouraud --shifts 6 --model quad",
@@ -203,7 +203,7 @@ static void threads_lanes_and_pipeline_do_not_change_the_picture(void **state)
         "--backend rtl",
         "--backend rtl --lanes 16 --threads 2",
         "--gate sign",
-        "--backend rtl --pipeline drawn",
+        "--backend rtl --pipeline combinational",
         "--shading phong",
         "--shifts 6",
     };

@@ -237,7 +237,8 @@ static void options_are_read_strictly(void **state)
         {"render --gate Sign",
          "glint render: --gate: \"Sign\" is not one of cosine, sign, drawn (did you mean "
          "sign?)\n"},
-        {"render --pipeline p", "glint render: --pipeline: \"p\" is not one of drawn, pipelined\n"},
+        {"render --pipeline p",
+         "glint render: --pipeline: \"p\" is not one of combinational, pipelined\n"},
         {"render --lanes 3", "glint render: --lanes: \"3\" is not one of auto, 1, 2, 4, 8, 16\n"},
         {"render --size 640",
          "glint render: --size: \"640\" is not WIDTHxHEIGHT, each from 1 to 16384\n"},

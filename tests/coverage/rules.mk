@@ -1,7 +1,7 @@
 # Coverage: of the Verilog by lines and toggles, of the C by gcov (docs/coverage.md).
 
 COVERAGE_CIRCUITS := $(foreach g,$(GATES),$(foreach p,$(PIPELINES),$g-$p-1)) cosine-pipelined-2 \
-                     sign-drawn-2 drawn-pipelined-4 $(DIVIDER_SHIFTS:%=sequential-%) \
+                     sign-combinational-2 drawn-pipelined-4 $(DIVIDER_SHIFTS:%=sequential-%) \
                      $(foreach n,6 12 16,pipelined-$n)
 COUNTING_CIRCUITS := $(COVERAGE_CIRCUITS:%=coverage:%)
 COVERAGE          := $(BUILD)/coverage

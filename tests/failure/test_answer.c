@@ -529,7 +529,8 @@ static void a_history_keeps_the_last_clocks(void **state)
 {
     (void)state;
     static uint32_t cos_code[40000];
-    const glint_setting setting = {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_DRAWN, 2}};
+    const glint_setting setting = {
+        .specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 2}};
     const glint_material material = {9, 1, 2, 3};
     const glint_batch batch = {.material = &material, .cos_code = cos_code, .count = 39999};
     glint_history *history = NULL;

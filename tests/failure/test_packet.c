@@ -144,7 +144,7 @@ static void a_few_clocks_show_it_again(void **state)
 
 /* Right, but for the clock LATE after its creation, when the lowest bit of out_r is inverted. */
 enum { LATE = 20000 };
-extern const glint_rtl_model glint_rtl_model_sign_drawn_1;
+extern const glint_rtl_model glint_rtl_model_sign_combinational_1;
 static int clocks_run;
 static const void *true_place;
 static uint8_t shown;
@@ -152,19 +152,19 @@ static uint8_t shown;
 static void *create_counting(void)
 {
     clocks_run = 0;
-    return glint_rtl_model_sign_drawn_1.create();
+    return glint_rtl_model_sign_combinational_1.create();
 }
 
 static void clock_counting(void *instance, const glint_specular_inputs *inputs)
 {
-    glint_rtl_model_sign_drawn_1.clock(instance, inputs);
+    glint_rtl_model_sign_combinational_1.clock(instance, inputs);
     clocks_run++;
     shown = *(const uint8_t *)true_place ^ (uint8_t)(clocks_run == LATE);
 }
 
 static bool find_counting(void *instance, int lane, const char *name, const void **data, int *size)
 {
-    const bool found = glint_rtl_model_sign_drawn_1.find(instance, lane, name, data, size);
+    const bool found = glint_rtl_model_sign_combinational_1.find(instance, lane, name, data, size);
     if (found && strcmp(name, "out_r") == 0) {
         true_place = *data;
         *data = &shown;
@@ -177,7 +177,7 @@ static void without_a_shorter_way_the_whole_run_is_played(void **state)
     (void)state;
     glint_error err;
     glint_failure_finding again;
-    glint_rtl_model counting = glint_rtl_model_sign_drawn_1;
+    glint_rtl_model counting = glint_rtl_model_sign_combinational_1;
     counting.create = create_counting;
     counting.clock = clock_counting;
     counting.find = find_counting;

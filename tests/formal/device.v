@@ -133,7 +133,7 @@ module lane_proof #(
     wire [WIDTH-1:0] in_data = {!in_valid ? its_cos : cos > 19'd262144 ? 19'd262144 : cos,
                                n_we ? n : its_n, rgb_we ? rgb : its_rgb};
 
-    // As drawn, the outputs are wires of registers 1 to 5: those are what must not change.
+    // Combinational, the outputs are wires of registers 1 to 5: those are what must not change.
     wire [52:0] held = PIPELINED != 0 ? {10'd0, out} : {reg1, reg2, rgb_1};
     flow #(.LATENCY(LATENCY), .WIDTH(WIDTH), .OUT(53)) u_flow (
         .clk(clk), .reset(reset), .en(en), .started(started), .in_valid(in_valid), .in_data(in_data),

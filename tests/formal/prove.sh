@@ -7,7 +7,7 @@
 #
 # PROOF  device-GATE-PIPELINE-LANES-LANE   gates-PIPELINE-LANES-LANE   roms   table-SHIFTS
 #        sequential-SHIFTS   pipelined-SHIFTS
-#        GATE cosine sign drawn; PIPELINE pipelined drawn; LANES 1 2 4 8 16, LANE the one looked at
+#        GATE cosine sign drawn; PIPELINE pipelined combinational; LANES 1 2 4 8 16, LANE the one looked at
 #
 # DIR gets the model (model.smt2), what the tools said (*.log), traces for GTKWave (*.vcd: one for each
 # cover; counterexample.vcd where a property fails) and the line "result":
@@ -48,7 +48,7 @@ field() {
 
 pipeline_number() {
     case $1 in
-    drawn) echo 0 ;;
+    combinational) echo 0 ;;
     pipelined) echo 1 ;;
     *) usage "no proof \"$proof\"" ;;
     esac

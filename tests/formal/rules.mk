@@ -19,8 +19,8 @@ FORMAL_FAULTS := \
     device-cosine-pipelined-1-0:frozen:tests/formal/wrong/unfrozen/specular_lane.sed \
     device-cosine-pipelined-1-0:value:tests/lockstep/wrong/unstallable/specular_lane.sed \
     device-cosine-pipelined-1-0:value:tests/formal/wrong/other_n/specular_device.sed \
-    device-cosine-drawn-1-0:value:tests/lockstep/wrong/truncating/color_multiplier.sed \
-    device-cosine-drawn-16-7:value:tests/formal/wrong/swapped_lanes/specular_device.sed \
+    device-cosine-combinational-1-0:value:tests/lockstep/wrong/truncating/color_multiplier.sed \
+    device-cosine-combinational-16-7:value:tests/formal/wrong/swapped_lanes/specular_device.sed \
     gates-pipelined-1-0:gates_equal:tests/formal/wrong/wrong_sign/specular_lane.sed \
     roms:sigma:tests/lockstep/wrong/sigma_off_by_one/sigma_rom.sed \
     roms:range:tests/formal/wrong/sigma_over_range/sigma_rom.sed \

@@ -44,7 +44,8 @@ static void assert_says(const char *part)
 static void proves_the_device(void **state)
 {
     (void)state;
-    static const char *const proofs[] = {"device-cosine-drawn-2-1", "device-cosine-pipelined-16-7"};
+    static const char *const proofs[] = {"device-cosine-combinational-2-1",
+                                         "device-cosine-pipelined-16-7"};
     for (size_t i = 0; i < sizeof proofs / sizeof *proofs; i++) {
         assert_int_equal(prove(proofs[i], NULL, NULL), 0);
         assert_result("\tuninvited in_order once frozen value\tinduction, 1 clock\t");
@@ -56,10 +57,10 @@ static void proves_the_device(void **state)
 static void every_lane_of_every_device_is_to_be_proved(void **state)
 {
     (void)state;
-    static const char *const kinds[] = {"device-cosine-drawn", "device-cosine-pipelined",
-                                        "device-sign-drawn",   "device-sign-pipelined",
-                                        "device-drawn-drawn",  "device-drawn-pipelined",
-                                        "gates-drawn",         "gates-pipelined"};
+    static const char *const kinds[] = {"device-cosine-combinational", "device-cosine-pipelined",
+                                        "device-sign-combinational",   "device-sign-pipelined",
+                                        "device-drawn-combinational",  "device-drawn-pipelined",
+                                        "gates-combinational",         "gates-pipelined"};
     char build[1100], line[128];
     snprintf(build, sizeof build, "BUILD=%s", scratch_path("none"));
     const char *const argv[] = {"make", "-n", build, "formal-proofs", NULL};
@@ -171,7 +172,7 @@ static void a_wrong_circuit_is_not_proved(void **state)
     assert_proof_fails("gates-pipelined-1-0", "FAILED: step: ");
     copy_tree("s/\\.out_b(out_b\\[i\\*/.out_b(out_b[(i == 7 ? 8 : i == 8 ? 7 : i)*/",
               "specular_device");
-    assert_proof_fails("device-cosine-drawn-16-7", "FAILED: step: value_b");
+    assert_proof_fails("device-cosine-combinational-16-7", "FAILED: step: value_b");
     copy_tree("s/7'd16;/7'd17;/", "reciprocal_rom");
     assert_proof_fails("table-6", "FAILED: inputs: rounded");
 }

@@ -94,9 +94,9 @@ static void every_circuit_is_verified(void **state)
 static void one_setting_can_be_chosen(void **state)
 {
     (void)state;
-    const glint_specular_config config = {GLINT_GATE_SIGN, GLINT_PIPELINE_DRAWN, 4};
+    const glint_specular_config config = {GLINT_GATE_SIGN, GLINT_PIPELINE_COMBINATIONAL, 4};
     outcome done =
-        run("verify --circuit specular --gate sign --pipeline drawn --lanes 4 --clocks 100 "
+        run("verify --circuit specular --gate sign --pipeline combinational --lanes 4 --clocks 100 "
             "--seed 0 --threads 1",
             "");
     assert_outcome(&done, 0, "");
@@ -131,7 +131,7 @@ static void json_says_the_same(void **state)
     assert_outcome(&done, 0, "");
     cJSON *json = cJSON_Parse(done.out);
     assert_non_null(json);
-    const double signals = (double)(signals_of(GLINT_GATE_COSINE, GLINT_PIPELINE_DRAWN) +
+    const double signals = (double)(signals_of(GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL) +
                                     signals_of(GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED));
     assert_true(number(json, "mismatches") == 0);
     assert_true(number(json, "comparisons") == 500 * signals);

@@ -311,7 +311,8 @@ static bool is_constant(const glint_specular_config *config, const char *name)
     /* Gate drawn: one limit, in a register that a reset clears; the comparison waits for the
      * square, so it goes through no register. */
     return strstr(name, "_cmp11") != NULL ||
-           (rom9 && (config->pipeline == GLINT_PIPELINE_DRAWN || strcmp(name, "rom9") == 0));
+           (rom9 &&
+            (config->pipeline == GLINT_PIPELINE_COMBINATIONAL || strcmp(name, "rom9") == 0));
 }
 
 /* Every signal changes at some clock: what is compared is alive. */

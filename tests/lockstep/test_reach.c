@@ -36,7 +36,7 @@ static int draw_seed(void **state)
 
 static const glint_setting settings[] = {
     {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1}},
-    {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_DRAWN, 1}},
+    {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 1}},
     {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 4}},
     {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 16}},
     {.is_divider = true, .form = GLINT_DIVIDER_SEQUENTIAL, .shifts = 6},

@@ -202,7 +202,7 @@ static void outputs_are_the_pure_function(void **state)
         run_scoreboard(&s);
         assert_true(s.points > 0 && s.stalls > 0 && s.resets > 0 && s.materials_with > 0 &&
                     s.materials_without > 0);
-        assert_true(s.lost_in_reset > 0 || s.config.pipeline == GLINT_PIPELINE_DRAWN);
+        assert_true(s.lost_in_reset > 0 || s.config.pipeline == GLINT_PIPELINE_COMBINATIONAL);
         points += s.points;
     }
     print_message("%" PRIu64 " points in %d settings\n", points, SETTINGS);
@@ -214,7 +214,7 @@ static void outputs_are_the_pure_function(void **state)
 static void latency_is_as_stated(void **state)
 {
     (void)state;
-    assert_int_equal(glint_specular_latency(GLINT_PIPELINE_DRAWN), 1);
+    assert_int_equal(glint_specular_latency(GLINT_PIPELINE_COMBINATIONAL), 1);
     assert_int_equal(glint_specular_latency(GLINT_PIPELINE_PIPELINED), GLINT_LATENCY_PIPELINED);
     assert_in_range(GLINT_LATENCY_PIPELINED, 4, 6);
 }
@@ -372,11 +372,16 @@ static void settings_out_of_range_are_refused(void **state)
 {
     (void)state;
     static const glint_specular_config bad[] = {
-        {GLINT_GATE_COUNT, GLINT_PIPELINE_DRAWN, 1}, {(glint_gate)-1, GLINT_PIPELINE_DRAWN, 1},
-        {GLINT_GATE_SIGN, GLINT_PIPELINE_COUNT, 1},  {GLINT_GATE_SIGN, (glint_pipeline)-1, 1},
-        {GLINT_GATE_SIGN, GLINT_PIPELINE_DRAWN, 0},  {GLINT_GATE_SIGN, GLINT_PIPELINE_DRAWN, -1},
-        {GLINT_GATE_SIGN, GLINT_PIPELINE_DRAWN, 3},  {GLINT_GATE_SIGN, GLINT_PIPELINE_DRAWN, 12},
-        {GLINT_GATE_SIGN, GLINT_PIPELINE_DRAWN, 17}, {GLINT_GATE_SIGN, GLINT_PIPELINE_DRAWN, 32},
+        {GLINT_GATE_COUNT, GLINT_PIPELINE_COMBINATIONAL, 1},
+        {(glint_gate)-1, GLINT_PIPELINE_COMBINATIONAL, 1},
+        {GLINT_GATE_SIGN, GLINT_PIPELINE_COUNT, 1},
+        {GLINT_GATE_SIGN, (glint_pipeline)-1, 1},
+        {GLINT_GATE_SIGN, GLINT_PIPELINE_COMBINATIONAL, 0},
+        {GLINT_GATE_SIGN, GLINT_PIPELINE_COMBINATIONAL, -1},
+        {GLINT_GATE_SIGN, GLINT_PIPELINE_COMBINATIONAL, 3},
+        {GLINT_GATE_SIGN, GLINT_PIPELINE_COMBINATIONAL, 12},
+        {GLINT_GATE_SIGN, GLINT_PIPELINE_COMBINATIONAL, 17},
+        {GLINT_GATE_SIGN, GLINT_PIPELINE_COMBINATIONAL, 32},
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         int nothing;
@@ -395,7 +400,7 @@ static void names_of_settings(void **state)
     assert_string_equal(glint_gate_name(GLINT_GATE_DRAWN), "drawn");
     assert_null(glint_gate_name(GLINT_GATE_COUNT));
     assert_null(glint_gate_name((glint_gate)-1));
-    assert_string_equal(glint_pipeline_name(GLINT_PIPELINE_DRAWN), "drawn");
+    assert_string_equal(glint_pipeline_name(GLINT_PIPELINE_COMBINATIONAL), "combinational");
     assert_string_equal(glint_pipeline_name(GLINT_PIPELINE_PIPELINED), "pipelined");
     assert_null(glint_pipeline_name(GLINT_PIPELINE_COUNT));
     assert_null(glint_pipeline_name((glint_pipeline)-1));

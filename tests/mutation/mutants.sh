@@ -3,7 +3,7 @@
 #
 #   tests/mutation/mutants.sh CIRCUIT COUNT SEED DIR
 #
-# CIRCUIT  specular-GATE-PIPELINE (cosine, sign, drawn; drawn, pipelined), one lane, or
+# CIRCUIT  specular-GATE-PIPELINE (cosine, sign, drawn; combinational, pipelined), one lane, or
 #          divider-FORM-SHIFTS (sequential, pipelined; 6..16)
 # COUNT    how many faults, chosen by Yosys's mutate from SEED
 #
@@ -36,7 +36,7 @@ second=${first#*-} first=${first%%-*}
 case $kind in
 specular)
     gate=$(number_of "$first" cosine sign drawn)
-    pipelined=$(number_of "$second" drawn pipelined)
+    pipelined=$(number_of "$second" combinational pipelined)
     top=specular_device
     setting="chparam -set GATE $gate -set PIPELINED $pipelined -set LANES 1 $top"
     ;;

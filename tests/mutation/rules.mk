@@ -10,7 +10,7 @@ MUTATION_SECONDS ?= 900
 # The sequential divider takes 13 clocks for each of the 131 072 divisions of its sweep: only the first
 # 30 769 of them.
 SHORT_SWEEP   := 400000
-MUTATED       := specular-cosine-pipelined specular-cosine-drawn divider-sequential-12 divider-pipelined-12
+MUTATED       := specular-cosine-pipelined specular-cosine-combinational divider-sequential-12 divider-pipelined-12
 # A small one for `make test`, which is not to wait long.
 MUTATED_SHORT := divider-sequential-6
 MUTANTS_SHORT := 60

@@ -1,7 +1,7 @@
 # Second opinions on the circuits: netlists out of synthesis, and the Verilog Verilated in other ways
 # (docs/netlists.md). A name is BUILD[-FAULT]:CIRCUIT, as tests/circuit.sh has it.
 
-SECOND_SPECULAR  := cosine-pipelined-1 cosine-drawn-1 sign-pipelined-2 drawn-pipelined-1
+SECOND_SPECULAR  := cosine-pipelined-1 cosine-combinational-1 sign-pipelined-2 drawn-pipelined-1
 SECOND_DIVIDERS  := $(foreach f,sequential pipelined,$(foreach n,6 12 16,$f-$n))
 # Every gate and pipeline for the Verilog itself, which is quick to build.
 SECOND_SETTINGS  := $(foreach g,$(GATES),$(foreach p,$(PIPELINES),$g-$p-1)) cosine-pipelined-4

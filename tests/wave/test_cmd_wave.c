@@ -46,7 +46,8 @@ static void both_pipelines_are_written(void **state)
 {
     (void)state;
     static saved file;
-    static const char *const names[] = {"specular_cosine_pipelined", "specular_cosine_drawn"};
+    static const char *const names[] = {"specular_cosine_pipelined",
+                                        "specular_cosine_combinational"};
     outcome done = run_wave("new/directory", "");
     assert_outcome(&done, 0, "");
     assert_int_equal(count_entries(scratch_path("new/directory")), 4);
@@ -96,10 +97,10 @@ static void the_window_can_be_chosen(void **state)
 static void vcd_on_request(void **state)
 {
     (void)state;
-    outcome done = run_wave("vcd", "--pipeline drawn --format vcd --lanes 2");
+    outcome done = run_wave("vcd", "--pipeline combinational --format vcd --lanes 2");
     assert_outcome(&done, 0, "");
     assert_int_equal(count_entries(scratch_path("vcd")), 2);
-    vcd wave = vcd_read(scratch_path("vcd/specular_cosine_drawn.vcd"));
+    vcd wave = vcd_read(scratch_path("vcd/specular_cosine_combinational.vcd"));
     assert_non_null(vcd_find(&wave, "TOP.specular_device.lane[1].u.keys12"));
     vcd_free(&wave);
     forget(&done);

@@ -161,7 +161,8 @@ static void it_opens_the_default_waveforms(void **state)
 {
     (void)state;
     check_setting(&(glint_specular_config){GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1}, "fst");
-    check_setting(&(glint_specular_config){GLINT_GATE_COSINE, GLINT_PIPELINE_DRAWN, 1}, "fst");
+    check_setting(&(glint_specular_config){GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 1},
+                  "fst");
 }
 
 static void it_opens_several_lanes_and_another_gate(void **state)

@@ -28,9 +28,12 @@
 enum { LAST = GLINT_WAVE_SCENE_CLOCKS };
 
 static const glint_specular_config settings[] = {
-    {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1},  {GLINT_GATE_COSINE, GLINT_PIPELINE_DRAWN, 1},
-    {GLINT_GATE_SIGN, GLINT_PIPELINE_PIPELINED, 2},    {GLINT_GATE_SIGN, GLINT_PIPELINE_DRAWN, 4},
-    {GLINT_GATE_DRAWN, GLINT_PIPELINE_PIPELINED, 8},   {GLINT_GATE_DRAWN, GLINT_PIPELINE_DRAWN, 1},
+    {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1},
+    {GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 1},
+    {GLINT_GATE_SIGN, GLINT_PIPELINE_PIPELINED, 2},
+    {GLINT_GATE_SIGN, GLINT_PIPELINE_COMBINATIONAL, 4},
+    {GLINT_GATE_DRAWN, GLINT_PIPELINE_PIPELINED, 8},
+    {GLINT_GATE_DRAWN, GLINT_PIPELINE_COMBINATIONAL, 1},
     {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 16},
 };
 #define SETTING_COUNT (sizeof settings / sizeof settings[0])
@@ -383,7 +386,7 @@ static scene_counts play_scene(const glint_specular_config *config, glint_specul
     }
     /* All came out: what is valid now has left the last stage. */
     assert_true((s->s1_valid | s->s2_valid | s->s3_valid) == 0 ||
-                config->pipeline == GLINT_PIPELINE_DRAWN);
+                config->pipeline == GLINT_PIPELINE_COMBINATIONAL);
     return c;
 }
 
@@ -415,7 +418,7 @@ static void the_scene_holds_what_it_promises(void **state)
 static void the_scan_crosses_the_edge_twice(void **state)
 {
     (void)state;
-    const glint_specular_config config = {GLINT_GATE_COSINE, GLINT_PIPELINE_DRAWN, 1};
+    const glint_specular_config config = {GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 1};
     glint_specular_device *device;
     int crossings = 0;
     int last = -1;
