@@ -12,23 +12,23 @@ extern "C" {
 typedef enum glint_signal_kind {
     GLINT_SIGNAL_REGISTER, /* a numbered register of the figure */
     GLINT_SIGNAL_BLOCK,    /* the output of a numbered combinational block */
-    GLINT_SIGNAL_STAGE,    /* a pipeline register, or the wire in its place *
-       GLINT_SIGNAL_OUTPUT,
-   } glint_signal_kind;
-   
-   /* A signal as a comparer, a waveform or a document needs it. */
-    typedef struct glint_signal_info{
-        const char * name; int block; /* number in figure 3.1; 0: the figure gives it none */
-        glint_signal_kind kind; int int_bits, frac_bits; int is_signed;
-        int lane; /* of the specular device, or stage of the pipelined divider; −1: of the whole
-                   * circuit
-                   */
-        const char * meaning;
-        size_t offset;        /* of its int64_t, or its uint64_t words, in the model's signals */
-        const char * path;    /* below the top, or the lane's scope: "u.acc"; NULL: its name */
-        const char * heading; /* that it stands under in a waveform */
-    }
-glint_signal_info;
+    GLINT_SIGNAL_STAGE,    /* a pipeline register, or the wire in its place */
+    GLINT_SIGNAL_OUTPUT,
+} glint_signal_kind;
+
+/* A signal as a comparer, a waveform or a document needs it. */
+typedef struct glint_signal_info {
+    const char *name;
+    int block; /* number in figure 3.1; 0: the figure gives it none */
+    glint_signal_kind kind;
+    int int_bits, frac_bits;
+    int is_signed;
+    int lane; /* that of a device with lanes, or the stage of a pipeline; −1: of all of it */
+    const char *meaning;
+    size_t offset;       /* of its int64_t, or its uint64_t words, in the model's signals */
+    const char *path;    /* below the top, or the lane's scope: "u.acc"; NULL: its name */
+    const char *heading; /* that it stands under in a waveform */
+} glint_signal_info;
 
 #ifdef __cplusplus
 }
