@@ -1,8 +1,8 @@
 /* A circuit as a description: what it is called, its parameters, pins and signals, and its C model.
  *
- * Everything else follows from one `glint_circuit`: the Verilog is built and loaded by it (sim/rtl),
- * and lockstep, exhaustion, packets and replay, waveforms and save files, `glint eval`, options,
- * help and JSON are loops over its tables. docs/your-circuit.md writes one from nothing.
+ * Everything else follows from one `glint_circuit`: the Verilog is built and loaded by it
+ * (sim/rtl), and lockstep, exhaustion, packets and replay, waveforms and save files, `glint eval`,
+ * options, help and JSON are loops over its tables. docs/your-circuit.md writes one from nothing.
  *
  * A *setting* is a circuit and a value for each of its parameters, `values[i]` that of
  * parameters[i]. What depends on the setting is a function of values.
@@ -24,7 +24,8 @@
 extern "C" {
 #endif
 
-#define GLINT_PARAMETERS_MAX 8
+#define GLINT_PARAMETERS_MAX    8
+#define GLINT_STIMULUS_SIZE_MAX 4096
 
 typedef struct glint_parameter {
     const char *name;    /* of its option and in JSON: "lanes" is --lanes */
@@ -61,12 +62,13 @@ typedef struct glint_pin_info {
 /* A heading of waveforms. */
 typedef struct glint_heading {
     const char *title;
-    int folded; /* of use to few */
+    int folded;     /* of use to few */
+    int every_lane; /* of one signal a lane, which stands below its lane's own heading as well */
 } glint_heading;
 
 /* Where `verify --exhaustive` walks: every input of a circuit that has not too many. Point p is
- * taken by one clock (of a circuit with lanes: by one lane). The C model and the Verilog are clocked
- * with the same pins and every signal of kind OUTPUT is compared after every clock. */
+ * taken by one clock (of a circuit with lanes: by one lane). The C model and the Verilog are
+ * clocked with the same pins and every signal of kind OUTPUT is compared after every clock. */
 typedef struct glint_domain {
     const char *what; /* "every k with every difference": for help and verdict */
     uint64_t (*points)(const int *values);
@@ -74,13 +76,15 @@ typedef struct glint_domain {
 } glint_domain;
 
 typedef struct glint_circuit {
-    const char *name;  /* of --circuit, of files and in JSON: a C identifier */
-    const char *title; /* for people: "Specular-colour device" */
-    const char *clock; /* the clock's port, rising edge; NULL: a circuit without one */
+    const char *name;       /* of --circuit, of files and in JSON: a C identifier */
+    const char *title;      /* for people: "Specular-colour device" */
+    const char *clock_port; /* the clock's port, rising edge; NULL: a circuit without one */
     const char *(*top)(const int *values); /* the Verilog's top module, in the file of that name */
 
     const glint_parameter *parameters;
     int parameter_count; /* 0…GLINT_PARAMETERS_MAX */
+    /* A setting for people: "divider sequential, 12 shifts". NULL: "name, width 16, depth 4". */
+    void (*describe)(const int *values, char *text, size_t size);
 
     /* Pins 0…count−1. All of a port's lanes stand one behind the other. */
     int (*pin_count)(const int *values);
@@ -111,7 +115,8 @@ typedef struct glint_circuit {
     void (*clock)(void *model, const void *pins);
     const void *(*signals)(const void *model); /* the struct that signal.offset counts in */
 
-    /* Random pins of one's own; NULL: every pin by its role, data anywhere and at the ends of its
+    /* Random pins of one's own, from a state of stimulus_size bytes, at most
+     * GLINT_STIMULUS_SIZE_MAX; NULL: every pin by its role, data anywhere and at the ends of its
      * range. The same seed gives the same pins. */
     size_t stimulus_size;
     void (*stimulus_begin)(void *stimulus, const int *values, uint64_t seed);
