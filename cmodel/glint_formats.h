@@ -51,6 +51,6 @@
 #define GLINT_LATENCY_PIPELINED     4
 
 /* Cosines a clock with one material. */
-#define GLINT_LANES_MAX 16
+#define GLINT_LANES_MAX 32
 
 #endif

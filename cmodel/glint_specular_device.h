@@ -92,7 +92,7 @@ typedef struct glint_specular_inputs {
 typedef struct glint_specular_config {
     glint_gate gate;
     glint_pipeline pipeline;
-    int lanes; /* 1, 2, 4, 8 or 16 */
+    int lanes; /* 1…GLINT_LANES_MAX */
 } glint_specular_config;
 
 typedef struct glint_specular_device glint_specular_device;

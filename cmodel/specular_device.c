@@ -17,7 +17,7 @@ struct glint_specular_device {
 
 static uint32_t low_bits(uint32_t value, int count)
 {
-    return value & ((1u << count) - 1u);
+    return count >= 32 ? value : value & ((1u << count) - 1u);
 }
 
 static void load_registers(glint_specular_device *d, const glint_specular_inputs *in)
@@ -149,17 +149,13 @@ void glint_specular_device_clock(glint_specular_device *d, const glint_specular_
     settle(d);
 }
 
-static int lanes_are_valid(int lanes)
-{
-    return lanes >= 1 && lanes <= GLINT_LANES_MAX && (lanes & (lanes - 1)) == 0;
-}
-
 glint_status glint_specular_device_create(const glint_specular_config *config,
                                           glint_specular_device **device)
 {
     *device = NULL;
     if ((unsigned)config->gate >= GLINT_GATE_COUNT ||
-        (unsigned)config->pipeline >= GLINT_PIPELINE_COUNT || !lanes_are_valid(config->lanes))
+        (unsigned)config->pipeline >= GLINT_PIPELINE_COUNT || config->lanes < 1 ||
+        config->lanes > GLINT_LANES_MAX)
         return GLINT_BAD_ARGUMENT;
     glint_specular_device *d = calloc(1, sizeof *d);
     if (d == NULL)

@@ -3,19 +3,22 @@
 
 #include "glint_specular_device.h"
 
-typedef struct signal_row {
-    glint_signal_info info;
-    size_t offset; /* of its int64_t in glint_specular_signals or glint_specular_lane */
-} signal_row;
-
-#define ROW(type, name, block, kind, int_bits, frac_bits, is_signed, meaning)                      \
-    {{#name, block, GLINT_SIGNAL_##kind, int_bits, frac_bits, is_signed, -1, meaning},             \
-     offsetof(type, name)},
+/* The offset is that in glint_specular_signals, or in glint_specular_lane. */
+#define ROW(type, name_, block_, kind_, int_bits_, frac_bits_, is_signed_, meaning_)               \
+    {.name = #name_,                                                                               \
+     .block = (block_),                                                                            \
+     .kind = GLINT_SIGNAL_##kind_,                                                                 \
+     .int_bits = (int_bits_),                                                                      \
+     .frac_bits = (frac_bits_),                                                                    \
+     .is_signed = (is_signed_),                                                                    \
+     .lane = -1,                                                                                   \
+     .meaning = (meaning_),                                                                        \
+     .offset = offsetof(type, name_)},
 #define SHARED_ROW(...) ROW(glint_specular_signals, __VA_ARGS__)
 #define LANE_ROW(...)   ROW(glint_specular_lane, __VA_ARGS__)
 
-static const signal_row shared_rows[] = {GLINT_SPECULAR_SHARED_SIGNALS(SHARED_ROW)};
-static const signal_row lane_rows[] = {GLINT_SPECULAR_LANE_SIGNALS(LANE_ROW)};
+static const glint_signal_info shared_rows[] = {GLINT_SPECULAR_SHARED_SIGNALS(SHARED_ROW)};
+static const glint_signal_info lane_rows[] = {GLINT_SPECULAR_LANE_SIGNALS(LANE_ROW)};
 
 enum {
     SHARED_COUNT = sizeof shared_rows / sizeof shared_rows[0],
@@ -25,16 +28,6 @@ enum {
 int glint_specular_signal_count(const glint_specular_config *config)
 {
     return SHARED_COUNT + config->lanes * LANE_COUNT;
-}
-
-static const signal_row *row_of(int index, int *lane)
-{
-    if (index < SHARED_COUNT) {
-        *lane = -1;
-        return &shared_rows[index];
-    }
-    *lane = (index - SHARED_COUNT) / LANE_COUNT;
-    return &lane_rows[(index - SHARED_COUNT) % LANE_COUNT];
 }
 
 static int int_bits_of(const glint_specular_config *config, int int_bits)
@@ -48,22 +41,23 @@ static int int_bits_of(const glint_specular_config *config, int int_bits)
 
 glint_signal_info glint_specular_signal_info(const glint_specular_config *config, int index)
 {
-    int lane;
-    glint_signal_info info = row_of(index, &lane)->info;
-    info.lane = lane;
+    const int of_lanes = index - SHARED_COUNT;
+    glint_signal_info info = of_lanes < 0 ? shared_rows[index] : lane_rows[of_lanes % LANE_COUNT];
     info.int_bits = int_bits_of(config, info.int_bits);
+    if (of_lanes >= 0) {
+        info.lane = of_lanes / LANE_COUNT;
+        info.offset += offsetof(glint_specular_signals, lane) +
+                       (size_t)info.lane * sizeof(glint_specular_lane);
+    }
     return info;
 }
 
 uint64_t glint_specular_signal_bits(const glint_specular_config *config,
                                     const glint_specular_signals *signals, int index)
 {
-    int lane;
-    const signal_row *row = row_of(index, &lane);
-    const void *base = lane < 0 ? (const void *)signals : (const void *)&signals->lane[lane];
-    int64_t value = *(const int64_t *)(const void *)((const char *)base + row->offset);
-    int width = int_bits_of(config, row->info.int_bits) + row->info.frac_bits;
-    return (uint64_t)value & ((UINT64_C(1) << width) - 1u);
+    const glint_signal_info info = glint_specular_signal_info(config, index);
+    const int64_t value = *(const int64_t *)(const void *)((const char *)signals + info.offset);
+    return (uint64_t)value & ((UINT64_C(1) << (info.int_bits + info.frac_bits)) - 1u);
 }
 
 const char *glint_gate_name(glint_gate gate)

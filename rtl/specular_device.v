@@ -18,7 +18,7 @@
 //             the same edge as a cosine applies to it and to later ones, never to earlier ones.
 // Parameters  GATE      0 cosine (default), 1 sign, 2 drawn: see specular_lane
 //             PIPELINED 1 (default) or 0
-//             LANES     1, 2, 4, 8 or 16
+//             LANES     1 or more; tried are 1 to 32
 `default_nettype none
 `include "glint_formats.vh"
 

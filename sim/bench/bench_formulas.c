@@ -3,7 +3,7 @@
 
 #include "bench/bench.h"
 #include "bench/rounds.h"
-#include "lockstep/random.h"
+#include "circuit/random.h"
 
 typedef struct workload {
     float cosine[GLINT_BENCH_POINTS], result[GLINT_BENCH_POINTS];

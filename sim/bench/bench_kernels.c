@@ -4,7 +4,7 @@
 #include "bench/bench.h"
 #include "bench/kernels.h"
 #include "bench/rounds.h"
-#include "lockstep/random.h"
+#include "circuit/random.h"
 #include "rtl/rtl.h"
 
 typedef struct workload {

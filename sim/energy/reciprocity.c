@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "lockstep/random.h"
+#include "circuit/random.h"
 
 #define PI 3.14159265358979323846
 

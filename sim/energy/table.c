@@ -4,7 +4,7 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-#include "lockstep/random.h"
+#include "circuit/random.h"
 #include "render/pool.h"
 
 #define DEGREE (3.14159265358979323846 / 180.0)

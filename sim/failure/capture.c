@@ -3,8 +3,8 @@
 #include <inttypes.h>
 #include <stdlib.h>
 
+#include "circuit/random_pins.h"
 #include "lockstep/mismatch.h"
-#include "lockstep/random_pins.h"
 
 /* A play under way. The clocks kept are a ring: number c is at c mod its size. */
 typedef struct player {

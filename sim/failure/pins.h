@@ -2,7 +2,7 @@
 #ifndef GLINT_SIM_FAILURE_PINS_H
 #define GLINT_SIM_FAILURE_PINS_H
 
-#include "lockstep/setting.h"
+#include "circuit/setting.h"
 
 typedef struct glint_pin_info {
     const char *name; /* the Verilog's */

@@ -4,7 +4,7 @@
 #ifndef GLINT_SIM_ANSWER_H
 #define GLINT_SIM_ANSWER_H
 
-#include "lockstep/setting.h"
+#include "circuit/setting.h"
 
 typedef enum glint_answer_value {
     GLINT_ANSWER_W,

@@ -3,7 +3,7 @@
 #ifndef GLINT_SIM_BATCH_PINS_H
 #define GLINT_SIM_BATCH_PINS_H
 
-#include "lockstep/setting.h"
+#include "circuit/setting.h"
 
 /* Points of one material, for the specular device, or divisions. */
 typedef struct glint_batch {

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "lockstep/random.h"
+#include "circuit/random.h"
 
 enum {
     RUN = 4096,        /* points shaded at a time: small enough for the caches, and full clocks */

@@ -2,8 +2,8 @@
 
 #include <string.h>
 
+#include "circuit/random_pins.h"
 #include "lockstep/mismatch.h"
-#include "lockstep/random_pins.h"
 #include "lockstep/reach.h"
 #include "lockstep/twin.h"
 

@@ -5,8 +5,8 @@
 
 #include <stdbool.h>
 
+#include "circuit/setting.h"
 #include "lockstep/reach.h"
-#include "lockstep/setting.h"
 
 #define GLINT_MISMATCHES_KEPT 16
 

@@ -3,7 +3,7 @@
 #ifndef GLINT_SIM_REACH_H
 #define GLINT_SIM_REACH_H
 
-#include "lockstep/setting.h"
+#include "circuit/setting.h"
 
 typedef struct glint_reach {
     uint64_t run;              /* the most clocks in a row without reset, stalls included */

@@ -3,7 +3,7 @@
 #ifndef GLINT_SIM_TWIN_H
 #define GLINT_SIM_TWIN_H
 
-#include "lockstep/setting.h"
+#include "circuit/setting.h"
 
 typedef struct glint_twin glint_twin;
 

@@ -10,8 +10,8 @@
 #include <cmocka.h>
 
 #include "../seed.h"
+#include "circuit/random.h"
 #include "glint_divider_device.h"
-#include "lockstep/random.h"
 
 enum { N_FIRST = 6, N_LAST = 16, K_TABLE = 16, D_MAX = 255, CLOCKS = 8000 };
 

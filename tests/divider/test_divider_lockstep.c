@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "../seed.h"
-#include "lockstep/divider_stimulus.h"
+#include "circuit/divider_stimulus.h"
 #include "lockstep/lockstep.h"
 
 enum { N_FIRST = 6, N_LAST = 16, K_TABLE = 16, CLOCKS = 6000, SIGNALS_MAX = 256 };

@@ -3,7 +3,7 @@
 #ifndef GLINT_TESTS_FAULTS_H
 #define GLINT_TESTS_FAULTS_H
 
-#include "lockstep/setting.h"
+#include "circuit/setting.h"
 #include "rtl/divider_model.h"
 #include "rtl/rtl_model.h"
 

@@ -13,12 +13,12 @@
 
 #include "../scratch.h"
 
+#include "circuit/random.h"
 #include "failure/frame.h"
 #include "failure/packet.h"
 #include "faults.h"
 #include "lockstep/exhaustive.h"
 #include "lockstep/mismatch.h"
-#include "lockstep/random.h"
 #include "wave/waveform.h"
 
 static glint_failure *failure;

@@ -19,11 +19,11 @@
 #include "../seed.h"
 #include "../wave/saved.h"
 #include "../wave/vcd.h"
+#include "circuit/random_pins.h"
 #include "failure/packet.h"
 #include "failure/pins.h"
 #include "failure/report.h"
 #include "faults.h"
-#include "lockstep/random_pins.h"
 #include "lockstep/twin.h"
 #include "wave/waveform.h"
 

@@ -12,7 +12,7 @@
 
 #include "../seed.h"
 #include "backend/backend.h"
-#include "lockstep/random.h"
+#include "circuit/random.h"
 #include "rtl/rtl.h"
 
 enum { LONGEST = 600, FILLER = 0xa5 };

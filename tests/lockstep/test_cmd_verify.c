@@ -15,8 +15,8 @@
 
 #include "../child.h"
 #include "../cli/run.h"
+#include "circuit/random_pins.h"
 #include "glint_specular_device.h"
-#include "lockstep/random_pins.h"
 #include "lockstep/reach.h"
 
 enum {

@@ -11,8 +11,8 @@
 
 #include "../seed.h"
 #include "../under_way.h"
+#include "circuit/stimulus.h"
 #include "lockstep/lockstep.h"
-#include "lockstep/stimulus.h"
 
 enum {
     CLOCKS = 6000,

@@ -12,8 +12,8 @@
 #include <cmocka.h>
 
 #include "../seed.h"
+#include "circuit/random_pins.h"
 #include "lockstep/lockstep.h"
-#include "lockstep/random_pins.h"
 #include "lockstep/reach.h"
 #include "rtl/divider_model.h"
 #include "rtl/rtl_model.h"

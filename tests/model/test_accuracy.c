@@ -24,8 +24,8 @@
 #include "../record.h"
 #include "../seed.h"
 #include "blocks.h"
+#include "circuit/random.h"
 #include "glint_specular.h"
-#include "lockstep/random.h"
 #include "multiversion.h"
 
 #define CODES       (GLINT_COS_ONE + 1u)

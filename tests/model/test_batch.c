@@ -12,8 +12,8 @@
 #include <cmocka.h>
 
 #include "../seed.h"
+#include "circuit/random.h"
 #include "glint_specular.h"
-#include "lockstep/random.h"
 
 enum {
     LONGEST = 70, /* 64 a step is the widest loop; and a tail */

@@ -10,8 +10,8 @@
 #include <cmocka.h>
 
 #include "../seed.h"
+#include "circuit/random.h"
 #include "glint_specular_device.h"
-#include "lockstep/random.h"
 
 enum {
     SETTINGS = 30, /* 3 gates, 2 pipelines, 1 to 16 lanes */

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "lockstep/random_pins.h"
+#include "circuit/random_pins.h"
 #include "sweep.h"
 
 typedef enum kind { SPECULAR, SEQUENTIAL, PIPELINED } kind;

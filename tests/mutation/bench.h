@@ -2,7 +2,7 @@
  * output pin compared after every clock, until the first difference.
  *
  * Two tests, one after the other, from registers full of ones and then of zeros before the reset:
- *   lockstep  the random pins of `glint verify` (sim/lockstep/random_pins.h)
+ *   lockstep  the random pins of `glint verify` (sim/circuit/random_pins.h)
  *   sweep     of the specular device, every cosine of every highlight in white, then every t from 0
  *             to 1.0 in changing colours; of the dividers, every k with every difference */
 #ifndef GLINT_TESTS_MUTATION_BENCH_H

@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-#include "lockstep/setting.h"
+#include "circuit/setting.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "lockstep/setting.h"
+#include "circuit/setting.h"
 #include "rtl/divider_model.h"
 #include "rtl/rtl_model.h"
 

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "lockstep/random_pins.h"
+#include "circuit/random_pins.h"
 #include "lockstep/twin.h"
 #include "rtl/divider_model.h"
 #include "rtl/places.h"

@@ -9,7 +9,7 @@
 
 #include <stdbool.h>
 
-#include "lockstep/setting.h"
+#include "circuit/setting.h"
 
 typedef struct pins_options {
     glint_setting setting; /* with the circuit's build: specular_model or divider_model */

@@ -19,9 +19,9 @@
 
 #include "../seed.h"
 #include "blocks.h"
+#include "circuit/random.h"
 #include "glint_divider.h"
 #include "glint_specular.h"
-#include "lockstep/random.h"
 #include "reference.h"
 
 #define THREADS_MAX 64

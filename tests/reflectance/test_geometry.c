@@ -11,8 +11,8 @@
 #include <math.h>
 
 #include "../seed.h"
+#include "circuit/random.h"
 #include "lobes.h"
-#include "lockstep/random.h"
 
 #define PI 3.14159265358979323846
 

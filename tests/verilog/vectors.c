@@ -7,8 +7,8 @@
 
 #include <cmocka.h>
 
-#include "lockstep/divider_stimulus.h"
-#include "lockstep/stimulus.h"
+#include "circuit/divider_stimulus.h"
+#include "circuit/stimulus.h"
 
 /* A word of a file: fields one after the other, the first in the highest bits. */
 typedef struct word {

@@ -1,4 +1,4 @@
-#include "lockstep/divider_stimulus.h"
+#include "circuit/divider_stimulus.h"
 
 #include <string.h>
 

@@ -6,9 +6,9 @@
 #ifndef GLINT_SIM_DIVIDER_STIMULUS_H
 #define GLINT_SIM_DIVIDER_STIMULUS_H
 
+#include "circuit/random.h"
+#include "circuit/schedule.h"
 #include "glint_divider_device.h"
-#include "lockstep/random.h"
-#include "lockstep/schedule.h"
 
 typedef struct glint_divider_stimulus {
     glint_random random;

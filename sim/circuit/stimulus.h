@@ -7,9 +7,9 @@
 #ifndef GLINT_SIM_STIMULUS_H
 #define GLINT_SIM_STIMULUS_H
 
+#include "circuit/random.h"
+#include "circuit/schedule.h"
 #include "glint_specular_device.h"
-#include "lockstep/random.h"
-#include "lockstep/schedule.h"
 
 typedef struct glint_stimulus {
     glint_random random;

@@ -2,9 +2,9 @@
 #ifndef GLINT_SIM_RANDOM_PINS_H
 #define GLINT_SIM_RANDOM_PINS_H
 
-#include "lockstep/divider_stimulus.h"
-#include "lockstep/setting.h"
-#include "lockstep/stimulus.h"
+#include "circuit/divider_stimulus.h"
+#include "circuit/setting.h"
+#include "circuit/stimulus.h"
 
 typedef struct glint_random_pins {
     bool is_divider;

@@ -1,6 +1,6 @@
 /* Each phase of the schedule has its own mood; so a long dense run, a trickle and a storm of
  * material changes all come up, which evenly random pins would never give. */
-#include "lockstep/stimulus.h"
+#include "circuit/stimulus.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "lockstep/schedule.h"
+#include "circuit/schedule.h"
 
 #define STALL_MIN  64u   /* the shortest of the long stalls */
 #define STALL_MOST 4096u /* doubling ends here */

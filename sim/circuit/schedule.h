@@ -15,7 +15,7 @@
 #ifndef GLINT_SIM_SCHEDULE_H
 #define GLINT_SIM_SCHEDULE_H
 
-#include "lockstep/random.h"
+#include "circuit/random.h"
 
 typedef struct glint_schedule {
     int era;                             /* the next one's number */
