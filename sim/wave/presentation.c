@@ -1,108 +1,36 @@
 #include "wave/presentation.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
 /* So many bits, one by one, have room in a clock of the view; of more GTKWave cuts off the last. */
 #define BITS_OF_A_CLOCK 8
 
-/* What a section holds: outputs, valid bits and the delayed colours, or blocks of the figure. */
-typedef enum content { OUTPUTS, BLOCKS, VALID_BITS, DELAYED_COLORS } content;
+#define NUMBER_BITS 64 /* wider values are no numbers to a reader */
+#define CURVE_BITS  4  /* fewer make no curve */
 
-static const struct {
-    const char *title;
-    content content;
-    int blocks[4]; /* ended by 0 */
-} sections[] = {
-    {"Outputs", OUTPUTS, {0}},
-    {"Register 1: cos", BLOCKS, {1}},
-    {"Register 2, ROM 33", BLOCKS, {2, 33}},
-    {"Blocks 6, 7, 8: t", BLOCKS, {6, 7, 8}},
-    {"ROM 9, comparator 11", BLOCKS, {9, 11}},
-    {"Blocks 10, 12: W", BLOCKS, {10, 12}},
-    {"Registers 3, 4, 5", BLOCKS, {3, 4, 5}},
-    {"Multipliers 13-15", BLOCKS, {13, 14, 15}},
-    {"Valid bits", VALID_BITS, {0}},
-    {"R, G, B, stages 2, 3", DELAYED_COLORS, {0}},
-};
-
-int glint_show_specular_sections(void)
+const char *glint_show_place(const glint_setting *setting)
 {
-    return (int)(sizeof sections / sizeof sections[0]);
-}
-
-static content content_of(const glint_signal_info *signal)
-{
-    if (signal->kind == GLINT_SIGNAL_OUTPUT)
-        return OUTPUTS;
-    if (signal->kind != GLINT_SIGNAL_STAGE)
-        return BLOCKS;
-    if (signal->block == 0)
-        return VALID_BITS;
-    return signal->block >= 3 && signal->block <= 5 ? DELAYED_COLORS : BLOCKS;
-}
-
-static bool has_block(int section, int block)
-{
-    for (int i = 0; sections[section].blocks[i] != 0; i++)
-        if (sections[section].blocks[i] == block)
-            return true;
-    return false;
-}
-
-int glint_show_specular_section(const glint_signal_info *signal)
-{
-    const content content = content_of(signal);
-    int section = 0;
-    while (sections[section].content != content ||
-           (content == BLOCKS && !has_block(section, signal->block)))
-        section++;
-    return section;
-}
-
-const char *glint_show_specular_title(int section)
-{
-    return sections[section].title;
-}
-
-bool glint_show_specular_folded(int section)
-{
-    return sections[section].content == DELAYED_COLORS;
-}
-
-/* A divider's heading stands before the signal of that name. */
-static const struct {
-    const char *signal, *title;
-} divider_titles[] = {
-    {"busy", "Under way"},
-    {"rom_bits", "Table: bits of 1/k"},
-    {"bits_rg", "Bits still to come"},
-    {"shift_rg", "Shift register"},
-    {"term", "Accumulating adder"},
-    {"done", "Outputs"},
-    {"s0_valid", "Input registers"},
-    {"out_valid", "Outputs"},
-};
-
-static const char *title_before(const char *signal)
-{
-    for (size_t i = 0; i < sizeof divider_titles / sizeof divider_titles[0]; i++)
-        if (strcmp(divider_titles[i].signal, signal) == 0)
-            return divider_titles[i].title;
+    const glint_circuit *circuit = setting->circuit;
+    if (circuit->lane_name == NULL)
+        return NULL;
+    const int count = circuit->signal_count(setting->values);
+    int first = -1;
+    for (int i = 0; i < count; i++) {
+        const int lane = circuit->signal(setting->values, i).lane;
+        if (lane >= 0 && first >= 0 && lane != first)
+            return circuit->lane_name;
+        first = lane >= 0 ? lane : first;
+    }
     return NULL;
 }
 
-bool glint_show_divider_begins(glint_divider_form form, int shifts, int index)
+void glint_show_lane_title(const glint_setting *setting, int lane, char title[GLINT_SHOW_LABEL])
 {
-    return title_before(glint_divider_signal_info(form, shifts, index).name) != NULL;
-}
-
-/* The first signal of each form begins one. */
-const char *glint_show_divider_title(glint_divider_form form, int shifts, int index)
-{
-    while (!glint_show_divider_begins(form, shifts, index))
-        index--;
-    return title_before(glint_divider_signal_info(form, shifts, index).name);
+    const char *name = setting->circuit->lane_name;
+    (void)snprintf(title, GLINT_SHOW_LABEL, "%c%s %d", toupper((unsigned char)name[0]), name + 1,
+                   lane);
 }
 
 void glint_show_label(const glint_signal_info *signal, const char *place, const char *ending,
@@ -115,19 +43,24 @@ void glint_show_label(const glint_signal_info *signal, const char *place, const 
         (void)snprintf(label, GLINT_SHOW_LABEL, "%s%s", signal->name, ending);
 }
 
+static int width_of(const glint_signal_info *signal)
+{
+    return signal->int_bits + signal->frac_bits;
+}
+
 /* Single bits; valid bits, one a lane; the bits of the dividers' table, which their names tell. */
 static bool is_bits(const glint_signal_info *signal)
 {
-    const bool is_valid = strstr(signal->name, "valid") != NULL;
-    return signal->int_bits + signal->frac_bits == 1 || is_valid ||
+    return width_of(signal) == 1 || strstr(signal->name, "valid") != NULL ||
            strstr(signal->name, "bits") != NULL;
 }
 
 unsigned glint_show_number(const glint_signal_info *signal)
 {
-    return signal->is_signed ? GLINT_GTKW_SHOW_SIGNED
-           : is_bits(signal) ? GLINT_GTKW_SHOW_BINARY
-                             : GLINT_GTKW_SHOW_DECIMAL;
+    return width_of(signal) > NUMBER_BITS ? GLINT_GTKW_SHOW_HEX
+           : signal->is_signed            ? GLINT_GTKW_SHOW_SIGNED
+           : is_bits(signal)              ? GLINT_GTKW_SHOW_BINARY
+                                          : GLINT_GTKW_SHOW_DECIMAL;
 }
 
 unsigned glint_show_code(const glint_signal_info *signal)
@@ -143,7 +76,31 @@ int glint_show_color(const glint_signal_info *signal)
                                                  : GLINT_GTKW_COLOR_NORMAL;
 }
 
-bool glint_show_curve(const glint_signal_info *signal)
+static bool can_be_curve(const glint_signal_info *signal)
 {
-    return strcmp(signal->name, "out_r") == 0 && signal->int_bits == GLINT_COLOR_BITS;
+    return signal->kind == GLINT_SIGNAL_OUTPUT && signal->frac_bits == 0 && !signal->is_signed &&
+           !is_bits(signal) && signal->int_bits >= CURVE_BITS && signal->int_bits <= NUMBER_BITS;
+}
+
+bool glint_show_curve(const glint_setting *setting, const glint_signal_info *signal)
+{
+    const glint_circuit *circuit = setting->circuit;
+    const int count = circuit->signal_count(setting->values);
+    for (int i = 0; i < count; i++) {
+        const glint_signal_info other = circuit->signal(setting->values, i);
+        if (can_be_curve(&other))
+            return can_be_curve(signal) && strcmp(other.name, signal->name) == 0;
+    }
+    return false;
+}
+
+glint_signal_info glint_show_pin(const glint_pin_info *pin)
+{
+    return (glint_signal_info){.name = pin->name,
+                               .kind = GLINT_SIGNAL_REGISTER, /* in no colour */
+                               .int_bits = pin->int_bits,
+                               .frac_bits = pin->frac_bits,
+                               .is_signed = pin->is_signed,
+                               .lane = pin->lane,
+                               .meaning = pin->meaning};
 }

@@ -1,29 +1,23 @@
-/* How the circuits are shown, in waveforms of one circuit and of a failure: which signals stand
- * under which heading, in what order, by what name, in which radix and colour. */
+/* How a circuit is shown, in waveforms of it and of a failure: by what name, in which radix and
+ * colour. Under which heading is the description's: signal.heading, circuit.headings. */
 #ifndef GLINT_SIM_PRESENTATION_H
 #define GLINT_SIM_PRESENTATION_H
 
 #include <stdbool.h>
 
-#include "glint_divider_device.h"
-#include "glint_specular_device.h"
+#include "circuit/setting.h"
 #include "wave/gtkw.h"
 
-#define GLINT_SHOW_LABEL 64
+#define GLINT_SHOW_LABEL 128
 
 /* Headings are short: the widest of them and of the names is the width of the column of names. */
 #define GLINT_SHOW_INPUTS "Inputs"
 
-/* The specular device's headings, 0 on top: the outputs first, as the pins are to be seen together
- * in any window, then the figure's blocks as the data flows. */
-int glint_show_specular_sections(void);
-int glint_show_specular_section(const glint_signal_info *signal);
-const char *glint_show_specular_title(int section);
-bool glint_show_specular_folded(int section); /* of use to few: folded */
+/* What signal.lane counts, "lane" or "stage", for labels; NULL where there is no more than one. */
+const char *glint_show_place(const glint_setting *setting);
 
-/* The heading that signal `index` of a divider stands under, and whether it begins there. */
-const char *glint_show_divider_title(glint_divider_form form, int shifts, int index);
-bool glint_show_divider_begins(glint_divider_form form, int shifts, int index);
+/* "Lane 3", "Stage 3": the heading of one lane's signals. */
+void glint_show_lane_title(const glint_setting *setting, int lane, char title[GLINT_SHOW_LABEL]);
 
 /* A signal's name with that of its lane or stage, "lane3 reg1", unless `place` is NULL or the
  * signal is of the whole circuit; `ending` goes behind it. No dots: GTKWave would leave out what is
@@ -32,7 +26,7 @@ void glint_show_label(const glint_signal_info *signal, const char *place, const 
                       char label[GLINT_SHOW_LABEL]);
 
 /* Flags of a signal: integers and, with the position of its point, a fixed-point code as numbers;
- * what is read bit by bit as bits. */
+ * what is read bit by bit as bits, what is wider than 64 bits in hex. */
 unsigned glint_show_number(const glint_signal_info *signal);
 
 /* Flags where two sides are held against each other: fixed-point codes and long rows of bits in
@@ -42,7 +36,11 @@ unsigned glint_show_code(const glint_signal_info *signal);
 /* Pipeline registers and outputs have a colour of their own. */
 int glint_show_color(const glint_signal_info *signal);
 
-/* Drawn as a curve as well. */
-bool glint_show_curve(const glint_signal_info *signal);
+/* Drawn as a curve as well: the first output that is an integer without sign of some bits, in every
+ * lane. */
+bool glint_show_curve(const glint_setting *setting, const glint_signal_info *signal);
+
+/* A pin as a signal: its name, width, point, sign and lane. */
+glint_signal_info glint_show_pin(const glint_pin_info *pin);
 
 #endif
