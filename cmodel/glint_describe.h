@@ -1,0 +1,60 @@
+/* Shorthand for the tables of a circuit's description: rows that name a member of a struct once, and
+ * the two functions that a table of rows is to glint_circuit.h.
+ *
+ *     typedef struct mac_pins {
+ *         uint8_t reset;
+ *         int32_t a;
+ *     } mac_pins;
+ *
+ *     GLINT_PIN_TABLE(pin_count, pin,
+ *         GLINT_PIN(mac_pins, reset, RESET, 1, 0, 0, "clears the sum"),
+ *         GLINT_PIN(mac_pins, a, DATA, values[WIDTH], 0, 1, "a factor"))
+ *
+ * defines pin_count(values) and pin(values, index) as the description wants them. A width may be any
+ * expression of `values`. How many rows there are must not depend on it: a circuit with lanes or
+ * stages writes the two functions itself, of the same rows. */
+#ifndef GLINT_DESCRIBE_H
+#define GLINT_DESCRIBE_H
+
+#include "glint_circuit.h"
+
+/* The pin `member` of a struct of pins, of the port of the same name; an array is a wide pin. */
+#define GLINT_PIN(type, member, role, int_bits, frac_bits, is_signed, meaning)                     \
+    GLINT_PIN_OF(type, member, #member, role, int_bits, frac_bits, is_signed, -1, meaning)
+
+/* The same where the port has another name, or the pin is a lane's part of it. */
+#define GLINT_PIN_OF(type, member, port, role, int_bits, frac_bits, is_signed, lane, meaning)      \
+    {port,      GLINT_PIN_##role, int_bits, frac_bits, is_signed, lane, offsetof(type, member),    \
+     sizeof(((const type *)0)->member), meaning}
+
+/* The signal `member` of the model's struct, found in the Verilog by the same name; `member` is an
+ * int64_t, or an array of uint64_t for more than 64 bits. */
+#define GLINT_SIGNAL(type, member, kind, int_bits, frac_bits, is_signed, heading, meaning)         \
+    GLINT_SIGNAL_OF(type, member, #member, NULL, kind, int_bits, frac_bits, is_signed, -1,         \
+                    heading, meaning)
+
+/* The same where it has another name, is found by a path ("u_sub.acc", "mem[3]"; NULL: by the
+ * name), or belongs to a lane. */
+#define GLINT_SIGNAL_OF(type, member, name, path, kind, int_bits, frac_bits, is_signed, lane,      \
+                        heading, meaning)                                                          \
+    {name, 0,       GLINT_SIGNAL_##kind,    int_bits, frac_bits, is_signed,                        \
+     lane, meaning, offsetof(type, member), path,     heading}
+
+#define GLINT_PIN_TABLE(count, row, ...)    GLINT_TABLE(glint_pin_info, count, row, __VA_ARGS__)
+#define GLINT_SIGNAL_TABLE(count, row, ...) GLINT_TABLE(glint_signal_info, count, row, __VA_ARGS__)
+
+#define GLINT_TABLE(type, count, row, ...)                                                         \
+    static type row(const int *values, int index)                                                  \
+    {                                                                                              \
+        (void)values;                                                                              \
+        const type rows[] = {__VA_ARGS__};                                                         \
+        return rows[index];                                                                        \
+    }                                                                                              \
+    static int count(const int *values)                                                            \
+    {                                                                                              \
+        (void)values;                                                                              \
+        const type rows[] = {__VA_ARGS__};                                                         \
+        return (int)(sizeof rows / sizeof rows[0]);                                                \
+    }
+
+#endif
