@@ -1,5 +1,5 @@
-/* Shorthand for the tables of a circuit's description: rows that name a member of a struct once, and
- * the two functions that a table of rows is to glint_circuit.h.
+/* Shorthand for the tables of a circuit's description: rows that name a member of a struct once,
+ * and the two functions that a table of rows is to glint_circuit.h.
  *
  *     typedef struct mac_pins {
  *         uint8_t reset;
@@ -10,9 +10,9 @@
  *         GLINT_PIN(mac_pins, reset, RESET, 1, 0, 0, "clears the sum"),
  *         GLINT_PIN(mac_pins, a, DATA, values[WIDTH], 0, 1, "a factor"))
  *
- * defines pin_count(values) and pin(values, index) as the description wants them. A width may be any
- * expression of `values`. How many rows there are must not depend on it: a circuit with lanes or
- * stages writes the two functions itself, of the same rows. */
+ * defines pin_count(values) and pin(values, index) as the description wants them. A width may be
+ * any expression of `values`. How many rows there are must not depend on it: a circuit with lanes
+ * or stages writes the two functions itself, of the same rows. */
 #ifndef GLINT_DESCRIBE_H
 #define GLINT_DESCRIBE_H
 
@@ -23,9 +23,12 @@
     GLINT_PIN_OF(type, member, #member, role, int_bits, frac_bits, is_signed, -1, meaning)
 
 /* The same where the port has another name, or the pin is a lane's part of it. */
-#define GLINT_PIN_OF(type, member, port, role, int_bits, frac_bits, is_signed, lane, meaning)      \
-    {port,      GLINT_PIN_##role, int_bits, frac_bits, is_signed, lane, offsetof(type, member),    \
-     sizeof(((const type *)0)->member), meaning}
+#define GLINT_PIN_OF(type, member, port, part, ints, fracs, sign, lane_of, text)                   \
+    {                                                                                              \
+        .name = port, .role = GLINT_PIN_##part, .int_bits = ints, .frac_bits = fracs,              \
+        .is_signed = sign, .lane = lane_of, .offset = offsetof(type, member),                      \
+        .size = sizeof(((const type *)0)->member), .meaning = text                                 \
+    }
 
 /* The signal `member` of the model's struct, found in the Verilog by the same name; `member` is an
  * int64_t, or an array of uint64_t for more than 64 bits. */
@@ -35,10 +38,20 @@
 
 /* The same where it has another name, is found by a path ("u_sub.acc", "mem[3]"; NULL: by the
  * name), or belongs to a lane. */
-#define GLINT_SIGNAL_OF(type, member, name, path, kind, int_bits, frac_bits, is_signed, lane,      \
-                        heading, meaning)                                                          \
-    {name, 0,       GLINT_SIGNAL_##kind,    int_bits, frac_bits, is_signed,                        \
-     lane, meaning, offsetof(type, member), path,     heading}
+#define GLINT_SIGNAL_OF(type, member, called, at, sort, ints, fracs, sign, lane_of, title, text)   \
+    {                                                                                              \
+        .name = called, .kind = GLINT_SIGNAL_##sort, .int_bits = ints, .frac_bits = fracs,         \
+        .is_signed = sign, .lane = lane_of, .meaning = text, .offset = offsetof(type, member),     \
+        .path = at, .heading = title                                                               \
+    }
+
+/* The function name(values) whose answer is the same in every setting: of top, latency, pace. */
+#define GLINT_ALWAYS(type, name, answer)                                                           \
+    static type name(const int *values)                                                            \
+    {                                                                                              \
+        (void)values;                                                                              \
+        return answer;                                                                             \
+    }
 
 #define GLINT_PIN_TABLE(count, row, ...)    GLINT_TABLE(glint_pin_info, count, row, __VA_ARGS__)
 #define GLINT_SIGNAL_TABLE(count, row, ...) GLINT_TABLE(glint_signal_info, count, row, __VA_ARGS__)

@@ -27,13 +27,13 @@ typedef struct mac_pins {
     int16_t a, b;
 } mac_pins;
 
-GLINT_PIN_TABLE(pin_count, pin,
-    GLINT_PIN(mac_pins, reset, RESET, 1, 0, 0, "clears everything"),
-    GLINT_PIN(mac_pins, en, ENABLE, 1, 0, 0, "0 freezes everything"),
-    GLINT_PIN(mac_pins, in_valid, VALID, 1, 0, 0, "a and b are taken"),
-    GLINT_PIN(mac_pins, first, STROBE, 1, 0, 0, "the sum begins anew with this product"),
-    GLINT_PIN(mac_pins, a, DATA, values[WIDTH], 0, 1, "a factor"),
-    GLINT_PIN(mac_pins, b, DATA, values[WIDTH], 0, 1, "the other factor"))
+GLINT_PIN_TABLE(pin_count, pin, GLINT_PIN(mac_pins, reset, RESET, 1, 0, 0, "clears everything"),
+                GLINT_PIN(mac_pins, en, ENABLE, 1, 0, 0, "0 freezes everything"),
+                GLINT_PIN(mac_pins, in_valid, VALID, 1, 0, 0, "a and b are taken"),
+                GLINT_PIN(mac_pins, first, STROBE, 1, 0, 0,
+                          "the sum begins anew with this product"),
+                GLINT_PIN(mac_pins, a, DATA, values[WIDTH], 0, 1, "a factor"),
+                GLINT_PIN(mac_pins, b, DATA, values[WIDTH], 0, 1, "the other factor"))
 
 /* In the order that data flows: the first to differ is then the cause, or is fed by it. */
 typedef struct mac_signals {
@@ -42,14 +42,14 @@ typedef struct mac_signals {
     int64_t out_valid, out_saturated, out_sum;
 } mac_signals;
 
-static const glint_heading headings[] = {{"Stage 1: the product", 0},
-                                         {"Stage 2: the sum", 0},
-                                         {"Outputs", 0}};
 #define PRODUCT "Stage 1: the product"
 #define SUM     "Stage 2: the sum"
 #define OUTPUTS "Outputs"
 
-GLINT_SIGNAL_TABLE(signal_count, signal,
+static const glint_heading headings[] = {{.title = PRODUCT}, {.title = SUM}, {.title = OUTPUTS}};
+
+GLINT_SIGNAL_TABLE(
+    signal_count, signal,
     GLINT_SIGNAL(mac_signals, s1_valid, STAGE, 1, 0, 0, PRODUCT, "there is a product"),
     GLINT_SIGNAL(mac_signals, s1_first, STAGE, 1, 0, 0, PRODUCT, "the sum begins with it"),
     GLINT_SIGNAL(mac_signals, product, REGISTER, 2 * values[WIDTH], 0, 1, PRODUCT, "a*b"),
@@ -60,17 +60,8 @@ GLINT_SIGNAL_TABLE(signal_count, signal,
     GLINT_SIGNAL(mac_signals, out_saturated, OUTPUT, 1, 0, 0, OUTPUTS, "it stopped at an end"),
     GLINT_SIGNAL(mac_signals, out_sum, OUTPUT, 2 * values[WIDTH], 0, 1, OUTPUTS, "the sum"))
 
-static const char *top(const int *values)
-{
-    (void)values;
-    return "saturating_mac";
-}
-
-static int latency(const int *values)
-{
-    (void)values;
-    return 2;
-}
+GLINT_ALWAYS(const char *, top, "saturating_mac")
+GLINT_ALWAYS(int, latency, 2)
 
 /* ---- What it does: the C model ---- */
 
@@ -128,13 +119,14 @@ static const void *signals(const void *model)
     return &((const mac *)model)->s;
 }
 
-/* ---- Every input: each pair of factors, four times in a row so that the sum meets its ends ---- */
+/* ---- Every input: each pair of factors, four times in a row so that the sum meets its ends ----
+ */
 
 enum { ROUNDS = 4, WIDEST = 10 };
 
 static uint64_t points(const int *values)
 {
-    return values[WIDTH] <= WIDEST ? UINT64_C(ROUNDS) << (2 * values[WIDTH]) : 0;
+    return values[WIDTH] <= WIDEST ? (uint64_t)ROUNDS << (2 * values[WIDTH]) : 0;
 }
 
 static void put(const int *values, uint64_t point, void *pins_now)
@@ -157,7 +149,7 @@ static const glint_domain domain = {
 const glint_circuit glint_my_circuit = {
     .name = "saturating_mac",
     .title = "Saturating multiply-accumulate",
-    .clock = "clk",
+    .clock_port = "clk",
     .top = top,
     .parameters = parameters,
     .parameter_count = sizeof parameters / sizeof parameters[0],
