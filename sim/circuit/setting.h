@@ -28,7 +28,8 @@ int glint_setting_value(const glint_setting *setting, const char *name, int othe
  * the index-th; false past the last. */
 bool glint_setting_listed(const glint_circuit *circuit, int index, glint_setting *setting);
 
-/* Signals and their values as rows of words: signal i has its words from glint_signal_word(i) on. */
+/* Signals and their values as rows of words: signal i has its words from glint_signal_word(i) on.
+ */
 #define GLINT_SIGNAL_WORDS_MAX 2048 /* of all signals of a circuit */
 #define GLINT_PINS_SIZE_MAX    1024 /* of a circuit's struct of pins */
 

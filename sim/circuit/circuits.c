@@ -1,0 +1,23 @@
+#include "circuit/circuits.h"
+
+#include <string.h>
+
+static const glint_circuit *const circuits[] = {
+    &glint_circuit_specular,
+    &glint_circuit_divider,
+};
+
+const glint_circuit *glint_circuit_number(int index)
+{
+    return index >= 0 && index < (int)(sizeof circuits / sizeof circuits[0]) ? circuits[index]
+                                                                             : NULL;
+}
+
+const glint_circuit *glint_circuit_named(const char *name)
+{
+    const glint_circuit *circuit;
+    for (int i = 0; (circuit = glint_circuit_number(i)) != NULL; i++)
+        if (strcmp(circuit->name, name) == 0)
+            return circuit;
+    return NULL;
+}

@@ -1,0 +1,261 @@
+/* The specular-colour device of figure 3.1, described. */
+#include <stdio.h>
+#include <string.h>
+
+#include "circuit/circuits.h"
+#include "circuit/stimulus.h"
+
+static const char *const gates[] = {"cosine", "sign", "drawn"};
+static const char *const pipelines[] = {"combinational", "pipelined"};
+static const int lane_counts[] = {1, 2, 4, 8, 16};
+_Static_assert(sizeof gates / sizeof gates[0] == GLINT_GATE_COUNT, "a name for each gate");
+_Static_assert(sizeof pipelines / sizeof pipelines[0] == GLINT_PIPELINE_COUNT,
+               "a name for each pipeline");
+
+static const glint_parameter parameters[] = {
+    [GLINT_SPECULAR_GATE] = {.name = "gate",
+                             .verilog = "GATE",
+                             .meaning = "what ends the highlight",
+                             .choices = gates,
+                             .max = GLINT_GATE_COUNT - 1,
+                             .standard = GLINT_GATE_COSINE},
+    [GLINT_SPECULAR_PIPELINE] = {.name = "pipeline",
+                                 .verilog = "PIPELINED",
+                                 .meaning = "what stands between the stages",
+                                 .choices = pipelines,
+                                 .max = GLINT_PIPELINE_COUNT - 1,
+                                 .standard = GLINT_PIPELINE_PIPELINED},
+    [GLINT_SPECULAR_LANES] = {.name = "lanes",
+                              .verilog = "LANES",
+                              .meaning = "cosines a clock",
+                              .min = 1,
+                              .max = GLINT_LANES_MAX,
+                              .standard = 1,
+                              .listed = lane_counts,
+                              .listed_count = sizeof lane_counts / sizeof lane_counts[0]},
+};
+
+glint_setting glint_setting_specular(const glint_specular_config *config)
+{
+    return (glint_setting){.circuit = &glint_circuit_specular,
+                           .values = {[GLINT_SPECULAR_GATE] = (int)config->gate,
+                                      [GLINT_SPECULAR_PIPELINE] = (int)config->pipeline,
+                                      [GLINT_SPECULAR_LANES] = config->lanes}};
+}
+
+glint_specular_config glint_specular_config_of(const int *values)
+{
+    return (glint_specular_config){.gate = (glint_gate)values[GLINT_SPECULAR_GATE],
+                                   .pipeline = (glint_pipeline)values[GLINT_SPECULAR_PIPELINE],
+                                   .lanes = values[GLINT_SPECULAR_LANES]};
+}
+
+static void describe(const int *values, char *text, size_t size)
+{
+    const glint_specular_config config = glint_specular_config_of(values);
+    (void)snprintf(text, size, "gate %s, pipeline %s, lanes %d", glint_gate_name(config.gate),
+                   glint_pipeline_name(config.pipeline), config.lanes);
+}
+
+static const char *top(const int *values)
+{
+    (void)values;
+    return "specular_device";
+}
+
+/* ---- Pins ------------------------------------------------------------------------------------ */
+
+#define PIN(pin, pin_role, bits, what)                                                             \
+    {                                                                                              \
+        .name = #pin, .role = GLINT_PIN_##pin_role, .int_bits = (bits), .lane = -1,                \
+        .offset = offsetof(glint_specular_inputs, pin),                                            \
+        .size = sizeof(((glint_specular_inputs *)0)->pin), .meaning = (what)                       \
+    }
+
+static const glint_pin_info shared_pins[] = {
+    PIN(reset, RESET, 1, "clears every register"),
+    PIN(en, ENABLE, 1, "0 freezes the device"),
+    PIN(n_we, STROBE, 1, "writes n"),
+    PIN(n, DATA, GLINT_N_BITS, "exponent"),
+    PIN(rgb_we, STROBE, 1, "writes r, g, b"),
+    PIN(r, DATA, GLINT_COLOR_BITS, "R times Ks"),
+    PIN(g, DATA, GLINT_COLOR_BITS, "G times Ks"),
+    PIN(b, DATA, GLINT_COLOR_BITS, "B times Ks"),
+    PIN(in_valid, VALID, GLINT_LANES_WIDTH, "the lane takes its cosine"),
+};
+enum { SHARED_PINS = sizeof shared_pins / sizeof shared_pins[0] };
+
+static int pin_count(const int *values)
+{
+    return SHARED_PINS + values[GLINT_SPECULAR_LANES];
+}
+
+static glint_pin_info pin(const int *values, int index)
+{
+    const int lane = index - SHARED_PINS;
+    if (lane >= 0)
+        return (glint_pin_info){.name = "cos",
+                                .role = GLINT_PIN_DATA,
+                                .int_bits = GLINT_COS_BITS - GLINT_COS_FRAC_BITS,
+                                .frac_bits = GLINT_COS_FRAC_BITS,
+                                .lane = lane,
+                                .offset = offsetof(glint_specular_inputs, cos) +
+                                          (size_t)lane * sizeof(uint32_t),
+                                .size = sizeof(uint32_t),
+                                .meaning = "cos gamma, a code"};
+    glint_pin_info info = shared_pins[index];
+    if (info.int_bits == GLINT_LANES_WIDTH)
+        info.int_bits = values[GLINT_SPECULAR_LANES];
+    return info;
+}
+
+/* ---- Signals --------------------------------------------------------------------------------- */
+
+/* The outputs first, as the pins are to be seen together in any window, then the figure's blocks as
+ * the data flows. Short: the widest of them is the width of the column of names. */
+static const glint_heading headings[] = {
+    {.title = "Outputs"},
+    {.title = "Register 1: cos"},
+    {.title = "Register 2, ROM 33"},
+    {.title = "Blocks 6, 7, 8: t"},
+    {.title = "ROM 9, comparator 11"},
+    {.title = "Blocks 10, 12: W"},
+    {.title = "Registers 3, 4, 5"},
+    {.title = "Multipliers 13-15"},
+    {.title = "Valid bits"},
+    {.title = "R, G, B, stages 2, 3", .folded = 1},
+};
+enum {
+    OUTPUTS,
+    COSINE,
+    EXPONENT,
+    T,
+    LIMIT,
+    W,
+    COLORS,
+    MULTIPLIERS,
+    VALID_BITS,
+    DELAYED_COLORS,
+};
+
+static int heading_of(const glint_signal_info *signal)
+{
+    static const int of_block[] = {
+        [0] = VALID_BITS,
+        [1] = COSINE,
+        [2] = EXPONENT,
+        [3] = COLORS,
+        [4] = COLORS,
+        [5] = COLORS,
+        [6] = T,
+        [7] = T,
+        [8] = T,
+        [9] = LIMIT,
+        [10] = W,
+        [11] = LIMIT,
+        [12] = W,
+        [33] = EXPONENT,
+        [13] = MULTIPLIERS,
+        [14] = MULTIPLIERS,
+        [15] = MULTIPLIERS,
+    };
+    if (signal->kind == GLINT_SIGNAL_OUTPUT)
+        return OUTPUTS;
+    const int heading = of_block[signal->block];
+    return heading == COLORS && signal->kind == GLINT_SIGNAL_STAGE ? DELAYED_COLORS : heading;
+}
+
+/* With the combinational pipeline a stage is a wire and says nothing new, but for the first, which
+ * has a register. The saturated square differs from the square, and the limit is needed in stage 2,
+ * with gate drawn only. */
+static int is_copy(const glint_specular_config *config, const glint_signal_info *signal)
+{
+    if (signal->kind == GLINT_SIGNAL_STAGE && config->pipeline == GLINT_PIPELINE_COMBINATIONAL)
+        return strcmp(signal->name, "s1_valid") != 0;
+    if (strcmp(signal->name, "sat10") == 0 || strcmp(signal->name, "s2_rom9") == 0)
+        return config->gate != GLINT_GATE_DRAWN;
+    return 0;
+}
+
+static int signal_count(const int *values)
+{
+    const glint_specular_config config = glint_specular_config_of(values);
+    return glint_specular_signal_count(&config);
+}
+
+static glint_signal_info signal(const int *values, int index)
+{
+    const glint_specular_config config = glint_specular_config_of(values);
+    glint_signal_info info = glint_specular_signal_info(&config, index);
+    info.heading = headings[heading_of(&info)].title;
+    info.is_copy = is_copy(&config, &info);
+    return info;
+}
+
+static int latency(const int *values)
+{
+    return glint_specular_latency((glint_pipeline)values[GLINT_SPECULAR_PIPELINE]);
+}
+
+/* ---- C model and stimulus -------------------------------------------------------------------- */
+
+static glint_status create(const int *values, void **model)
+{
+    const glint_specular_config config = glint_specular_config_of(values);
+    glint_specular_device *device;
+    const glint_status status = glint_specular_device_create(&config, &device);
+    *model = device;
+    return status;
+}
+
+static void destroy(void *model)
+{
+    glint_specular_device_destroy(model);
+}
+
+static void clock_model(void *model, const void *pins)
+{
+    glint_specular_device_clock(model, pins);
+}
+
+static const void *signals(const void *model)
+{
+    return glint_specular_device_signals(model);
+}
+
+static void stimulus_begin(void *stimulus, const int *values, uint64_t seed)
+{
+    glint_stimulus_init(stimulus, seed, values[GLINT_SPECULAR_LANES]);
+}
+
+static void stimulus_next(void *stimulus, void *pins)
+{
+    glint_stimulus_next(stimulus, pins);
+}
+
+const glint_circuit glint_circuit_specular = {
+    .name = "specular",
+    .title = "Specular-colour device",
+    .clock_port = "clk",
+    .top = top,
+    .parameters = parameters,
+    .parameter_count = sizeof parameters / sizeof parameters[0],
+    .describe = describe,
+    .pin_count = pin_count,
+    .pin = pin,
+    .pins_size = sizeof(glint_specular_inputs),
+    .signal_count = signal_count,
+    .signal = signal,
+    .lane_name = "lane",
+    .lane_scope = "lane[%d].u",
+    .headings = headings,
+    .heading_count = sizeof headings / sizeof headings[0],
+    .latency = latency,
+    .create = create,
+    .destroy = destroy,
+    .clock = clock_model,
+    .signals = signals,
+    .stimulus_size = sizeof(glint_stimulus),
+    .stimulus_begin = stimulus_begin,
+    .stimulus_next = stimulus_next,
+};
