@@ -1,0 +1,105 @@
+/* detector: a Mealy machine, its output combinational of state and pin; no number at its pins. The
+ * top module depends on a parameter that the Verilog does not have. */
+#include <stdlib.h>
+
+#include "glint_describe.h"
+
+enum { FORM };
+enum { FORM_BINARY, FORM_ONEHOT };
+
+static const char *const form_names[] = {"binary", "onehot"};
+static const glint_parameter parameters[] = {
+    {.name = "form", .meaning = "how the state is kept", .choices = form_names, .max = FORM_ONEHOT},
+};
+
+typedef struct pins {
+    uint8_t reset, bit_in;
+} pins;
+
+GLINT_PIN_TABLE(pin_count, pin, GLINT_PIN(pins, reset, RESET, 1, 0, 0, "nothing fits"),
+                GLINT_PIN(pins, bit_in, STROBE, 1, 0, 0, "the next bit"))
+
+typedef struct signals_now {
+    int64_t state, found, count;
+} signals_now;
+
+static const glint_heading headings[] = {{.title = "Detector"}};
+
+GLINT_SIGNAL_TABLE(signal_count, signal,
+                   GLINT_SIGNAL(signals_now, state, REGISTER, values[FORM] == FORM_ONEHOT ? 4 : 2,
+                                0, 0, "Detector", "how many bits fit"),
+                   GLINT_SIGNAL(signals_now, found, OUTPUT, 1, 0, 0, "Detector", "they end here"),
+                   GLINT_SIGNAL(signals_now, count, OUTPUT, 8, 0, 0, "Detector", "found so far"))
+
+static const char *top(const int *values)
+{
+    return values[FORM] == FORM_ONEHOT ? "detector_onehot" : "detector_binary";
+}
+
+GLINT_ALWAYS(int, latency, 0)
+
+typedef struct detector {
+    int form;
+    int fit; /* bits that fit so far; −1: after reset */
+    signals_now s;
+} detector;
+
+static void settle(detector *m, const pins *in)
+{
+    const int fit = m->fit < 0 ? 0 : m->fit;
+    m->s.state = m->form == FORM_BINARY ? fit : m->fit < 0 ? 0 : 1 << fit;
+    m->s.found = fit == 3 && in->bit_in;
+}
+
+static void clock_edge(void *model, const void *pins_now)
+{
+    static const int next[4][2] = {{0, 1}, {2, 1}, {0, 3}, {2, 1}};
+    detector *m = model;
+    const pins *in = pins_now;
+    if (in->reset) {
+        m->fit = -1;
+        m->s.count = 0;
+    } else {
+        settle(m, in);
+        m->s.count = (m->s.count + m->s.found) & 0xff;
+        m->fit = next[m->fit < 0 ? 0 : m->fit][in->bit_in];
+    }
+    settle(m, in);
+}
+
+static glint_status create(const int *values, void **model)
+{
+    detector *m = calloc(1, sizeof *m);
+    *model = m;
+    if (m == NULL)
+        return GLINT_NO_MEMORY;
+    m->form = values[FORM];
+    m->fit = -1;
+    return GLINT_OK;
+}
+
+static const void *signals(const void *model)
+{
+    return &((const detector *)model)->s;
+}
+
+const glint_circuit glint_my_circuit = {
+    .name = "detector",
+    .title = "Finds 1 0 1 1",
+    .clock_port = "clk",
+    .top = top,
+    .parameters = parameters,
+    .parameter_count = 1,
+    .pin_count = pin_count,
+    .pin = pin,
+    .pins_size = sizeof(pins),
+    .signal_count = signal_count,
+    .signal = signal,
+    .headings = headings,
+    .heading_count = 1,
+    .latency = latency,
+    .create = create,
+    .destroy = free,
+    .clock = clock_edge,
+    .signals = signals,
+};

@@ -1,0 +1,112 @@
+/* ring: an asynchronous reset that is active low, no enable, a clock of another name, combinational
+ * outputs of the pins, a memory, and a register in a submodule that leads nowhere. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "glint_describe.h"
+
+enum { PLACES = 4 };
+
+typedef struct pins {
+    uint8_t rst_n, push, pop;
+    int8_t data;
+} pins;
+
+GLINT_PIN_TABLE(pin_count, pin, GLINT_PIN(pins, rst_n, RESET_LOW, 1, 0, 0, "0 empties it at once"),
+                GLINT_PIN(pins, push, VALID, 1, 0, 0, "data goes in"),
+                GLINT_PIN(pins, pop, STROBE, 1, 0, 0, "the front goes away"),
+                GLINT_PIN(pins, data, DATA, 8, 0, 1, "what goes in"))
+
+typedef struct signals_now {
+    int64_t mem[PLACES], head, level;
+    int64_t gone, tail, taken, full, front, sum;
+} signals_now;
+
+#define QUEUE "The queue"
+#define SUM   "The sum"
+
+static const glint_heading headings[] = {{.title = QUEUE}, {.title = SUM}};
+
+#define PLACE(i, name)                                                                             \
+    GLINT_SIGNAL_OF(signals_now, mem[i], name, "mem[" #i "]", REGISTER, 8, 0, 1, -1, QUEUE,        \
+                    "a place")
+
+GLINT_SIGNAL_TABLE(signal_count, signal, PLACE(0, "mem0"), PLACE(1, "mem1"), PLACE(2, "mem2"),
+                   PLACE(3, "mem3"),
+                   GLINT_SIGNAL(signals_now, head, REGISTER, 2, 0, 0, QUEUE, "where the front is"),
+                   GLINT_SIGNAL(signals_now, tail, BLOCK, 2, 0, 0, QUEUE, "the first free place"),
+                   GLINT_SIGNAL(signals_now, gone, BLOCK, 1, 0, 0, QUEUE, "the front goes"),
+                   GLINT_SIGNAL(signals_now, taken, OUTPUT, 1, 0, 0, QUEUE, "data is taken next"),
+                   GLINT_SIGNAL(signals_now, full, OUTPUT, 1, 0, 0, QUEUE, "no place is free"),
+                   GLINT_SIGNAL(signals_now, front, OUTPUT, 8, 0, 1, QUEUE, "the oldest"),
+                   GLINT_SIGNAL(signals_now, level, OUTPUT, 3, 0, 0, QUEUE, "how many there are"),
+                   GLINT_SIGNAL_OF(signals_now, sum, "sum", "u_sum.acc", REGISTER, 16, 0, 1, -1,
+                                   SUM, "of all that were taken"))
+
+GLINT_ALWAYS(const char *, top, "ring")
+GLINT_ALWAYS(int, latency, 1)
+
+/* What the outputs are with these pins. */
+static void settle(signals_now *s, const pins *in)
+{
+    s->full = s->level == PLACES;
+    s->gone = in->pop && s->level != 0;
+    s->taken = in->push && (!s->full || s->gone);
+    s->tail = (s->head + s->level) % PLACES;
+    s->front = s->mem[s->head];
+}
+
+static void edge(signals_now *s, const pins *in)
+{
+    if (s->taken) {
+        s->mem[s->tail] = in->data;
+        s->sum = (int16_t)(s->sum + in->data);
+    }
+    if (s->gone)
+        s->head = (s->head + 1) % PLACES;
+    s->level += s->taken - s->gone;
+}
+
+static void clock_edge(void *model, const void *pins_now)
+{
+    signals_now *s = model;
+    const pins *in = pins_now;
+    if (!in->rst_n) {
+        memset(s, 0, sizeof *s);
+    } else {
+        settle(s, in);
+        edge(s, in);
+    }
+    settle(s, in);
+}
+
+static glint_status create(const int *values, void **model)
+{
+    (void)values;
+    *model = calloc(1, sizeof(signals_now));
+    return *model != NULL ? GLINT_OK : GLINT_NO_MEMORY;
+}
+
+static const void *signals(const void *model)
+{
+    return model;
+}
+
+const glint_circuit glint_my_circuit = {
+    .name = "ring",
+    .title = "A queue of four",
+    .clock_port = "clock",
+    .top = top,
+    .pin_count = pin_count,
+    .pin = pin,
+    .pins_size = sizeof(pins),
+    .signal_count = signal_count,
+    .signal = signal,
+    .headings = headings,
+    .heading_count = sizeof headings / sizeof headings[0],
+    .latency = latency,
+    .create = create,
+    .destroy = free,
+    .clock = clock_edge,
+    .signals = signals,
+};

@@ -1,0 +1,123 @@
+/* wide_sum: signed ports of 33 to 511 bits, by a parameter: one word or eight. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "glint_describe.h"
+
+enum { WIDTH };
+enum { WORDS = 8 };
+
+static const int listed[] = {65, 256};
+static const glint_parameter parameters[] = {
+    {.name = "width",
+     .verilog = "WIDTH",
+     .meaning = "bits of a summand",
+     .min = 33,
+     .max = 511,
+     .standard = 256,
+     .listed = listed,
+     .listed_count = 2},
+};
+
+typedef struct pins {
+    uint8_t reset, en, in_valid;
+    uint64_t a[WORDS], b[WORDS];
+} pins;
+
+GLINT_PIN_TABLE(pin_count, pin, GLINT_PIN(pins, reset, RESET, 1, 0, 0, "clears everything"),
+                GLINT_PIN(pins, en, ENABLE, 1, 0, 0, "0 freezes everything"),
+                GLINT_PIN(pins, in_valid, VALID, 1, 0, 0, "a and b are taken"),
+                GLINT_PIN(pins, a, DATA, values[WIDTH], 0, 1, "a summand"),
+                GLINT_PIN(pins, b, DATA, values[WIDTH], 0, 1, "the other"))
+
+typedef struct signals_now {
+    int64_t out_valid;
+    uint64_t sum[WORDS];
+} signals_now;
+
+static const glint_heading headings[] = {{.title = "Outputs"}};
+
+GLINT_SIGNAL_TABLE(signal_count, signal,
+                   GLINT_SIGNAL(signals_now, out_valid, OUTPUT, 1, 0, 0, "Outputs", "a sum is out"),
+                   GLINT_SIGNAL(signals_now, sum, OUTPUT, values[WIDTH] + 1, 0, 1, "Outputs",
+                                "a + b"))
+
+GLINT_ALWAYS(const char *, top, "wide_sum")
+GLINT_ALWAYS(int, latency, 1)
+
+typedef struct wide {
+    int width;
+    signals_now s;
+} wide;
+
+/* Word i of a number of so many bits, whose sign goes on above them. */
+static uint64_t word_of(const uint64_t *number, int width, int i)
+{
+    const int last = (width - 1) / 64;
+    const uint64_t sign = number[last] >> ((width - 1) % 64) & 1 ? ~UINT64_C(0) : 0;
+    if (i > last)
+        return sign;
+    const uint64_t within = width % 64 == 0 ? 0 : ~UINT64_C(0) << (width % 64);
+    return i < last ? number[i] : (number[i] & ~within) | (sign & within);
+}
+
+static void add(wide *m, const pins *in)
+{
+    uint64_t carry = 0;
+    for (int i = 0; i < WORDS; i++) {
+        const uint64_t a = word_of(in->a, m->width, i);
+        const uint64_t b = word_of(in->b, m->width, i);
+        const uint64_t half = a + b;
+        m->s.sum[i] = half + carry;
+        carry = (half < a) | (m->s.sum[i] < half);
+    }
+}
+
+static void clock_edge(void *model, const void *pins_now)
+{
+    wide *m = model;
+    const pins *in = pins_now;
+    if (in->reset) {
+        memset(&m->s, 0, sizeof m->s);
+    } else if (in->en) {
+        m->s.out_valid = in->in_valid;
+        if (in->in_valid)
+            add(m, in);
+    }
+}
+
+static glint_status create(const int *values, void **model)
+{
+    wide *m = calloc(1, sizeof *m);
+    *model = m;
+    if (m == NULL)
+        return GLINT_NO_MEMORY;
+    m->width = values[WIDTH];
+    return GLINT_OK;
+}
+
+static const void *signals(const void *model)
+{
+    return &((const wide *)model)->s;
+}
+
+const glint_circuit glint_my_circuit = {
+    .name = "wide_sum",
+    .title = "Wide sum",
+    .clock_port = "clk",
+    .top = top,
+    .parameters = parameters,
+    .parameter_count = 1,
+    .pin_count = pin_count,
+    .pin = pin,
+    .pins_size = sizeof(pins),
+    .signal_count = signal_count,
+    .signal = signal,
+    .headings = headings,
+    .heading_count = 1,
+    .latency = latency,
+    .create = create,
+    .destroy = free,
+    .clock = clock_edge,
+    .signals = signals,
+};
