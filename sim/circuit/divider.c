@@ -4,6 +4,7 @@
 
 #include "circuit/circuits.h"
 #include "circuit/divider_stimulus.h"
+#include "glint_describe.h"
 
 static const char *const forms[] = {"sequential", "pipelined"};
 _Static_assert(sizeof forms / sizeof forms[0] == GLINT_DIVIDER_FORM_COUNT, "a name for each form");
@@ -53,12 +54,8 @@ static const char *top(const int *values)
 
 /* ---- Pins ------------------------------------------------------------------------------------ */
 
-#define PIN(text, pin_role, field, bits, signed_, what)                                            \
-    {                                                                                              \
-        .name = (text), .role = GLINT_PIN_##pin_role, .int_bits = (bits), .is_signed = (signed_),  \
-        .lane = -1, .offset = offsetof(glint_divider_inputs, field),                               \
-        .size = sizeof(((glint_divider_inputs *)0)->field), .meaning = (what)                      \
-    }
+#define PIN(port, role, field, bits, is_signed, meaning)                                           \
+    GLINT_PIN_OF(glint_divider_inputs, field, port, role, bits, 0, is_signed, -1, meaning)
 #define CONTROLS(take)                                                                             \
     PIN("reset", RESET, reset, 1, 0, "clears every register"),                                     \
         PIN("en", ENABLE, en, 1, 0, "0 freezes the divider"),                                      \
@@ -205,16 +202,13 @@ static void stimulus_next(void *stimulus, void *pins)
 enum {
     K_COUNT = 1 << GLINT_DIVIDER_K_BITS,
     DIFFERENCE_COUNT = 1 << GLINT_DIVIDER_DIFFERENCE_BITS,
+    POINTS = K_COUNT * DIFFERENCE_COUNT,
     DIFFERENCE_MIN = -DIFFERENCE_COUNT / 2,
     /* From a component's difference to the next one's, so that none has that of another. */
     APART = DIFFERENCE_COUNT / GLINT_DIVIDER_COMPONENTS,
 };
 
-static uint64_t points(const int *values)
-{
-    (void)values;
-    return (uint64_t)K_COUNT * DIFFERENCE_COUNT;
-}
+GLINT_ALWAYS(uint64_t, points, POINTS)
 
 static void put(const int *values, uint64_t point, void *pins)
 {

@@ -1,32 +1,30 @@
-/* The random pins of a lockstep run, of either circuit: the same for the same setting and seed. */
+/* Random pins of any circuit: those of its own stimulus, else by what each pin is for.
+ *
+ * Without a stimulus of its own a circuit gets the schedule of schedule.h (resets and stalls, long
+ * runs without either), phases in which something is taken always, often or seldom, and data that
+ * is anywhere in its range, at the ends of it, 0, 1, −1, one bit alone or all but one, and short.
+ *
+ * The same setting and seed give the same pins, on every machine; a shorter run is the beginning of
+ * a longer one. */
 #ifndef GLINT_SIM_RANDOM_PINS_H
 #define GLINT_SIM_RANDOM_PINS_H
 
-#include "circuit/divider_stimulus.h"
+#include <stddef.h>
+
 #include "circuit/setting.h"
-#include "circuit/stimulus.h"
 
 typedef struct glint_random_pins {
-    bool is_divider;
-    glint_stimulus specular;
-    glint_divider_stimulus divider;
+    glint_setting setting;
+    union {
+        max_align_t align;
+        unsigned char bytes[GLINT_STIMULUS_SIZE_MAX];
+    } state; /* the circuit's own, or that of random_pins.c */
 } glint_random_pins;
 
-static inline void glint_random_pins_begin(glint_random_pins *source, const glint_setting *setting,
-                                           uint64_t seed)
-{
-    source->is_divider = setting->is_divider;
-    glint_stimulus_init(&source->specular, seed, setting->specular.lanes);
-    glint_divider_stimulus_init(&source->divider, seed);
-}
+void glint_random_pins_begin(glint_random_pins *source, const glint_setting *setting,
+                             uint64_t seed);
 
 /* The pins of the next clock, from clock 1 on. */
-static inline void glint_random_pins_next(glint_random_pins *source, glint_pins *pins)
-{
-    if (source->is_divider)
-        glint_divider_stimulus_next(&source->divider, &pins->divider);
-    else
-        glint_stimulus_next(&source->specular, &pins->specular);
-}
+void glint_random_pins_next(glint_random_pins *source, glint_pins *pins);
 
 #endif

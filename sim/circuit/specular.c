@@ -4,6 +4,7 @@
 
 #include "circuit/circuits.h"
 #include "circuit/stimulus.h"
+#include "glint_describe.h"
 
 static const char *const gates[] = {"cosine", "sign", "drawn"};
 static const char *const pipelines[] = {"combinational", "pipelined"};
@@ -57,20 +58,12 @@ static void describe(const int *values, char *text, size_t size)
                    glint_pipeline_name(config.pipeline), config.lanes);
 }
 
-static const char *top(const int *values)
-{
-    (void)values;
-    return "specular_device";
-}
+GLINT_ALWAYS(const char *, top, "specular_device")
 
 /* ---- Pins ------------------------------------------------------------------------------------ */
 
-#define PIN(pin, pin_role, bits, what)                                                             \
-    {                                                                                              \
-        .name = #pin, .role = GLINT_PIN_##pin_role, .int_bits = (bits), .lane = -1,                \
-        .offset = offsetof(glint_specular_inputs, pin),                                            \
-        .size = sizeof(((glint_specular_inputs *)0)->pin), .meaning = (what)                       \
-    }
+#define PIN(pin, role, bits, meaning)                                                              \
+    GLINT_PIN(glint_specular_inputs, pin, role, bits, 0, 0, meaning)
 
 static const glint_pin_info shared_pins[] = {
     PIN(reset, RESET, 1, "clears every register"),

@@ -61,30 +61,37 @@ static void store(unsigned char *place, size_t size, uint64_t value)
     }
 }
 
+/* A pin of few bits may lie in an array of words, as its width may depend on the setting. */
+static int words_in_memory(const glint_pin_info *pin)
+{
+    return pin->size > sizeof(uint64_t) ? (int)(pin->size / sizeof(uint64_t)) : 0;
+}
+
 void glint_pin_get(const glint_pin_info *pin, const glint_pins *pins, uint64_t *words)
 {
+    const unsigned char *place = pins->bytes + pin->offset;
     const int width = glint_pin_width(pin);
-    if (width > 64)
-        memcpy(words, pins->bytes + pin->offset, (size_t)glint_words_of(width) * sizeof *words);
+    if (words_in_memory(pin) != 0)
+        memcpy(words, place, (size_t)glint_words_of(width) * sizeof *words);
     else
-        words[0] = load(pins->bytes + pin->offset, pin->size);
+        words[0] = load(place, pin->size);
     cut(words, width);
 }
 
 void glint_pin_set(const glint_pin_info *pin, glint_pins *pins, const uint64_t *words)
 {
+    unsigned char *place = pins->bytes + pin->offset;
     const int width = glint_pin_width(pin);
-    const int count = glint_words_of(width);
-    uint64_t value[GLINT_VALUE_WORDS];
-    memcpy(value, words, (size_t)count * sizeof *value);
+    uint64_t value[GLINT_VALUE_WORDS] = {0};
+    memcpy(value, words, (size_t)glint_words_of(width) * sizeof *value);
     cut(value, width);
-    if (width > 64) {
-        memcpy(pins->bytes + pin->offset, value, (size_t)count * sizeof *value);
+    if (words_in_memory(pin) != 0) {
+        memcpy(place, value, pin->size);
         return;
     }
     if (pin->is_signed && width < 64 && bit_of(value, width - 1))
         value[0] |= ~UINT64_C(0) << width;
-    store(pins->bytes + pin->offset, pin->size, value[0]);
+    store(place, pin->size, value[0]);
 }
 
 /* ---- Text and number ------------------------------------------------------------------------- */

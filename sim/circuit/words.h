@@ -39,6 +39,4 @@ bool glint_words_parse(const char *text, int width, bool is_signed, uint64_t *wo
  * false: more than GLINT_SIGNAL_WORDS_MAX. */
 bool glint_signal_places(const glint_setting *setting, int *place);
 
-/* Random pins by roles, for circuits without a stimulus of their own, and through the circuit's
- * own: random_pins.h. */
 #endif
