@@ -3,16 +3,16 @@
 #include <inttypes.h>
 #include <stdio.h>
 
+#include "circuit/circuits.h"
+
 static void keep_least(uint64_t *least, uint64_t value, bool is_first)
 {
     if (is_first || value < *least)
         *least = value;
 }
 
-static void add_specular(glint_reach_sum *sum, int lanes, const glint_reach *reach)
+static void add_lanes(glint_reach_sum *sum, int lanes, const glint_reach *reach)
 {
-    sum->all.changes += reach->changes;
-    sum->all.changes_in_flight += reach->changes_in_flight;
     sum->alone = (sum->lanes == 0 || sum->alone) && reach->lanes_alone == lanes;
     if (lanes < sum->lanes)
         return;
@@ -20,24 +20,50 @@ static void add_specular(glint_reach_sum *sum, int lanes, const glint_reach *rea
     sum->lanes = lanes;
 }
 
+/* The strobes of the specular device write its material. */
+static bool has_material(const glint_setting *setting)
+{
+    return setting->circuit == &glint_circuit_specular;
+}
+
+static void add_strobes(glint_reach_sum *sum, const glint_setting *setting,
+                        const glint_reach *reach)
+{
+    sum->material = (!sum->strobes || sum->material) && has_material(setting);
+    sum->strobes = true;
+    sum->all.changes += reach->changes;
+    sum->all.changes_in_flight += reach->changes_in_flight;
+}
+
 void glint_reach_sum_add(glint_reach_sum *sum, const glint_setting *setting,
                          const glint_reach *reach)
 {
     const bool is_first = sum->settings++ == 0;
+    const int lanes = glint_reach_lanes(setting);
     keep_least(&sum->least.run, reach->run, is_first);
     keep_least(&sum->least.run_enabled, reach->run_enabled, is_first);
     keep_least(&sum->least.stall, reach->stall, is_first);
     sum->all.resets += reach->resets;
     sum->all.resets_in_flight += reach->resets_in_flight;
     sum->all.ignored += reach->ignored;
-    if (!setting->is_divider)
-        add_specular(sum, setting->specular.lanes, reach);
+    if (glint_reach_has(setting, GLINT_PIN_STROBE))
+        add_strobes(sum, setting, reach);
+    if (lanes != 0)
+        add_lanes(sum, lanes, reach);
 }
 
 /* The sets of lanes that can take a point together. */
 static uint64_t patterns_of(int lanes)
 {
     return (UINT64_C(1) << lanes) - 1;
+}
+
+static void print_lanes(const glint_reach_sum *sum)
+{
+    printf("\nvalid lanes: %seach alone", sum->alone ? "" : "not ");
+    if (sum->lanes <= GLINT_REACH_PATTERN_LANES)
+        printf(", %" PRIu64 " of %" PRIu64 " patterns of %d", sum->patterns,
+               patterns_of(sum->lanes), sum->lanes);
 }
 
 void glint_reach_sum_print(const glint_reach_sum *sum)
@@ -49,14 +75,16 @@ void glint_reach_sum_print(const glint_reach_sum *sum)
            "by all together: %" PRIu64 " resets, %" PRIu64 " of them in mid-flow",
            sum->least.run, sum->least.run_enabled, sum->least.stall, sum->all.resets,
            sum->all.resets_in_flight);
-    if (sum->lanes != 0)
+    if (sum->strobes && sum->material)
         printf("; %" PRIu64 " changes of material, %" PRIu64 " with points in flight",
                sum->all.changes, sum->all.changes_in_flight);
+    else if (sum->strobes)
+        printf("; %" PRIu64 " strobes, %" PRIu64 " with something in flight", sum->all.changes,
+               sum->all.changes_in_flight);
     if (sum->all.ignored != 0)
         printf("; %" PRIu64 " starts while busy", sum->all.ignored);
     if (sum->lanes > 1)
-        printf("\nvalid lanes: %seach alone, %" PRIu64 " of %" PRIu64 " patterns of %d",
-               sum->alone ? "" : "not ", sum->patterns, patterns_of(sum->lanes), sum->lanes);
+        print_lanes(sum);
     printf("\nnot reached: a fault that takes more clocks or stalls in a row to show; more "
            "--clocks reach further\n");
 }
@@ -73,30 +101,38 @@ static cJSON *add_object(cJSON *entry, const glint_reach *depth, const glint_rea
     return json;
 }
 
-static void add_material(cJSON *json, const glint_reach *reach)
+static void add_changes(cJSON *json, bool material, const glint_reach *reach)
 {
-    cJSON_AddNumberToObject(json, "material_changes", (double)reach->changes);
-    cJSON_AddNumberToObject(json, "material_changes_in_flight", (double)reach->changes_in_flight);
+    cJSON_AddNumberToObject(json, material ? "material_changes" : "strobes",
+                            (double)reach->changes);
+    cJSON_AddNumberToObject(json, material ? "material_changes_in_flight" : "strobes_in_flight",
+                            (double)reach->changes_in_flight);
+}
+
+static void add_lane_counts(cJSON *json, int lanes, const glint_reach *reach)
+{
+    cJSON_AddNumberToObject(json, "lanes_alone", reach->lanes_alone);
+    if (lanes > GLINT_REACH_PATTERN_LANES)
+        return;
+    cJSON_AddNumberToObject(json, "lane_patterns", (double)reach->patterns);
+    cJSON_AddNumberToObject(json, "lane_patterns_possible", (double)patterns_of(lanes));
 }
 
 void glint_reach_json(cJSON *entry, const glint_setting *setting, const glint_reach *reach)
 {
     cJSON *json = add_object(entry, reach, reach);
-    if (setting->is_divider) {
-        if (setting->form == GLINT_DIVIDER_SEQUENTIAL)
-            cJSON_AddNumberToObject(json, "starts_while_busy", (double)reach->ignored);
-        return;
-    }
-    add_material(json, reach);
-    cJSON_AddNumberToObject(json, "lanes_alone", reach->lanes_alone);
-    cJSON_AddNumberToObject(json, "lane_patterns", (double)reach->patterns);
-    cJSON_AddNumberToObject(json, "lane_patterns_possible",
-                            (double)patterns_of(setting->specular.lanes));
+    const int lanes = glint_reach_lanes(setting);
+    if (glint_setting_pace(setting) > 1)
+        cJSON_AddNumberToObject(json, "starts_while_busy", (double)reach->ignored);
+    if (glint_reach_has(setting, GLINT_PIN_STROBE))
+        add_changes(json, has_material(setting), reach);
+    if (lanes != 0)
+        add_lane_counts(json, lanes, reach);
 }
 
 void glint_reach_sum_json(cJSON *result, const glint_reach_sum *sum)
 {
     cJSON *json = add_object(result, &sum->least, &sum->all);
-    if (sum->lanes != 0)
-        add_material(json, &sum->all);
+    if (sum->strobes)
+        add_changes(json, sum->material, &sum->all);
 }

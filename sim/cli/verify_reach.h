@@ -11,7 +11,9 @@ typedef struct glint_reach_sum {
     glint_reach least; /* run, run_enabled and stall of the setting that has the least of each */
     glint_reach all;   /* what can be counted together */
     int settings;      /* added */
-    int lanes;         /* the most of any; 0: no specular device among them */
+    bool strobes;      /* some setting has strobes, */
+    bool material;     /* which are always those of the specular device's material */
+    int lanes;         /* the most of any; 0: no circuit with lanes among them */
     uint64_t patterns; /* the fewest of a setting with so many */
     bool alone;        /* in every setting each lane took a point while no other did */
 } glint_reach_sum;

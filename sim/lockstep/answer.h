@@ -1,10 +1,15 @@
 /* An answer of a circuit that is not the C model's, out of a run of points or divisions, as the
  * exhaustive comparison and a frame find it: what was asked, and what was asked about that time, so
- * that the circuit can be asked again. */
+ * that the circuit can be asked again. Only the thesis's circuits have answers: points and divisions
+ * are typed, here alone and in their batches. */
 #ifndef GLINT_SIM_ANSWER_H
 #define GLINT_SIM_ANSWER_H
 
+#include <stdbool.h>
+
 #include "circuit/setting.h"
+#include "glint_divider_device.h"
+#include "glint_specular_device.h"
 
 typedef enum glint_answer_value {
     GLINT_ANSWER_W,
@@ -21,8 +26,7 @@ typedef enum glint_answer_value {
 #define GLINT_ANSWER_DIVISIONS (GLINT_ANSWER_CLOCKS_BEFORE + 1 + GLINT_ANSWER_CLOCKS_AFTER)
 
 typedef struct glint_answer {
-    bool is_divider;
-    glint_material material; /* unless is_divider, like cos_code */
+    glint_material material; /* of the specular device, like cos_code */
     union {
         uint32_t cos_code[GLINT_ANSWER_POINTS];
         glint_division division[GLINT_ANSWER_DIVISIONS];
@@ -48,11 +52,14 @@ void glint_answer_keep_divisions(glint_answer *answer, const glint_division *div
 void glint_answer_alone(const glint_answer *answer, const glint_setting *setting,
                         glint_answer *alone);
 
+/* Whether the circuit has answers. */
+bool glint_answer_possible(const glint_circuit *circuit);
+
 /* "W", "red", "green", "blue". */
 const char *glint_answer_value_name(glint_answer_value value);
 
-/* Asks the circuit of the setting again, as a frame would (the fast build, where there is one), and
- * the C model: fills both values of the answer's point. */
+/* Asks the circuit of the setting again, as a frame would, of the fast kind, and the C model: fills
+ * both values of the answer's point. */
 glint_status glint_answer_ask(const glint_answer *answer, const glint_setting *setting,
                               int32_t *model, int32_t *rtl, glint_error *err);
 

@@ -1,9 +1,11 @@
 /* The pins by which a run of points or divisions goes through a circuit, clock by clock, as
- * glint_rtl_batch() and glint_divider_rtl_batch() feed it. */
+ * glint_rtl_shade() and glint_rtl_divide() feed it: of the thesis's circuits (answer_kind.h). */
 #ifndef GLINT_SIM_BATCH_PINS_H
 #define GLINT_SIM_BATCH_PINS_H
 
 #include "circuit/setting.h"
+#include "glint_divider.h"
+#include "glint_specular.h"
 
 /* Points of one material, for the specular device, or divisions. */
 typedef struct glint_batch {
@@ -20,6 +22,7 @@ size_t glint_batch_feeding_clocks(const glint_setting *setting, size_t count);
 size_t glint_batch_clocks(const glint_setting *setting, size_t count);
 
 /* The pins of a clock, 0…; behind those that feed, idle ones. */
-glint_pins glint_batch_pins(const glint_setting *setting, const glint_batch *batch, size_t clock);
+void glint_batch_pins(const glint_setting *setting, const glint_batch *batch, size_t clock,
+                      glint_pins *pins);
 
 #endif

@@ -8,16 +8,19 @@
 #include <string.h>
 
 #include "circuit/random.h"
+#include "rtl/batch.h"
 
 enum {
-    RUN = 4096,        /* points shaded at a time: small enough for the caches, and full clocks */
+    RUN = 4096,        /* points shaded at a time, at most: small enough for the caches */
+    TURN_DIGIT = 16,   /* of n, less than which all lanes come up by n itself */
     N_MULTIPLIERS = 2, /* σ = 1: t is the cosine */
     COLORS = GLINT_COLOR_MAX + 1,
     QUARTERS = GLINT_N_COUNT / COLORS,
-    RUNS_REMEMBERED = 256, /* with 16 lanes the clocks of a history */
+    RUNS_REMEMBERED = 512, /* with 32 lanes the clocks of a history */
 };
 
-_Static_assert(RUN % GLINT_LANES_MAX == 0, "a run begins with a clock");
+_Static_assert(RUN / GLINT_LANES_MAX * RUNS_REMEMBERED >= GLINT_HISTORY_CLOCKS,
+               "what is remembered fills a history");
 
 /* The three sweeps of an n. */
 typedef enum sweep_kind { WHITE, COLORED, MULTIPLIERS, SWEEPS } sweep_kind;
@@ -38,6 +41,7 @@ typedef struct walk {
     uint32_t offset,
         stride; /* item i is the code in place begin + offset + i·stride of the sweep */
     uint32_t items, places, turn;
+    uint32_t run; /* points of a run: full clocks */
 } walk;
 
 /* The cosine codes that with n = 2 give each W once. */
@@ -142,7 +146,8 @@ static int walks_of(const glint_exhaustive_options *options, int config)
 static uint32_t turn_of(uint32_t lanes, uint32_t n, sweep_kind kind, uint32_t repetition)
 {
     const uint32_t ahead = kind == COLORED ? lanes / 2 : 0;
-    return (n + n / GLINT_LANES_MAX + ahead + repetition) % lanes;
+    const uint32_t digit = lanes > TURN_DIGIT ? lanes : TURN_DIGIT;
+    return (n + n / digit + ahead + repetition) % lanes;
 }
 
 static walk walk_of(const work *work, int config, uint32_t n, int number)
@@ -153,7 +158,8 @@ static walk walk_of(const work *work, int config, uint32_t n, int number)
     walk walk = {.sweep = sweep_of(work, config, n, kind),
                  .offset = glint_exhaustive_offset(options, n),
                  .stride = options->stride,
-                 .turn = turn_of(lanes, n, kind, (uint32_t)(number / SWEEPS))};
+                 .turn = turn_of(lanes, n, kind, (uint32_t)(number / SWEEPS)),
+                 .run = RUN / lanes * lanes};
     const uint32_t codes = walk.sweep.end - walk.sweep.begin;
     walk.items = walk.offset < codes ? (codes - walk.offset - 1) / walk.stride + 1 : 0;
     walk.places = (walk.items + lanes - 1) / lanes * lanes;
@@ -194,8 +200,9 @@ static glint_status check_options(const glint_exhaustive_options *options, glint
         return glint_fail(err, GLINT_BAD_ARGUMENT, "%d circuits", options->configs);
     for (int c = 0; c < options->configs; c++) {
         const int lanes = options->config[c].lanes;
-        if (lanes < 1 || lanes > GLINT_LANES_MAX || (lanes & (lanes - 1)) != 0)
-            return glint_fail(err, GLINT_BAD_ARGUMENT, "%d lanes are not 1, 2, 4, 8 or 16", lanes);
+        if (lanes < 1 || lanes > GLINT_LANES_MAX)
+            return glint_fail(err, GLINT_BAD_ARGUMENT, "%d lanes are not 1 to %d", lanes,
+                              GLINT_LANES_MAX);
     }
     if (options->from > GLINT_N_MAX)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "n = %u is not in 0…%u", options->from,
@@ -242,7 +249,7 @@ static glint_status plan(work *work, const glint_exhaustive_options *options, gl
 static uint32_t codes_of(const walk *walk, uint32_t at, uint32_t codes[RUN])
 {
     const uint32_t left = walk->places - at;
-    const uint32_t count = left < RUN ? left : RUN;
+    const uint32_t count = left < walk->run ? left : walk->run;
     const uint32_t first = walk->sweep.begin + walk->offset;
     for (uint32_t i = 0; i < count; i++) {
         uint32_t item = at + i + walk->turn;
@@ -256,6 +263,13 @@ static uint32_t codes_of(const walk *walk, uint32_t at, uint32_t codes[RUN])
     return count;
 }
 
+static glint_setting setting_of(const glint_exhaustive_options *options, int config)
+{
+    glint_setting setting = glint_setting_specular(&options->config[config]);
+    setting.verilog = options->verilog;
+    return setting;
+}
+
 static void remember(worker *worker, int config, const walk *walk, uint32_t at)
 {
     if (worker->memory == NULL)
@@ -267,9 +281,7 @@ static void remember(worker *worker, int config, const walk *walk, uint32_t at)
 /* The run under way is the last of them. */
 static void keep_history(worker *worker, int config)
 {
-    const glint_exhaustive_options *options = worker->work->options;
-    const glint_setting setting = {.specular = options->config[config],
-                                   .specular_model = options->model};
+    const glint_setting setting = setting_of(worker->work->options, config);
     uint32_t codes[RUN];
     if (worker->memory == NULL || worker->found.history != NULL)
         return;
@@ -359,8 +371,9 @@ static glint_status compare_run(worker *worker, int config, uint32_t n,
                                                model->r, model->g, model->b);
     if (status != GLINT_OK)
         return glint_fail(&worker->err, status, "the C model refuses n = %u", material->n);
-    status = glint_rtl_batch(worker->rtl[config], material, worker->cos_code, count, circuit->w,
-                             circuit->r, circuit->g, circuit->b, &worker->err);
+    const glint_points points = {worker->cos_code, count,      circuit->w,
+                                 circuit->r,       circuit->g, circuit->b};
+    status = glint_rtl_shade(worker->rtl[config], material, &points, &worker->err);
     if (status == GLINT_DEVICE_FAULT && worker->found.kept == 0)
         keep_history(worker, config);
     if (status != GLINT_OK)
@@ -409,11 +422,10 @@ static glint_status create_circuits(worker *worker)
 {
     const glint_exhaustive_options *options = worker->work->options;
     glint_status status = GLINT_OK;
-    for (int c = 0; c < options->configs && status == GLINT_OK; c++)
-        status = options->model != NULL
-                     ? glint_rtl_create_from(options->model, &options->config[c], &worker->rtl[c],
-                                             &worker->err)
-                     : glint_rtl_create_fast(&options->config[c], &worker->rtl[c], &worker->err);
+    for (int c = 0; c < options->configs && status == GLINT_OK; c++) {
+        const glint_setting setting = setting_of(options, c);
+        status = glint_rtl_open(&setting, GLINT_RTL_FAST, &worker->rtl[c], &worker->err);
+    }
     return status;
 }
 

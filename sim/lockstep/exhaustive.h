@@ -13,9 +13,10 @@
  * Which lane sees what. A sweep fills every lane in every clock, so with `lanes` lanes each of them
  * sees one code in `lanes` of a sweep. Which one, turns: code c of sweep 1 (with a stride, the c-th
  * that is taken) goes through lane c − n − n/16 (mod lanes), of sweep 2 through the one lanes/2
- * away. So any 16 values of n from a multiple of 16 on take each code through each lane, equally
- * often; but a lane does not see each code with each n. With every_lane it does: each sweep comes
- * `lanes` times, a lane further each time.
+ * away; with more than 16 lanes it is n/lanes. So with 1, 2, 4, 8 or 16 lanes any 16 values of n
+ * from a multiple of 16 on take each code through each lane, equally often; but a lane does not see
+ * each code with each n. With every_lane it does: each sweep comes `lanes` times, a lane further
+ * each time.
  *
  * What it does not reach: the inputs are one steady flow. A material is written with the first
  * clock of a run of at most 4096 points, when nothing is in flight; all lanes are valid or none;
@@ -26,6 +27,7 @@
 
 #include <stdbool.h>
 
+#include "circuit/circuits.h"
 #include "lockstep/answer.h"
 #include "lockstep/history.h"
 
@@ -38,8 +40,8 @@
 typedef struct glint_exhaustive_options {
     glint_specular_config config[GLINT_EXHAUSTIVE_CIRCUITS_MAX];
     int configs;
-    const glint_rtl_model *model; /* NULL: the fast build for each config; else a test's own */
-    uint32_t from;                /* the first n, 0…1023 */
+    const char *verilog; /* the directory with the circuits' Verilog; NULL: Glint's own */
+    uint32_t from;       /* the first n, 0…1023 */
     uint32_t shard, shards; /* those n with n mod shards = shard − 1; 1…shards, 1…1024 */
     uint32_t stride; /* of the codes only every stride-th, 1…GLINT_EXHAUSTIVE_CODES; 1: all */
     uint64_t seed;   /* of where the stride begins, for each n */

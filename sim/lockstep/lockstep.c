@@ -26,7 +26,7 @@ static glint_status run_twin(const glint_lockstep_options *options, glint_twin *
         glint_reach_clock(&reach, &pins);
         result->reach = reach.reach;
         result->clocks++;
-        glint_mismatch_compare(result, &options->setting, twin);
+        glint_mismatch_compare(result, twin);
         if (result->clocks % 1024 == 0) {
             if (options->progress != NULL)
                 options->progress(options->progress_context, result->clocks, options->clocks);

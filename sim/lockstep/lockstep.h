@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "circuit/setting.h"
+#include "circuit/words.h"
 #include "lockstep/reach.h"
 
 #define GLINT_MISMATCHES_KEPT 16
@@ -23,7 +23,7 @@ typedef struct glint_lockstep_options {
 typedef struct glint_mismatch {
     uint64_t clock; /* 1 is the first after the reset of creation */
     glint_signal_info signal;
-    uint64_t model, rtl; /* bits */
+    uint64_t model[GLINT_VALUE_WORDS], rtl[GLINT_VALUE_WORDS]; /* its words; the rest is 0 */
 } glint_mismatch;
 
 typedef struct glint_lockstep_result {

@@ -19,51 +19,75 @@ static void add_to_totals(glint_lockstep_result *result, const glint_signal_info
     result->totals[i].mismatches++;
 }
 
-static void keep(glint_lockstep_result *result, const glint_signal_info *signal, uint64_t model,
-                 uint64_t rtl)
+glint_mismatch glint_mismatch_of(uint64_t clock, const glint_signal_info *signal,
+                                 const uint64_t *model, const uint64_t *rtl)
+{
+    glint_mismatch mismatch = {.clock = clock, .signal = *signal};
+    const size_t size = (size_t)glint_words_of(glint_signal_width(signal)) * sizeof *model;
+    memcpy(mismatch.model, model, size);
+    memcpy(mismatch.rtl, rtl, size);
+    return mismatch;
+}
+
+static void keep(glint_lockstep_result *result, const glint_signal_info *signal,
+                 const uint64_t *model, const uint64_t *rtl)
 {
     if (result->mismatches++ == 0)
         result->first_clock = result->clocks;
     if (result->kept < GLINT_MISMATCHES_KEPT)
-        result->mismatch[result->kept++] = (glint_mismatch){result->clocks, *signal, model, rtl};
+        result->mismatch[result->kept++] = glint_mismatch_of(result->clocks, signal, model, rtl);
     add_to_totals(result, signal);
 }
 
-void glint_mismatch_compare(glint_lockstep_result *result, const glint_setting *setting,
-                            const glint_twin *twin)
+void glint_mismatch_compare(glint_lockstep_result *result, const glint_twin *twin)
 {
-    uint64_t model[GLINT_SETTING_SIGNALS_MAX], rtl[GLINT_SETTING_SIGNALS_MAX];
+    uint64_t model[GLINT_SIGNAL_WORDS_MAX], rtl[GLINT_SIGNAL_WORDS_MAX];
     glint_twin_read(twin, model, rtl);
-    glint_mismatch_compare_values(result, setting, model, rtl);
+    glint_mismatch_compare_values(result, glint_twin_signals(twin), model, rtl);
 }
 
-void glint_mismatch_compare_values(glint_lockstep_result *result, const glint_setting *setting,
+/* All of them; adds to *compared the pairs of values that it compared. */
+static bool same(const glint_signals *signals, const uint64_t *model, const uint64_t *rtl,
+                 uint64_t *compared)
+{
+    *compared += (uint64_t)signals->count;
+    return memcmp(model, rtl, (size_t)signals->words * sizeof *model) == 0;
+}
+
+void glint_mismatch_compare_values(glint_lockstep_result *result, const glint_signals *signals,
                                    const uint64_t *model, const uint64_t *rtl)
 {
-    const int count = glint_setting_signal_count(setting);
-    for (int i = 0; i < count; i++) {
-        result->comparisons++;
-        if (model[i] != rtl[i]) {
-            const glint_signal_info signal = glint_setting_signal(setting, i);
-            keep(result, &signal, model[i], rtl[i]);
-        }
+    if (same(signals, model, rtl, &result->comparisons))
+        return;
+    for (int i = 0; i < signals->count; i++) {
+        const int at = signals->place[i];
+        const size_t size = (size_t)(signals->place[i + 1] - at) * sizeof *model;
+        if (memcmp(model + at, rtl + at, size) != 0)
+            keep(result, &signals->info[i], model + at, rtl + at);
     }
 }
 
-double glint_mismatch_number(const glint_signal_info *signal, uint64_t bits)
+double glint_mismatch_number(const glint_signal_info *signal, const uint64_t *words)
 {
-    const int width = signal->int_bits + signal->frac_bits;
-    double value = (double)bits;
-    if (signal->is_signed && (bits >> (width - 1) & 1) != 0)
-        value -= (double)(UINT64_C(1) << width);
-    return value / (double)(UINT64_C(1) << signal->frac_bits);
+    return glint_words_number(words, glint_signal_width(signal), signal->frac_bits,
+                              signal->is_signed);
+}
+
+void glint_mismatch_bits(const glint_signal_info *signal, const uint64_t *words, char *text)
+{
+    glint_words_hex(words, glint_signal_width(signal), text);
+    const char *digits = text + 2 + strspn(text + 2, "0");
+    if (*digits == '\0')
+        digits--; /* the last zero */
+    memmove(text + 2, digits, strlen(digits) + 1);
 }
 
 /* A value as a reader wants it: its bits, and the number they stand for. */
-static void print_value(FILE *out, const glint_signal_info *signal, uint64_t bits)
+static void print_value(FILE *out, const glint_signal_info *signal, const uint64_t *words)
 {
-    const int digits = (signal->int_bits + signal->frac_bits + 3) / 4;
-    fprintf(out, "0x%0*" PRIx64 " (%.9g)", digits, bits, glint_mismatch_number(signal, bits));
+    char text[GLINT_VALUE_TEXT];
+    glint_words_hex(words, glint_signal_width(signal), text);
+    fprintf(out, "%s (%.9g)", text, glint_mismatch_number(signal, words));
 }
 
 void glint_mismatch_print_one(FILE *out, const glint_setting *setting,

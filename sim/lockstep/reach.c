@@ -2,10 +2,85 @@
 
 #include <string.h>
 
+static uint64_t mask_of(int width)
+{
+    return width >= 64 ? UINT64_MAX : (UINT64_C(1) << width) - 1;
+}
+
+static void add_pin(glint_reach_count *count, const glint_pin_info *pin)
+{
+    if (pin->role == GLINT_PIN_DATA || count->pins == GLINT_REACH_PINS_MAX)
+        return;
+    count->pin[count->pins++] =
+        (glint_reach_pin){pin->role, pin->offset, pin->size, mask_of(glint_pin_width(pin))};
+    count->has_valid |= pin->role == GLINT_PIN_VALID;
+}
+
 void glint_reach_begin(glint_reach_count *count, const glint_setting *setting)
 {
     memset(count, 0, sizeof *count);
-    count->setting = setting;
+    for (int i = 0; i < glint_setting_pin_count(setting); i++) {
+        const glint_pin_info pin = glint_setting_pin(setting, i);
+        add_pin(count, &pin);
+    }
+    count->lanes = glint_reach_lanes(setting);
+    count->latency = (uint64_t)glint_setting_latency(setting);
+    count->pace = (uint64_t)glint_setting_pace(setting);
+}
+
+/* What the pins of one clock say together. */
+typedef struct controls {
+    bool resets, enabled, strobes;
+    uint64_t valid;
+} controls;
+
+static uint64_t value_of(const glint_reach_pin *pin, const glint_pins *pins)
+{
+    const unsigned char *from = pins->bytes + pin->offset;
+    uint64_t word = 0, any = 0;
+    uint16_t two;
+    uint32_t four;
+    switch (pin->size) {
+    case 1:
+        return *from & pin->mask;
+    case 2:
+        memcpy(&two, from, sizeof two);
+        return two & pin->mask;
+    case 4:
+        memcpy(&four, from, sizeof four);
+        return four & pin->mask;
+    default: /* of more than a word: whether any of it is 1 */
+        for (size_t at = 0; at < pin->size; at += sizeof word) {
+            memcpy(&word, from + at, sizeof word);
+            any |= word;
+        }
+        return any & pin->mask;
+    }
+}
+
+static controls read_controls(const glint_reach_count *count, const glint_pins *pins)
+{
+    controls now = {.enabled = true, .valid = !count->has_valid};
+    for (int i = 0; i < count->pins; i++) {
+        const uint64_t value = value_of(&count->pin[i], pins);
+        switch (count->pin[i].role) {
+        case GLINT_PIN_RESET:
+            now.resets |= value != 0;
+            break;
+        case GLINT_PIN_RESET_LOW:
+            now.resets |= value == 0;
+            break;
+        case GLINT_PIN_ENABLE:
+            now.enabled &= value != 0;
+            break;
+        case GLINT_PIN_VALID:
+            now.valid |= value;
+            break;
+        default:
+            now.strobes |= value != 0;
+        }
+    }
+    return now;
 }
 
 static void keep_most(uint64_t *most, uint64_t value)
@@ -14,12 +89,17 @@ static void keep_most(uint64_t *most, uint64_t value)
         *most = value;
 }
 
+/* Whether anything was taken fewer enabled clocks ago. */
+static bool taken_within(const glint_reach_count *count, uint64_t clocks)
+{
+    return count->since != 0 && count->since < clocks;
+}
+
 /* Whether anything taken has not come out yet. The result is out after the last of its clocks, so
  * of those taken `latency` enabled clocks ago none is left. */
 static bool is_in_flight(const glint_reach_count *count)
 {
-    const int latency = glint_setting_latency(count->setting);
-    return (count->in_flight & ((UINT64_C(1) << (latency - 1)) - 1)) != 0;
+    return taken_within(count, count->latency);
 }
 
 static void reset(glint_reach_count *count)
@@ -27,61 +107,85 @@ static void reset(glint_reach_count *count)
     count->reach.resets++;
     count->reach.resets_in_flight += is_in_flight(count);
     count->run = count->run_enabled = count->stall = 0;
-    count->in_flight = 0;
+    count->since = 0;
 }
 
-static void count_lanes(glint_reach_count *count, uint32_t valid)
+static void count_alone(glint_reach_count *count, uint64_t valid)
 {
+    const bool is_one = (valid & (valid - 1)) == 0;
+    count->reach.lanes_alone += is_one && (count->alone & valid) == 0;
+    count->alone |= is_one ? valid : 0;
+}
+
+static void count_lanes(glint_reach_count *count, uint64_t valid)
+{
+    if (valid == 0 || count->lanes == 0)
+        return;
+    count_alone(count, valid);
+    if (count->lanes > GLINT_REACH_PATTERN_LANES)
+        return;
     const uint64_t bit = UINT64_C(1) << (valid % 64);
     uint64_t *seen = &count->patterns[valid / 64];
-    if (valid == 0 || (*seen & bit) != 0)
-        return;
+    count->reach.patterns += (*seen & bit) == 0;
     *seen |= bit;
-    count->reach.patterns++;
-    count->reach.lanes_alone += (valid & (valid - 1)) == 0;
 }
 
-/* True: points were taken. */
-static bool take_points(glint_reach_count *count, const glint_specular_inputs *in)
+/* True: something was taken. A circuit with a pace takes nothing while it is busy. */
+static bool take(glint_reach_count *count, const controls *now)
 {
-    if (in->n_we || in->rgb_we) {
+    if (now->strobes) {
         count->reach.changes++;
         count->reach.changes_in_flight += is_in_flight(count);
     }
-    count_lanes(count, in->in_valid);
-    return in->in_valid != 0;
-}
-
-/* True: a division was taken. The sequential form takes none while it is busy with one. */
-static bool take_division(glint_reach_count *count, const glint_divider_inputs *in)
-{
-    if (!in->start)
+    if (now->valid == 0)
         return false;
-    if (count->setting->form == GLINT_DIVIDER_SEQUENTIAL && is_in_flight(count)) {
+    if (taken_within(count, count->pace)) {
         count->reach.ignored++;
         return false;
     }
+    count_lanes(count, now->valid);
     return true;
 }
 
 void glint_reach_clock(glint_reach_count *count, const glint_pins *pins)
 {
-    const bool is_divider = count->setting->is_divider;
-    const bool resets = is_divider ? pins->divider.reset : pins->specular.reset;
-    const bool en = is_divider ? pins->divider.en : pins->specular.en;
-    if (resets) {
+    const controls now = read_controls(count, pins);
+    if (now.resets) {
         reset(count);
         return;
     }
     keep_most(&count->reach.run, ++count->run);
-    if (!en) {
+    if (!now.enabled) {
         keep_most(&count->reach.stall, ++count->stall);
         return;
     }
     count->stall = 0;
     keep_most(&count->reach.run_enabled, ++count->run_enabled);
-    const bool takes =
-        is_divider ? take_division(count, &pins->divider) : take_points(count, &pins->specular);
+    const bool takes = take(count, &now);
     count->reach.taken += takes;
-    count->in_flight = count->in_flight << 1 | takes;
+    if (takes)
+        count->since = 1;
+    else if (count->since != 0)
+        count->since++;
+}
+
+bool glint_reach_has(const glint_setting *setting, glint_pin_role role)
+{
+    bool has = false;
+    for (int i = 0; i < glint_setting_pin_count(setting); i++)
+        has |= glint_setting_pin(setting, i).role == role;
+    return has;
+}
+
+int glint_reach_lanes(const glint_setting *setting)
+{
+    bool has_lanes = false;
+    int width = 0;
+    for (int i = 0; i < glint_setting_pin_count(setting); i++) {
+        const glint_pin_info pin = glint_setting_pin(setting, i);
+        has_lanes |= pin.lane >= 0;
+        if (pin.role == GLINT_PIN_VALID)
+            width = glint_pin_width(&pin);
+    }
+    return (has_lanes || width > 1) && width <= 64 ? width : 0;
 }

@@ -1,9 +1,9 @@
-/* What the pins of a run reached, counted at the pins as they are driven: how deep into the state
- * of a circuit it got, and what came while points or divisions were in flight. */
+/* What the pins of a run reached, counted at the pins as they are driven, by their roles: how deep
+ * into the state of a circuit it got, and what came while something was in flight. */
 #ifndef GLINT_SIM_REACH_H
 #define GLINT_SIM_REACH_H
 
-#include "circuit/setting.h"
+#include "lockstep/signals.h"
 
 typedef struct glint_reach {
     uint64_t run;              /* the most clocks in a row without reset, stalls included */
@@ -13,28 +13,54 @@ typedef struct glint_reach {
     uint64_t resets_in_flight; /* those that met a point or a division on its way */
     uint64_t taken;            /* clocks that took points, or a division */
 
-    /* The specular device: */
-    uint64_t changes;           /* clocks that took a material, or a part of one */
+    /* Pins of role strobe, as those of the specular device's material: */
+    uint64_t changes;           /* clocks with one of them 1, or several */
     uint64_t changes_in_flight; /* those that met a point on its way: none with a latency of 1 */
-    uint64_t patterns;          /* different sets of lanes that took a point at the same clock */
-    int lanes_alone;            /* lanes that took one while no other did */
 
-    uint64_t ignored; /* the sequential divider: clocks with a start while it was busy */
+    /* A valid pin of several bits, one a lane: */
+    uint64_t patterns; /* different sets of lanes that took a point at the same clock; counted up to
+                        * GLINT_REACH_PATTERN_LANES lanes, else 0 */
+    int lanes_alone;   /* lanes that took one while no other did */
+
+    uint64_t ignored; /* a circuit with a pace: clocks with a valid pin 1 while it was busy */
 } glint_reach;
+
+#define GLINT_REACH_PATTERN_LANES 16
+
+/* Roles are told apart for so many pins that are no data. */
+#define GLINT_REACH_PINS_MAX 32
+
+/* A pin that counts: where it lies. */
+typedef struct glint_reach_pin {
+    glint_pin_role role;
+    size_t offset, size;
+    uint64_t mask;
+} glint_reach_pin;
 
 /* A count under way. */
 typedef struct glint_reach_count {
-    const glint_setting *setting;
     glint_reach reach;
+    glint_reach_pin pin[GLINT_REACH_PINS_MAX];
+    int pins;
+    bool has_valid;
+    int lanes; /* as glint_reach_lanes() */
+    uint64_t latency, pace;
     uint64_t run, run_enabled, stall; /* under way */
-    uint64_t in_flight;               /* bit i: something was taken i + 1 enabled clocks ago */
-    uint64_t patterns[(1u << GLINT_LANES_MAX) / 64]; /* a bit each */
+    uint64_t since;       /* enabled clocks since something was taken, 1 at the next; 0: nothing */
+    uint64_t alone;       /* a bit for each lane that was */
+    uint64_t patterns[(1u << GLINT_REACH_PATTERN_LANES) / 64]; /* a bit each */
 } glint_reach_count;
 
-/* Of a circuit in reset state. setting is to stay. */
+/* Of a circuit in reset state. */
 void glint_reach_begin(glint_reach_count *count, const glint_setting *setting);
 
 /* The pins of one rising edge. */
 void glint_reach_clock(glint_reach_count *count, const glint_pins *pins);
+
+/* Lanes of a setting whose valid pin has a bit for each, at most 64; 0: a circuit without lanes. */
+int glint_reach_lanes(const glint_setting *setting);
+
+/* Whether it has pins of that role. */
+bool glint_reach_has(const glint_setting *setting, glint_pin_role role);
 
 #endif

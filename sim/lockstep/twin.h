@@ -1,13 +1,14 @@
-/* A C model and its Verilog side by side, of either circuit: clocked with the same pins, read
- * signal by signal. */
+/* A C model and its Verilog side by side, of any circuit: clocked with the same pins, read signal
+ * by signal. */
 #ifndef GLINT_SIM_TWIN_H
 #define GLINT_SIM_TWIN_H
 
-#include "circuit/setting.h"
+#include "lockstep/signals.h"
 
 typedef struct glint_twin glint_twin;
 
-/* Both in reset state. GLINT_BAD_ARGUMENT for a setting that does not exist or was not built. */
+/* Both in reset state. GLINT_BAD_ARGUMENT for a setting that does not exist; GLINT_DEVICE_FAULT
+ * when its Verilog does not build. */
 glint_status glint_twin_create(const glint_setting *setting, glint_twin **twin, glint_error *err);
 
 /* The C model alone: rtl of glint_twin_read() is then not to be asked for. */
@@ -16,11 +17,14 @@ glint_status glint_twin_create_model(const glint_setting *setting, glint_twin **
 
 void glint_twin_destroy(glint_twin *twin); /* NULL is allowed */
 
+/* Those that both are read by; valid until the twin is destroyed. */
+const glint_signals *glint_twin_signals(const glint_twin *twin);
+
 /* One rising edge. */
 void glint_twin_clock(glint_twin *twin, const glint_pins *pins);
 
-/* The bits of every signal as the last edge left them; rtl may be NULL. */
-void glint_twin_read(const glint_twin *twin, uint64_t model[GLINT_SETTING_SIGNALS_MAX],
-                     uint64_t rtl[GLINT_SETTING_SIGNALS_MAX]);
+/* The words of every signal as the last edge left them, GLINT_SIGNAL_WORDS_MAX at the most; rtl may
+ * be NULL. */
+void glint_twin_read(const glint_twin *twin, uint64_t *model, uint64_t *rtl);
 
 #endif

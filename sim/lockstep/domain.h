@@ -1,0 +1,67 @@
+/* The Verilog against the C model over the whole domain that a circuit's description names
+ * (glint_domain): every point taken by one clock, and after every clock every signal of kind
+ * output compared.
+ *
+ * The pins of a point: all 0, but enables, valid pins' lowest bit and active-low resets 1; then the
+ * domain's put(). A circuit with a pace has idle clocks behind each point, with no valid pin 1. The
+ * points go in their order, in blocks of GLINT_DOMAIN_BLOCK clocks, each block from reset state
+ * with circuits of its own and with idle clocks at its end until all has come out: what a block
+ * shows does not depend on how many threads there are, and can be played again by itself.
+ *
+ * What it does not reach: no reset and no stall comes up unless the domain's points have them, and
+ * only outputs are compared. Lockstep is for the rest. */
+#ifndef GLINT_SIM_DOMAIN_H
+#define GLINT_SIM_DOMAIN_H
+
+#include <stdbool.h>
+
+#include "lockstep/lockstep.h"
+
+#define GLINT_DOMAIN_BLOCK       32768 /* clocks with points and those of its pace; at least a point */
+#define GLINT_DOMAIN_THREADS_MAX 64
+
+typedef struct glint_domain_options {
+    glint_setting setting;
+    uint64_t from;          /* the first point, 0… */
+    uint64_t shard, shards; /* those points p with p mod shards = shard − 1; 1…shards */
+    uint64_t stride;        /* of them only every stride-th; 1: all */
+    uint64_t seed;          /* of where the stride begins */
+    int threads;            /* 1…GLINT_DOMAIN_THREADS_MAX */
+    const volatile bool *stop;                                      /* may be NULL */
+    void (*progress)(void *context, uint64_t done, uint64_t total); /* points; may be NULL */
+    void *progress_context;
+} glint_domain_options;
+
+/* One output that differed. */
+typedef struct glint_domain_mismatch {
+    uint64_t block, point; /* the block's number, from 0 on; the last point taken before it */
+    glint_mismatch signal; /* its clock: of the block */
+} glint_domain_mismatch;
+
+typedef struct glint_domain_result {
+    uint64_t points_total; /* of the domain */
+    uint64_t points;       /* taken */
+    uint64_t clocks;       /* compared after */
+    uint64_t comparisons;  /* values compared, counted where they are */
+    uint64_t mismatches;   /* values that differ */
+    uint64_t next;         /* every chosen point below it is done; points_total: all are */
+    int kept;              /* the first mismatches, blocks rising */
+    glint_domain_mismatch mismatch[GLINT_MISMATCHES_KEPT];
+} glint_domain_result;
+
+/* Where the stride begins: 0…stride−1. */
+uint64_t glint_domain_offset(const glint_domain_options *options);
+
+/* Runs it; progress is called by the caller's thread. GLINT_OK whatever it finds: the finding is in
+ * result. GLINT_INTERRUPTED when stopped: blocks that were begun are finished, and result->next
+ * says where to go on. GLINT_BAD_ARGUMENT for a circuit without a domain or without outputs, for
+ * options out of range, or with no point among those chosen. */
+glint_status glint_domain_run(const glint_domain_options *options, glint_domain_result *result,
+                              glint_error *err);
+
+/* The pins of a block, from its first clock, which is clock 1, to `after` clocks behind the given
+ * one or to the block's end; to be freed with free(). NULL: no memory. */
+glint_pins *glint_domain_pins(const glint_domain_options *options, uint64_t block, uint64_t clock,
+                              uint64_t after, size_t *count);
+
+#endif
