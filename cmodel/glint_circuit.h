@@ -72,7 +72,8 @@ typedef struct glint_heading {
 typedef struct glint_domain {
     const char *what; /* "every k with every difference": for help and verdict */
     uint64_t (*points)(const int *values);
-    void (*put)(const int *values, uint64_t point, void *pins); /* on pins that are 0 */
+    /* On pins that are 0, but enables, valid pins' lowest bit and active-low resets 1. */
+    void (*put)(const int *values, uint64_t point, void *pins);
 } glint_domain;
 
 typedef struct glint_circuit {
