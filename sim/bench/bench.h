@@ -1,6 +1,7 @@
 /* How many fragments, clocks and frames a second: all in one run, so that ratios mean something on
  * a machine that others use too. Every candidate is run in turn, round after round; a rate is the
- * median of the rounds, a ratio the median of the ratios within a round. */
+ * median of the rounds, a ratio the median of the ratios within a round. verilog: the directory of
+ * the circuits' Verilog, NULL for Glint's own. */
 #ifndef GLINT_SIM_BENCH_H
 #define GLINT_SIM_BENCH_H
 
@@ -39,7 +40,7 @@ typedef struct glint_bench_rates {
 const char *glint_bench_name(glint_bench_candidate candidate);
 
 /* Measures all candidates for about `seconds` each (0.01…60). */
-glint_status glint_bench_kernels(double seconds, const volatile bool *stop,
+glint_status glint_bench_kernels(const char *verilog, double seconds, const volatile bool *stop,
                                  glint_bench_rates *rates, glint_error *err);
 
 /* Points a second on one thread, and the same divided by those of Schlick's formula (2.1) by the
@@ -77,7 +78,7 @@ typedef struct glint_bench_divider_rates {
 const char *glint_bench_divider_name(glint_bench_divider candidate);
 
 /* Measures all of them for about `seconds` each (0.01…60). */
-glint_status glint_bench_dividers(double seconds, const volatile bool *stop,
+glint_status glint_bench_dividers(const char *verilog, double seconds, const volatile bool *stop,
                                   glint_bench_divider_rates *rates, glint_error *err);
 
 typedef struct glint_bench_frame {
@@ -91,7 +92,8 @@ typedef struct glint_bench_frame {
 #define GLINT_BENCH_FRAMES 12 /* 2 models × 2 sizes × 3 backends */
 
 /* Measures whole frames on `threads` threads, for about `seconds` each. */
-glint_status glint_bench_frames(int threads, double seconds, const volatile bool *stop,
+glint_status glint_bench_frames(const char *verilog, int threads, double seconds,
+                                const volatile bool *stop,
                                 glint_bench_frame frames[GLINT_BENCH_FRAMES], glint_error *err);
 
 #endif

@@ -4,8 +4,9 @@
 #include "bench/bench.h"
 #include "bench/kernels.h"
 #include "bench/rounds.h"
+#include "circuit/circuits.h"
 #include "circuit/random.h"
-#include "rtl/divider_rtl.h"
+#include "rtl/batch.h"
 
 #define TRIPLES (GLINT_BENCH_DIVISIONS / GLINT_DIVIDER_COMPONENTS)
 
@@ -14,7 +15,7 @@ typedef struct workload {
     glint_quotients quotients[TRIPLES];
     float difference[GLINT_BENCH_DIVISIONS], k[GLINT_BENCH_DIVISIONS];
     float result[GLINT_BENCH_DIVISIONS];
-    glint_divider_rtl *rtl[GLINT_BENCH_DIVIDERS]; /* of the circuits, else NULL */
+    glint_rtl *rtl[GLINT_BENCH_DIVIDERS]; /* of the circuits, else NULL */
     uint64_t passes[GLINT_BENCH_DIVIDERS];
 } workload;
 
@@ -35,7 +36,7 @@ const char *glint_bench_divider_name(glint_bench_divider candidate)
 static void destroy_workload(workload *w)
 {
     for (int i = 0; i < GLINT_BENCH_DIVIDERS; i++)
-        glint_divider_rtl_destroy(w->rtl[i]);
+        glint_rtl_destroy(w->rtl[i]);
     free(w);
 }
 
@@ -57,18 +58,26 @@ static void fill(workload *w)
     }
 }
 
-static glint_status create_workload(workload **created, glint_error *err)
+static glint_status create_circuit(workload *w, const char *verilog, glint_divider_form form,
+                                   glint_bench_divider candidate, glint_error *err)
+{
+    glint_setting setting = glint_setting_divider(form, GLINT_BENCH_SHIFTS);
+    setting.verilog = verilog;
+    return glint_rtl_open(&setting, GLINT_RTL_FAST, &w->rtl[candidate], err);
+}
+
+static glint_status create_workload(const char *verilog, workload **created, glint_error *err)
 {
     workload *w = calloc(1, sizeof *w);
     if (w == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for the bench");
     *created = w;
     fill(w);
-    glint_status status = glint_divider_rtl_create(GLINT_DIVIDER_SEQUENTIAL, GLINT_BENCH_SHIFTS,
-                                                   &w->rtl[GLINT_BENCH_DIVIDER_SEQUENTIAL], err);
+    glint_status status =
+        create_circuit(w, verilog, GLINT_DIVIDER_SEQUENTIAL, GLINT_BENCH_DIVIDER_SEQUENTIAL, err);
     if (status == GLINT_OK)
-        status = glint_divider_rtl_create(GLINT_DIVIDER_PIPELINED, GLINT_BENCH_SHIFTS,
-                                          &w->rtl[GLINT_BENCH_DIVIDER_PIPELINED], err);
+        status =
+            create_circuit(w, verilog, GLINT_DIVIDER_PIPELINED, GLINT_BENCH_DIVIDER_PIPELINED, err);
     return status;
 }
 
@@ -90,7 +99,7 @@ static glint_status run_pass(void *work, int candidate, glint_error *err)
     case GLINT_BENCH_DIVIDER_C_BATCH:
         return glint_divide_batch(GLINT_BENCH_SHIFTS, w->divisions, TRIPLES, w->quotients);
     default:
-        return glint_divider_rtl_batch(w->rtl[candidate], w->divisions, TRIPLES, w->quotients, err);
+        return glint_rtl_divide(w->rtl[candidate], w->divisions, TRIPLES, w->quotients, err);
     }
 }
 
@@ -103,17 +112,17 @@ static void summarise(const workload *w, const glint_rounds *rounds,
         rates->to_float[i] = glint_rounds_ratio(rounds, i, GLINT_BENCH_FLOAT_DIVISION);
         rates->clocks[i] = 0.0;
         if (w->rtl[i] != NULL)
-            rates->clocks[i] = rates->divisions[i] * (double)glint_divider_rtl_clocks(w->rtl[i]) /
+            rates->clocks[i] = rates->divisions[i] * (double)glint_rtl_clocks(w->rtl[i]) /
                                ((double)w->passes[i] * GLINT_BENCH_DIVISIONS);
     }
 }
 
-glint_status glint_bench_dividers(double seconds, const volatile bool *stop,
+glint_status glint_bench_dividers(const char *verilog, double seconds, const volatile bool *stop,
                                   glint_bench_divider_rates *rates, glint_error *err)
 {
     glint_rounds rounds;
     workload *w = NULL;
-    glint_status status = create_workload(&w, err);
+    glint_status status = create_workload(verilog, &w, err);
     if (status == GLINT_OK)
         status = glint_rounds_measure(run_pass, w, GLINT_BENCH_DIVIDERS, GLINT_BENCH_DIVISIONS,
                                       seconds, stop, &rounds, err);

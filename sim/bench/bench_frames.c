@@ -34,31 +34,39 @@ static glint_status time_frames(glint_renderer *renderer, const glint_scene *sce
     return status;
 }
 
-static glint_status bench_frame(const glint_mesh *mesh, int threads, double seconds,
-                                const volatile bool *stop, glint_bench_frame *frame,
-                                glint_error *err)
+/* What all frames share. */
+typedef struct effort {
+    const char *verilog;
+    int threads;
+    double seconds; /* of each */
+    const volatile bool *stop;
+} effort;
+
+static glint_status bench_frame(const glint_mesh *mesh, const effort *effort,
+                                glint_bench_frame *frame, glint_error *err)
 {
-    const glint_backend_config config = {
-        .kind = frame->backend, .gate = GLINT_GATE_COSINE, .pipeline = GLINT_PIPELINE_PIPELINED};
+    const glint_backend_config config = {.kind = frame->backend,
+                                         .gate = GLINT_GATE_COSINE,
+                                         .pipeline = GLINT_PIPELINE_PIPELINED,
+                                         .verilog = effort->verilog};
     glint_scene scene;
     glint_renderer *renderer = NULL;
     glint_image *image = NULL;
     glint_scene_defaults(&scene);
     scene.mesh = mesh;
-    glint_status status =
-        glint_renderer_create(frame->width, frame->height, threads, &config, &renderer, err);
+    glint_status status = glint_renderer_create(frame->width, frame->height, effort->threads,
+                                                &config, &renderer, err);
     if (status == GLINT_OK)
         status = glint_image_create(frame->width, frame->height, &image, err);
     if (status == GLINT_OK)
-        status = time_frames(renderer, &scene, image, seconds, stop, frame, err);
+        status = time_frames(renderer, &scene, image, effort->seconds, effort->stop, frame, err);
     glint_image_destroy(image);
     glint_renderer_destroy(renderer);
     return status;
 }
 
-static glint_status bench_mesh(const char *model, const glint_mesh *mesh, int threads,
-                               double seconds, const volatile bool *stop, glint_bench_frame *frames,
-                               glint_error *err)
+static glint_status bench_mesh(const char *model, const glint_mesh *mesh, const effort *effort,
+                               glint_bench_frame *frames, glint_error *err)
 {
     static const int sizes[2][2] = {{640, 480}, {1920, 1080}};
     glint_status status = GLINT_OK;
@@ -69,23 +77,24 @@ static glint_status bench_mesh(const char *model, const glint_mesh *mesh, int th
             frame->width = sizes[size][0];
             frame->height = sizes[size][1];
             frame->backend = (glint_backend_kind)kind;
-            status = bench_frame(mesh, threads, seconds, stop, frame, err);
+            status = bench_frame(mesh, effort, frame, err);
         }
     return status;
 }
 
-glint_status glint_bench_frames(int threads, double seconds, const volatile bool *stop,
+glint_status glint_bench_frames(const char *verilog, int threads, double seconds,
+                                const volatile bool *stop,
                                 glint_bench_frame frames[GLINT_BENCH_FRAMES], glint_error *err)
 {
+    const effort effort = {verilog, threads, seconds, stop};
     glint_mesh *teapot = NULL, *sphere = NULL;
     glint_status status = glint_mesh_teapot(GLINT_TEAPOT_DENSITY, &teapot, err);
     if (status == GLINT_OK)
         status = glint_mesh_sphere(GLINT_SPHERE_DENSITY, &sphere, err);
     if (status == GLINT_OK)
-        status = bench_mesh("teapot", teapot, threads, seconds, stop, frames, err);
+        status = bench_mesh("teapot", teapot, &effort, frames, err);
     if (status == GLINT_OK)
-        status = bench_mesh("sphere", sphere, threads, seconds, stop,
-                            frames + GLINT_BENCH_FRAMES / 2, err);
+        status = bench_mesh("sphere", sphere, &effort, frames + GLINT_BENCH_FRAMES / 2, err);
     glint_mesh_destroy(teapot);
     glint_mesh_destroy(sphere);
     return status;

@@ -4,8 +4,9 @@
 #include "bench/bench.h"
 #include "bench/kernels.h"
 #include "bench/rounds.h"
+#include "circuit/circuits.h"
 #include "circuit/random.h"
-#include "rtl/rtl.h"
+#include "rtl/batch.h"
 
 typedef struct workload {
     float cosine[GLINT_BENCH_POINTS], result[GLINT_BENCH_POINTS];
@@ -36,14 +37,16 @@ const char *glint_bench_name(glint_bench_candidate candidate)
     return candidates[candidate].name;
 }
 
-static glint_status create_circuits(workload *w, glint_error *err)
+static glint_status create_circuits(workload *w, const char *verilog, glint_error *err)
 {
     glint_status status = GLINT_OK;
     for (int i = 0; status == GLINT_OK && i < GLINT_BENCH_CANDIDATES; i++) {
         const glint_specular_config config = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED,
                                               candidates[i].lanes};
+        glint_setting setting = glint_setting_specular(&config);
+        setting.verilog = verilog;
         if (config.lanes != 0)
-            status = glint_rtl_create_fast(&config, &w->rtl[i], err);
+            status = glint_rtl_open(&setting, GLINT_RTL_FAST, &w->rtl[i], err);
     }
     return status;
 }
@@ -55,7 +58,7 @@ static void destroy_workload(workload *w)
     free(w);
 }
 
-static glint_status create_workload(workload **created, glint_error *err)
+static glint_status create_workload(const char *verilog, workload **created, glint_error *err)
 {
     workload *w = calloc(1, sizeof *w);
     if (w == NULL)
@@ -69,7 +72,7 @@ static glint_status create_workload(workload **created, glint_error *err)
         w->cos_code[i] = glint_cos_code(cosine);
         w->cosine[i] = (float)cosine;
     }
-    return create_circuits(w, err);
+    return create_circuits(w, verilog, err);
 }
 
 /* One pass of a candidate over all points. */
@@ -94,8 +97,8 @@ static glint_status run_pass(void *work, int candidate, glint_error *err)
         return glint_specular_batch(GLINT_GATE_COSINE, &w->material, w->cos_code, count, NULL, w->r,
                                     w->g, w->b);
     default:
-        return glint_rtl_batch(w->rtl[candidate], &w->material, w->cos_code, count, NULL, w->r,
-                               w->g, w->b, err);
+        return glint_rtl_shade(w->rtl[candidate], &w->material,
+                               &(glint_points){w->cos_code, count, NULL, w->r, w->g, w->b}, err);
     }
 }
 
@@ -108,12 +111,12 @@ static void summarise(const glint_rounds *rounds, glint_bench_rates *rates)
     }
 }
 
-glint_status glint_bench_kernels(double seconds, const volatile bool *stop,
+glint_status glint_bench_kernels(const char *verilog, double seconds, const volatile bool *stop,
                                  glint_bench_rates *rates, glint_error *err)
 {
     glint_rounds rounds;
     workload *w = NULL;
-    glint_status status = create_workload(&w, err);
+    glint_status status = create_workload(verilog, &w, err);
     if (status == GLINT_OK)
         status = glint_rounds_measure(run_pass, w, GLINT_BENCH_CANDIDATES, GLINT_BENCH_POINTS,
                                       seconds, stop, &rounds, err);

@@ -221,7 +221,7 @@ static glint_status measure(const bench_options *chosen, bench_results *results,
 {
     const volatile bool *stop = glint_stop_flag();
     const int threads = (int)chosen->threads;
-    glint_status status = glint_bench_kernels(chosen->seconds, stop, &results->points, err);
+    glint_status status = glint_bench_kernels(NULL, chosen->seconds, stop, &results->points, err);
     if (status == GLINT_OK && !chosen->json) {
         print_kernels(&results->points);
         fflush(stdout);
@@ -233,13 +233,13 @@ static glint_status measure(const bench_options *chosen, bench_results *results,
         fflush(stdout);
     }
     if (status == GLINT_OK)
-        status = glint_bench_dividers(chosen->seconds, stop, &results->dividers, err);
+        status = glint_bench_dividers(NULL, chosen->seconds, stop, &results->dividers, err);
     if (status == GLINT_OK && !chosen->json) {
         print_dividers(&results->dividers);
         fflush(stdout);
     }
     if (status == GLINT_OK)
-        status = glint_bench_frames(threads, chosen->seconds, stop, results->frames, err);
+        status = glint_bench_frames(NULL, threads, chosen->seconds, stop, results->frames, err);
     if (status == GLINT_OK && !chosen->json)
         print_frames(results->frames, threads);
     return status;

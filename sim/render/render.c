@@ -41,6 +41,7 @@ struct glint_renderer {
     glint_extent extent;
     int threads;
     glint_backend_kind kind;
+    const char *verilog;             /* as in the configuration of the backends */
     glint_backend_watch *watch;      /* of one thread, or NULL */
     glint_render_progress *progress; /* or NULL */
     void *progress_context;
@@ -278,7 +279,11 @@ static glint_status prepare_gouraud(const frame *f, worker *w, glint_error *err)
         return GLINT_OK;
     }
     const glint_divider_config config = {
-        .kind = f->renderer->kind, .form = GLINT_DIVIDER_PIPELINED, .shifts = f->shifts};
+        .kind = f->renderer->kind,
+        .form = GLINT_DIVIDER_PIPELINED,
+        .shifts = f->shifts,
+        .verilog = f->renderer->verilog,
+    };
     glint_divider_backend_destroy(w->divider);
     w->divider_shifts = f->shifts;
     const glint_status status = glint_divider_backend_create(&config, &w->divider, err);
@@ -489,6 +494,7 @@ glint_status glint_renderer_create(int width, int height, int threads,
     r->extent = (glint_extent){width, height};
     r->threads = threads;
     r->kind = config->kind;
+    r->verilog = config->verilog;
     const glint_status status = create_parts(r, config, err);
     if (status != GLINT_OK) {
         glint_renderer_destroy(r);

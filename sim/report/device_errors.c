@@ -4,10 +4,10 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-#include "glint_specular.h"
+#include "circuit/circuits.h"
 #include "render/pool.h"
 #include "report/lobe_errors.h"
-#include "rtl/rtl.h"
+#include "rtl/batch.h"
 
 #define CODES (GLINT_COS_ONE + 1u)
 
@@ -96,8 +96,8 @@ static glint_status measure_exponent(const sweep *sweep, worker *own, double n)
     if (status == GLINT_OK)
         status = glint_specular_batch(config.gate, &white, own->code, CODES, own->model, r, g, b);
     if (status == GLINT_OK)
-        status =
-            glint_rtl_batch(own->rtl, &white, own->code, CODES, own->verilog, r, g, b, &own->err);
+        status = glint_rtl_shade(
+            own->rtl, &white, &(glint_points){own->code, CODES, own->verilog, r, g, b}, &own->err);
     if (status != GLINT_OK)
         return status;
     if (n == sweep->exponents->n[sweep->exponents->count - 1]) {
@@ -129,7 +129,8 @@ static glint_status create_worker(worker *own, glint_error *err)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for %u cosine codes", CODES);
     for (uint32_t code = 0; code < CODES; code++)
         own->code[code] = code;
-    return glint_rtl_create_fast(&config, &own->rtl, err);
+    const glint_setting setting = glint_setting_specular(&config);
+    return glint_rtl_open(&setting, GLINT_RTL_FAST, &own->rtl, err);
 }
 
 static void destroy_worker(worker *own)

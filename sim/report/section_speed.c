@@ -45,7 +45,7 @@ static glint_status measure(const glint_report *report, glint_speeds *s, glint_e
         status = glint_bench_formulas(report->quick ? 0.01 : seconds / GLINT_SPEED_RUNS,
                                       report->stop, &s->run[i], err);
     if (status == GLINT_OK)
-        status = glint_bench_kernels(seconds, report->stop, &s->device, err);
+        status = glint_bench_kernels(NULL, seconds, report->stop, &s->device, err);
     if (status == GLINT_OK)
         take_medians(s);
     return status;

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "glint_specular.h"
-#include "rtl/rtl.h"
+#include "circuit/circuits.h"
+#include "rtl/batch.h"
 
 #define CODES (GLINT_COS_ONE + 1u)
 #define RUN   2048u
@@ -31,10 +31,10 @@ static void run(glint_verilog_lobe *lobe, uint32_t index)
                                   GLINT_COLOR_MAX};
     const uint32_t first = index * RUN;
     const uint32_t count = CODES - first < RUN ? CODES - first : RUN;
+    const glint_points points = {lobe->code + first, count,           lobe->w + first,
+                                 lobe->rgb,          lobe->rgb + RUN, lobe->rgb + 2 * RUN};
     if (lobe->status == GLINT_OK)
-        lobe->status =
-            glint_rtl_batch(lobe->rtl, &white, lobe->code + first, count, lobe->w + first,
-                            lobe->rgb, lobe->rgb + RUN, lobe->rgb + 2 * RUN, &lobe->err);
+        lobe->status = glint_rtl_shade(lobe->rtl, &white, &points, &lobe->err);
     if (lobe->status != GLINT_OK)
         memset(lobe->w + first, 0, count * sizeof *lobe->w);
     lobe->known[index] = true;
@@ -56,7 +56,8 @@ glint_status glint_verilog_lobe_create(glint_verilog_lobe **lobe, glint_error *e
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for the Verilog's lobe");
     for (uint32_t code = 0; code < CODES; code++)
         made->code[code] = code;
-    const glint_status status = glint_rtl_create_fast(&config, &made->rtl, err);
+    const glint_setting setting = glint_setting_specular(&config);
+    const glint_status status = glint_rtl_open(&setting, GLINT_RTL_FAST, &made->rtl, err);
     if (status == GLINT_OK)
         *lobe = made;
     else

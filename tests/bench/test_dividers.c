@@ -45,7 +45,7 @@ static void every_candidate_has_its_figures(void **state)
     (void)state;
     glint_bench_divider_rates rates;
     glint_error err;
-    assert_int_equal(glint_bench_dividers(0.01, NULL, &rates, &err), GLINT_OK);
+    assert_int_equal(glint_bench_dividers(NULL, 0.01, NULL, &rates, &err), GLINT_OK);
     for (int i = 0; i < GLINT_BENCH_DIVIDERS; i++) {
         const int is_circuit =
             i == GLINT_BENCH_DIVIDER_SEQUENTIAL || i == GLINT_BENCH_DIVIDER_PIPELINED;
@@ -71,7 +71,7 @@ static void it_can_be_stopped(void **state)
     static const volatile bool stop = true;
     glint_bench_divider_rates rates;
     glint_error err;
-    assert_int_equal(glint_bench_dividers(60.0, &stop, &rates, &err), GLINT_INTERRUPTED);
+    assert_int_equal(glint_bench_dividers(NULL, 60.0, &stop, &rates, &err), GLINT_INTERRUPTED);
     assert_string_equal(err.text, "interrupted");
 }
 
