@@ -28,7 +28,8 @@ const char *glint_show_place(const glint_setting *setting)
 
 void glint_show_lane_title(const glint_setting *setting, int lane, char title[GLINT_SHOW_LABEL])
 {
-    const char *name = setting->circuit->lane_name;
+    const char *given = setting->circuit->lane_name;
+    const char *name = given != NULL && given[0] != '\0' ? given : "lane";
     (void)snprintf(title, GLINT_SHOW_LABEL, "%c%s %d", toupper((unsigned char)name[0]), name + 1,
                    lane);
 }

@@ -11,7 +11,8 @@
 #define GLINT_SHOW_LABEL 128
 
 /* Headings are short: the widest of them and of the names is the width of the column of names. */
-#define GLINT_SHOW_INPUTS "Inputs"
+#define GLINT_SHOW_INPUTS  "Inputs"
+#define GLINT_SHOW_SIGNALS "Signals" /* those without a heading of their own */
 
 /* What signal.lane counts, "lane" or "stage", for labels; NULL where there is no more than one. */
 const char *glint_show_place(const glint_setting *setting);

@@ -6,149 +6,236 @@
 
 #include "wave/presentation.h"
 
-#define TOP    "TOP.specular_device."
-#define OF_ONE 64 /* characters of a lane's scope */
+#define SCOPE_TEXT 256
+#define TITLE_TEXT 256
 
-static void lane_scope(int lane, char scope[OF_ONE])
+/* A text that is added to until it is full. */
+typedef struct scope {
+    char text[SCOPE_TEXT];
+    size_t used;
+} scope;
+
+static void append(scope *to, const char *text, size_t length)
 {
-    if (lane < 0)
-        (void)snprintf(scope, OF_ONE, TOP);
-    else
-        (void)snprintf(scope, OF_ONE, TOP "lane[%d].u.", lane);
+    const size_t room = SCOPE_TEXT - 1 - to->used;
+    const size_t taken = length < room ? length : room;
+    memcpy(to->text + to->used, text, taken);
+    to->used += taken;
+    to->text[to->used] = '\0';
 }
 
-/* A lane's name is of use where there are several. */
-static const char *place_of(const glint_specular_config *config)
+static void append_lane(scope *to, const char *lane_scope, int lane)
 {
-    return config->lanes > 1 ? "lane" : NULL;
+    char number[16];
+    const char *place = strstr(lane_scope, "%d");
+    if (place == NULL) {
+        append(to, lane_scope, strlen(lane_scope));
+    } else {
+        (void)snprintf(number, sizeof number, "%d", lane);
+        append(to, lane_scope, (size_t)(place - lane_scope));
+        append(to, number, strlen(number));
+        append(to, place + 2, strlen(place + 2));
+    }
+    append(to, ".", 1);
 }
 
-static void add_signal(glint_gtkw *rows, const glint_specular_config *config,
-                       const glint_signal_info *signal)
+/* The scope below "TOP.top.", and of a lane its own, that a path leads to, with a dot behind it.
+ * Returns the path's last component. */
+static const char *place_in(const glint_setting *setting, int lane, const char *path, scope *where)
 {
-    char scope[OF_ONE], label[GLINT_SHOW_LABEL];
-    lane_scope(signal->lane, scope);
-    glint_show_label(signal, place_of(config), "", label);
-    glint_gtkw_trace trace = {.scope = scope,
-                              .name = signal->name,
+    const glint_circuit *circuit = setting->circuit;
+    const char *top = circuit->top(setting->values);
+    const char *last = strrchr(path, '.');
+    const char *name = last != NULL ? last + 1 : path;
+    where->used = 0;
+    append(where, "TOP.", 4);
+    append(where, top, strlen(top));
+    append(where, ".", 1);
+    if (lane >= 0 && circuit->lane_scope != NULL)
+        append_lane(where, circuit->lane_scope, lane);
+    append(where, path, (size_t)(name - path));
+    return name;
+}
+
+static void add_row(glint_gtkw *rows, const glint_setting *setting, const glint_signal_info *signal)
+{
+    scope where;
+    char label[GLINT_SHOW_LABEL];
+    const char *path = signal->path != NULL ? signal->path : signal->name;
+    const char *name = place_in(setting, signal->lane, path, &where);
+    glint_show_label(signal, glint_show_place(setting), "", label);
+    glint_gtkw_trace trace = {.scope = where.text,
+                              .name = name,
                               .label = label,
                               .width = signal->int_bits + signal->frac_bits,
                               .flags = glint_show_number(signal),
                               .color = glint_show_color(signal),
                               .frac_bits = signal->frac_bits};
     glint_gtkw_add(rows, &trace);
-    if (!glint_show_curve(signal))
+    if (!glint_show_curve(setting, signal))
         return;
     trace.flags |= GLINT_GTKW_SHOW_CURVE;
     glint_gtkw_add(rows, &trace);
     glint_gtkw_curve_height(rows);
 }
 
-/* With pipeline combinational a stage is a wire and says nothing new. The saturated square differs
- * from the square, and the limit is needed in stage 2, with gate drawn only. */
-static bool is_shown(const glint_specular_config *config, const glint_signal_info *signal)
+static void add_pin(glint_gtkw *rows, const glint_setting *setting, int index)
 {
-    if (signal->kind == GLINT_SIGNAL_STAGE && config->pipeline == GLINT_PIPELINE_COMBINATIONAL)
-        return strcmp(signal->name, "s1_valid") == 0;
-    if (strcmp(signal->name, "sat10") == 0 || strcmp(signal->name, "s2_rom9") == 0)
-        return config->gate == GLINT_GATE_DRAWN;
-    return true;
+    const glint_pin_info pin = setting->circuit->pin(setting->values, index);
+    const glint_signal_info row = glint_show_pin(&pin);
+    add_row(rows, setting, &row);
 }
 
-static void add_pin(glint_gtkw *rows, const char *name, int width, unsigned flags)
+/* Where a pin stands among the others: what controls the circuit, then what comes anew with every
+ * thing that it takes, of a lane or with a sign, then the rest. */
+static int rank_of(const glint_pin_info *pin)
 {
-    const glint_gtkw_trace trace = {
-        .scope = TOP, .name = name, .label = name, .width = width, .flags = flags};
-    glint_gtkw_add(rows, &trace);
+    switch (pin->role) {
+    case GLINT_PIN_RESET:
+    case GLINT_PIN_RESET_LOW:
+        return 0;
+    case GLINT_PIN_ENABLE:
+        return 1;
+    case GLINT_PIN_VALID:
+        return 2;
+    default:
+        return pin->lane >= 0 ? 3 : pin->is_signed ? 4 : 5;
+    }
 }
+#define RANKS 6
 
-/* The cosine of one lane: the pins of several are one wide vector, and no number. */
-static void add_cosine(glint_gtkw *rows, const glint_specular_config *config, int lane)
+/* The pins of several lanes are one wide port, and no number: those of lane 0 alone, as ports of
+ * the lane. */
+static void add_inputs(glint_gtkw *rows, const glint_setting *setting)
 {
-    const glint_signal_info cosine = {
-        .name = "cos", .int_bits = 1, .frac_bits = GLINT_COS_FRAC_BITS, .lane = lane};
-    char scope[OF_ONE], label[GLINT_SHOW_LABEL];
-    lane_scope(lane, scope);
-    glint_show_label(&cosine, place_of(config), "", label);
-    const glint_gtkw_trace trace = {.scope = scope,
-                                    .name = cosine.name,
-                                    .label = label,
-                                    .width = GLINT_COS_BITS,
-                                    .flags = glint_show_number(&cosine),
-                                    .frac_bits = cosine.frac_bits};
-    glint_gtkw_add(rows, &trace);
-}
-
-static void add_inputs(glint_gtkw *rows, const glint_specular_config *config)
-{
+    const glint_circuit *circuit = setting->circuit;
+    const glint_pin_info clock = {.name = circuit->clock_port, .int_bits = 1, .lane = -1};
+    const glint_signal_info clock_row = glint_show_pin(&clock);
     glint_gtkw_heading(rows, GLINT_SHOW_INPUTS);
-    add_pin(rows, "clk", 1, GLINT_GTKW_SHOW_BINARY);
-    add_pin(rows, "reset", 1, GLINT_GTKW_SHOW_BINARY);
-    add_pin(rows, "en", 1, GLINT_GTKW_SHOW_BINARY);
-    add_pin(rows, "in_valid", config->lanes, GLINT_GTKW_SHOW_BINARY);
-    add_cosine(rows, config, 0);
-    add_pin(rows, "n_we", 1, GLINT_GTKW_SHOW_BINARY);
-    add_pin(rows, "n", GLINT_N_BITS, GLINT_GTKW_SHOW_DECIMAL);
-    add_pin(rows, "rgb_we", 1, GLINT_GTKW_SHOW_BINARY);
-    add_pin(rows, "r", GLINT_COLOR_BITS, GLINT_GTKW_SHOW_DECIMAL);
-    add_pin(rows, "g", GLINT_COLOR_BITS, GLINT_GTKW_SHOW_DECIMAL);
-    add_pin(rows, "b", GLINT_COLOR_BITS, GLINT_GTKW_SHOW_DECIMAL);
+    if (circuit->clock_port != NULL)
+        add_row(rows, setting, &clock_row);
+    for (int rank = 0; rank < RANKS; rank++)
+        for (int i = 0; i < circuit->pin_count(setting->values); i++) {
+            const glint_pin_info pin = circuit->pin(setting->values, i);
+            if (pin.lane <= 0 && rank_of(&pin) == rank)
+                add_pin(rows, setting, i);
+        }
 }
 
-/* The signals of the device and of lane 0 under one heading. */
-static void add_signals(glint_gtkw *rows, const glint_specular_config *config, int section)
+/* Of one heading, or of one lane; of lane 0 and of the whole circuit, what has no heading. */
+typedef struct selection {
+    const glint_heading *heading; /* NULL: of the lane */
+    int lane;                     /* −1: of the whole circuit */
+} selection;
+
+static bool is_selected(const selection *of, const glint_signal_info *signal)
 {
-    for (int i = 0; i < glint_specular_signal_count(config); i++) {
-        const glint_signal_info signal = glint_specular_signal_info(config, i);
-        if (signal.lane <= 0 && is_shown(config, &signal) &&
-            glint_show_specular_section(&signal) == section)
-            add_signal(rows, config, &signal);
+    if (signal->is_copy)
+        return false;
+    if (of->heading == NULL)
+        return signal->lane == of->lane && (of->lane > 0 || signal->heading == NULL);
+    return signal->heading != NULL && strcmp(signal->heading, of->heading->title) == 0 &&
+           (signal->lane <= 0 || of->heading->every_lane);
+}
+
+/* rows: NULL counts them only. */
+static int add_signals(glint_gtkw *rows, const glint_setting *setting, const selection *of)
+{
+    int count = 0;
+    for (int i = 0; i < setting->circuit->signal_count(setting->values); i++) {
+        const glint_signal_info signal = setting->circuit->signal(setting->values, i);
+        if (!is_selected(of, &signal))
+            continue;
+        count++;
+        if (rows != NULL)
+            add_row(rows, setting, &signal);
     }
+    return count;
 }
 
-static void add_section(glint_gtkw *rows, const glint_specular_config *config, int section)
+static void add_open(glint_gtkw *rows, const glint_setting *setting, const selection *of,
+                     const char *title)
 {
-    const char *title = glint_show_specular_title(section);
-    if (!glint_show_specular_folded(section)) {
-        glint_gtkw_heading(rows, title);
-        add_signals(rows, config, section);
-    } else if (config->pipeline != GLINT_PIPELINE_COMBINATIONAL) {
-        glint_gtkw_begin_closed_group(rows, title);
-        add_signals(rows, config, section);
-        glint_gtkw_end_group(rows, title);
-    }
+    if (add_signals(NULL, setting, of) == 0)
+        return;
+    glint_gtkw_heading(rows, title);
+    (void)add_signals(rows, setting, of);
 }
 
-/* The other lanes do the same as lane 0: folded. */
-static void add_lane(glint_gtkw *rows, const glint_specular_config *config, int lane)
+static void add_folded(glint_gtkw *rows, const glint_setting *setting, const selection *of,
+                       const char *title)
 {
-    char title[16];
-    (void)snprintf(title, sizeof title, "Lane %d", lane);
+    if (add_signals(NULL, setting, of) == 0)
+        return;
     glint_gtkw_begin_closed_group(rows, title);
-    add_cosine(rows, config, lane);
-    for (int i = 0; i < glint_specular_signal_count(config); i++) {
-        const glint_signal_info signal = glint_specular_signal_info(config, i);
-        if (signal.lane == lane && is_shown(config, &signal))
-            add_signal(rows, config, &signal);
-    }
+    for (int i = 0; i < setting->circuit->pin_count(setting->values) && of->heading == NULL; i++)
+        if (setting->circuit->pin(setting->values, i).lane == of->lane && of->lane > 0)
+            add_pin(rows, setting, i);
+    (void)add_signals(rows, setting, of);
     glint_gtkw_end_group(rows, title);
+}
+
+static int last_lane(const glint_setting *setting)
+{
+    int last = -1;
+    for (int i = 0; i < setting->circuit->signal_count(setting->values); i++) {
+        const int lane = setting->circuit->signal(setting->values, i).lane;
+        last = lane > last ? lane : last;
+    }
+    return last;
 }
 
 static void fill(glint_gtkw *rows, const void *context)
 {
-    const glint_specular_config *config = context;
-    add_inputs(rows, config);
-    for (int i = 0; i < glint_show_specular_sections(); i++)
-        add_section(rows, config, i);
-    for (int lane = 1; lane < config->lanes; lane++)
-        add_lane(rows, config, lane);
+    const glint_setting *setting = context;
+    const glint_circuit *circuit = setting->circuit;
+    add_inputs(rows, setting);
+    for (int i = 0; i < circuit->heading_count; i++) {
+        const glint_heading *heading = &circuit->headings[i];
+        const selection of = {.heading = heading};
+        (heading->folded ? add_folded : add_open)(rows, setting, &of, heading->title);
+    }
+    add_open(rows, setting, &(selection){.lane = -1}, GLINT_SHOW_SIGNALS);
+    for (int lane = 0; lane <= last_lane(setting); lane++) {
+        char title[GLINT_SHOW_LABEL];
+        glint_show_lane_title(setting, lane, title);
+        add_folded(rows, setting, &(selection){.lane = lane}, title);
+    }
 }
 
-glint_status glint_wave_save_file(const glint_wave_view *view, const char *path, glint_error *err)
+/* "gate cosine, 12 shifts, 1 lane": a choice is named where there are several. */
+static void write_parameters(const glint_setting *setting, char *text, size_t size)
 {
-    char title[128];
-    (void)snprintf(title, sizeof title, "Specular-colour device, gate %s, pipeline %s, %d lane%s",
-                   glint_gate_name(view->config->gate), glint_pipeline_name(view->config->pipeline),
-                   view->config->lanes, view->config->lanes == 1 ? "" : "s");
-    return glint_gtkw_write(path, title, &view->window, fill, view->config, err);
+    const glint_circuit *circuit = setting->circuit;
+    size_t used = 0;
+    int choices = 0;
+    for (int i = 0; i < circuit->parameter_count; i++)
+        choices += circuit->parameters[i].choices != NULL;
+    for (int i = 0; i < circuit->parameter_count && used < size; i++) {
+        const glint_parameter *parameter = &circuit->parameters[i];
+        const int value = setting->values[i];
+        const size_t length = strlen(parameter->name);
+        const bool is_plural = length > 1 && parameter->name[length - 1] == 's';
+        int added;
+        if (parameter->choices != NULL)
+            added =
+                snprintf(text + used, size - used, ", %s%s%s", choices > 1 ? parameter->name : "",
+                         choices > 1 ? " " : "", parameter->choices[value]);
+        else if (is_plural)
+            added = snprintf(text + used, size - used, ", %d %.*s", value,
+                             (int)length - (value == 1), parameter->name);
+        else
+            added = snprintf(text + used, size - used, ", %s %d", parameter->name, value);
+        used += (size_t)added;
+    }
+}
+
+glint_status glint_wave_save_file(const glint_setting *setting, const glint_gtkw_window *window,
+                                  const char *path, glint_error *err)
+{
+    char title[TITLE_TEXT];
+    const int length = snprintf(title, sizeof title, "%s", setting->circuit->title);
+    if (length >= 0 && length < TITLE_TEXT)
+        write_parameters(setting, title + length, (size_t)(TITLE_TEXT - length));
+    return glint_gtkw_write(path, title, window, fill, setting, err);
 }

@@ -1,17 +1,14 @@
-/* The GTKWave save file for a waveform of the specular device. */
+/* The GTKWave save file for a waveform of a circuit, by its description. */
 #ifndef GLINT_SIM_SAVE_FILE_H
 #define GLINT_SIM_SAVE_FILE_H
 
-#include "glint_specular_device.h"
+#include "circuit/setting.h"
 #include "wave/gtkw.h"
 
-typedef struct glint_wave_view {
-    const glint_specular_config *config;
-    glint_gtkw_window window;
-} glint_wave_view;
-
-/* Writes the save file, beside and then renamed: the pins on top, then the blocks of the figure;
- * presentation.h has the rules. The other lanes are folded below lane 0. */
-glint_status glint_wave_save_file(const glint_wave_view *view, const char *path, glint_error *err);
+/* Writes the save file, beside and then renamed: the pins on top, then the signals of the whole
+ * circuit and of lane 0 under the description's headings, then each lane that these do not have,
+ * folded. What repeats another signal is left out; presentation.h has the rules for the rest. */
+glint_status glint_wave_save_file(const glint_setting *setting, const glint_gtkw_window *window,
+                                  const char *path, glint_error *err);
 
 #endif

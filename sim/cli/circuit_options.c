@@ -1,0 +1,443 @@
+/* Which circuits and settings a command line means; see circuit_options.h. */
+#define _POSIX_C_SOURCE 200809L
+
+#include "cli/circuit_options.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "circuit/circuits.h"
+#include "circuit/own.h"
+#include "cli/output.h"
+#include "cli/parse.h"
+#include "cli/suggest.h"
+#include "failure/shell.h"
+
+static const char all[] = "all";
+
+static const glint_parameter *parameter_of(const glint_circuit *circuit, const char *name,
+                                           int *index)
+{
+    for (int i = 0; i < circuit->parameter_count; i++)
+        if (strcmp(circuit->parameters[i].name, name) == 0) {
+            *index = i;
+            return &circuit->parameters[i];
+        }
+    return NULL;
+}
+
+static bool has_parameter(const glint_circuit *circuit, const char *name)
+{
+    int index;
+    return parameter_of(circuit, name, &index) != NULL;
+}
+
+/* ---- The rows ----------------------------------------------------------------------------------
+ */
+
+/* "DIR" of `--circuit-dir DIR` or `--circuit-dir=DIR`; NULL: there is none. */
+static const char *find_directory(int argc, char **argv)
+{
+    static const char option[] = "--circuit-dir";
+    const size_t length = sizeof option - 1;
+    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
+        if (strncmp(argv[i], option, length) != 0)
+            continue;
+        if (argv[i][length] == '=')
+            return argv[i] + length + 1;
+        if (argv[i][length] == '\0' && i + 1 < argc)
+            return argv[i + 1];
+    }
+    return NULL;
+}
+
+static void append_text(char *text, size_t size, const char *what)
+{
+    const size_t used = strlen(text);
+    (void)snprintf(text + used, size - used, "%s", what);
+}
+
+static void append_choice(char *text, size_t size, const char *separator, const char *name)
+{
+    if (text[0] != '\0')
+        append_text(text, size, separator);
+    append_text(text, size, name);
+}
+
+/* The names of a parameter's values, or their range. */
+static void append_values(const glint_parameter *parameter, const char *separator, char *text,
+                          size_t size)
+{
+    char number[48];
+    for (int i = 0; parameter->choices != NULL && i <= parameter->max; i++)
+        append_choice(text, size, separator, parameter->choices[i]);
+    if (parameter->choices != NULL)
+        return;
+    (void)snprintf(number, sizeof number, "%d to %d", parameter->min, parameter->max);
+    append_choice(text, size, separator, number);
+}
+
+/* What is taken when nothing is said: of several circuits, if it is the same. */
+static void describe_usual(const glint_circuit_options *options, const glint_parameter *parameter,
+                           glint_parameter_option *row)
+{
+    const char *usual = options->use.usual(parameter->name);
+    char number[32];
+    if (usual == NULL && parameter->choices != NULL)
+        usual = parameter->choices[parameter->standard];
+    if (usual == NULL) {
+        (void)snprintf(number, sizeof number, "%d", parameter->standard);
+        usual = number;
+    }
+    if (row->usual[0] == '\0')
+        (void)snprintf(row->usual, sizeof row->usual, "%s", usual);
+    else if (strcmp(row->usual, usual) != 0)
+        (void)snprintf(row->usual, sizeof row->usual, "the circuit's own");
+}
+
+static void describe_parameter(const glint_circuit_options *options, const glint_circuit *circuit,
+                               const glint_parameter *parameter, glint_parameter_option *row)
+{
+    char range[64] = "", text[256];
+    const bool is_first = row->help[0] == '\0';
+    if (parameter->choices != NULL && is_first)
+        append_values(parameter, "|", row->placeholder, sizeof row->placeholder);
+    if (parameter->choices == NULL)
+        append_values(parameter, "", range, sizeof range);
+    (void)snprintf(text, sizeof text, "%s%s of %s: %s%s%s", is_first ? "" : "; ", parameter->name,
+                   circuit->name, parameter->meaning != NULL ? parameter->meaning : "a parameter",
+                   range[0] != '\0' ? ", " : "", range);
+    const char *shown = strchr(text, ':') + 2;
+    append_text(row->help, sizeof row->help,
+                is_first && options->circuit_count == 1 ? shown : text);
+    describe_usual(options, parameter, row);
+}
+
+static glint_parameter_option *row_of(glint_circuit_options *options, const char *name)
+{
+    int i = 0;
+    while (i < options->parameter_count && strcmp(options->parameter[i].name, name) != 0)
+        i++;
+    if (i == GLINT_PARAMETER_NAMES_MAX)
+        return NULL;
+    if (i == options->parameter_count) {
+        options->parameter[i] = (glint_parameter_option){.name = name};
+        options->parameter_count++;
+    }
+    return &options->parameter[i];
+}
+
+static void add_circuit(glint_circuit_options *options, const glint_circuit *circuit)
+{
+    if (options->circuit_count == GLINT_CIRCUITS_MAX)
+        return;
+    options->names[options->circuit_count] = circuit->name;
+    options->circuit[options->circuit_count++] = circuit;
+}
+
+static void describe_all(glint_circuit_options *options)
+{
+    for (int c = 0; c < options->circuit_count; c++)
+        for (int i = 0; i < options->circuit[c]->parameter_count; i++) {
+            const glint_parameter *parameter = &options->circuit[c]->parameters[i];
+            glint_parameter_option *row = row_of(options, parameter->name);
+            if (row != NULL)
+                describe_parameter(options, options->circuit[c], parameter, row);
+        }
+    for (int i = 0; i < options->parameter_count && options->use.takes_all; i++)
+        if (options->parameter[i].placeholder[0] != '\0')
+            append_choice(options->parameter[i].placeholder,
+                          sizeof options->parameter[i].placeholder, "|", all);
+}
+
+int glint_circuit_options_begin(glint_circuit_options *options, const glint_circuit_use *use,
+                                int argc, char **argv)
+{
+    const glint_circuit *circuit;
+    glint_error err;
+    *options = (glint_circuit_options){.use = *use};
+    const char *directory = find_directory(argc, argv);
+    if (directory != NULL) {
+        if (glint_circuit_load(directory, &circuit, &err) != GLINT_OK)
+            return glint_complain_error(use->command, &err);
+        add_circuit(options, circuit);
+    }
+    for (int i = 0; directory == NULL && (circuit = glint_circuit_number(i)) != NULL; i++)
+        add_circuit(options, circuit);
+    describe_all(options);
+    if (use->takes_all && options->circuit_count > 1)
+        options->names[options->circuit_count] = all;
+    for (int i = 0; options->names[i] != NULL; i++)
+        if (strcmp(options->names[i], use->circuit) == 0)
+            options->named = i;
+    return GLINT_OPTIONS_RUN;
+}
+
+size_t glint_circuit_options_add(glint_circuit_options *options, glint_option *rows)
+{
+    size_t count = 0;
+    rows[count++] = (glint_option){
+        .name = "circuit",
+        .given = &options->is_named,
+        .help = options->use.takes_all ? "which; an option that a circuit has not leaves it out"
+                                       : "which; an option that one circuit alone has is enough",
+        .kind = GLINT_OPTION_CHOICE,
+        .choice = {&options->named, options->names}};
+    for (int i = 0; i < options->parameter_count; i++) {
+        glint_parameter_option *parameter = &options->parameter[i];
+        rows[count++] =
+            (glint_option){.name = parameter->name,
+                           .placeholder = parameter->placeholder[0] != '\0' ? parameter->placeholder
+                                          : options->use.takes_all          ? "N|all"
+                                                                            : "N",
+                           .help = parameter->help,
+                           .usually = parameter->usual,
+                           .kind = GLINT_OPTION_STRING,
+                           .string = &parameter->text};
+    }
+    rows[count++] = (glint_option)GLINT_RTL_OPTION(&options->verilog);
+    rows[count++] = (glint_option){.name = "circuit-dir",
+                                   .placeholder = "DIR",
+                                   .help = "a circuit of one's own: its description and C model "
+                                           "(*.c) and its Verilog",
+                                   .kind = GLINT_OPTION_STRING,
+                                   .string = &options->directory};
+    return count;
+}
+
+/* ---- What was chosen ---------------------------------------------------------------------------
+ */
+
+/* "--gate, --lanes are for specular, --form for divider". */
+static int refuse_together(const glint_circuit_options *options)
+{
+    char text[900] = "";
+    for (int c = 0; c < options->circuit_count; c++) {
+        const glint_circuit *circuit = options->circuit[c];
+        if (circuit->parameter_count == 0)
+            continue;
+        append_text(text, sizeof text, text[0] != '\0' ? ", " : "");
+        for (int i = 0; i < circuit->parameter_count; i++) {
+            append_text(text, sizeof text, i > 0 ? ", --" : "--");
+            append_text(text, sizeof text, circuit->parameters[i].name);
+        }
+        const bool is_first = strstr(text, " for ") == NULL;
+        append_text(text, sizeof text,
+                    !is_first                       ? " for "
+                    : circuit->parameter_count == 1 ? " is for "
+                                                    : " are for ");
+        append_text(text, sizeof text, circuit->name);
+    }
+    return glint_complain(options->use.command, GLINT_EXIT_TROUBLE, "%s", text);
+}
+
+static bool fits(const glint_circuit_options *options, const glint_circuit *circuit)
+{
+    for (int i = 0; i < options->parameter_count; i++)
+        if (options->parameter[i].text != NULL &&
+            !has_parameter(circuit, options->parameter[i].name))
+            return false;
+    return true;
+}
+
+/* By name, or those that have every option given: the usual one if it has. */
+static void choose_circuits(glint_circuit_options *options)
+{
+    const bool is_one = options->named < options->circuit_count;
+    if (is_one && (options->is_named || fits(options, options->circuit[options->named]))) {
+        options->chosen_count = fits(options, options->circuit[options->named]);
+        options->chosen[0] = options->circuit[options->named];
+        return;
+    }
+    for (int c = 0; c < options->circuit_count; c++)
+        if (fits(options, options->circuit[c]))
+            options->chosen[options->chosen_count++] = options->circuit[c];
+}
+
+static bool read_value(const glint_circuit_options *options, const glint_parameter *parameter,
+                       const char *text, int *value)
+{
+    int64_t number;
+    const bool is_zero = parameter->choices == NULL && parameter->min > 0 && strcmp(text, "0") == 0;
+    if (is_zero || (options->use.takes_all && strcmp(text, all) == 0)) {
+        *value = GLINT_EVERY_VALUE;
+        return true;
+    }
+    for (int i = 0; parameter->choices != NULL && i <= parameter->max; i++)
+        if (strcmp(text, parameter->choices[i]) == 0) {
+            *value = i;
+            return true;
+        }
+    if (parameter->choices != NULL ||
+        !glint_parse_count(text, parameter->min, parameter->max, &number))
+        return false;
+    *value = (int)number;
+    return true;
+}
+
+static int refuse_value(const glint_circuit_options *options, const glint_circuit *circuit,
+                        const glint_parameter *parameter, const char *text)
+{
+    char expected[256] = "";
+    const char *names[64] = {NULL};
+    glint_quoted quoted;
+    glint_suggestion suggestion = {""};
+    append_values(parameter, ", ", expected, sizeof expected);
+    if (options->use.takes_all)
+        append_text(expected, sizeof expected, parameter->choices != NULL ? ", all" : " or all");
+    for (int i = 0; parameter->choices != NULL && i <= parameter->max && i < 63; i++)
+        names[i] = parameter->choices[i];
+    if (parameter->choices != NULL)
+        (void)glint_did_you_mean(text, names, "", &suggestion);
+    return glint_complain(options->use.command, GLINT_EXIT_TROUBLE, "--%s: %s is not %s%s%s%s%s",
+                          parameter->name, glint_quote(text, &quoted),
+                          parameter->choices != NULL ? "one of " : "an integer from ", expected,
+                          suggestion.text, options->chosen_count > 1 ? ", as it is to be for " : "",
+                          options->chosen_count > 1 ? circuit->name : "");
+}
+
+/* The values of a chosen circuit's parameters. */
+static int read_values(glint_circuit_options *options, int chosen)
+{
+    const glint_circuit *circuit = options->chosen[chosen];
+    for (int i = 0; i < circuit->parameter_count; i++) {
+        const glint_parameter *parameter = &circuit->parameters[i];
+        const glint_parameter_option *row = row_of(options, parameter->name);
+        const bool is_given = row != NULL && row->text != NULL;
+        const char *text = is_given ? row->text : options->use.usual(parameter->name);
+        int *value = &options->value[chosen][i];
+        if (text == NULL)
+            *value = parameter->standard;
+        else if (!read_value(options, parameter, text, value) && is_given)
+            return refuse_value(options, circuit, parameter, text);
+        else if (!is_given && *value != GLINT_EVERY_VALUE &&
+                 (*value < parameter->min || *value > parameter->max))
+            *value = parameter->standard;
+    }
+    return GLINT_OPTIONS_RUN;
+}
+
+int glint_rtl_option_check(const char *command, const glint_setting *setting)
+{
+    struct stat found;
+    char path[4096];
+    const char *top = setting->circuit->top(setting->values);
+    if (setting->verilog == NULL)
+        return GLINT_OPTIONS_RUN;
+    if (stat(setting->verilog, &found) != 0)
+        return glint_complain(command, GLINT_EXIT_TROUBLE, "--rtl: %s: %s", setting->verilog,
+                              strerror(errno));
+    if (!S_ISDIR(found.st_mode))
+        return glint_complain(command, GLINT_EXIT_TROUBLE, "--rtl: %s is no directory",
+                              setting->verilog);
+    const int length = snprintf(path, sizeof path, "%s/%s.v", setting->verilog, top);
+    if (length < 0 || (size_t)length >= sizeof path || access(path, R_OK) != 0)
+        return glint_complain(command, GLINT_EXIT_TROUBLE,
+                              "--rtl: %s has no %s.v, the top of the circuit %s", setting->verilog,
+                              top, setting->circuit->name);
+    return GLINT_OPTIONS_RUN;
+}
+
+static int check_verilog(const glint_circuit_options *options)
+{
+    glint_setting setting;
+    int status = GLINT_OPTIONS_RUN;
+    for (int i = 0; options->verilog != NULL && status == GLINT_OPTIONS_RUN &&
+                    glint_circuit_options_setting(options, i, &setting);
+         i++)
+        status = glint_rtl_option_check(options->use.command, &setting);
+    return status;
+}
+
+int glint_circuit_options_settle(glint_circuit_options *options)
+{
+    choose_circuits(options);
+    if (options->chosen_count == 0)
+        return refuse_together(options);
+    for (int c = 0; c < options->chosen_count; c++) {
+        const int status = read_values(options, c);
+        if (status != GLINT_OPTIONS_RUN)
+            return status;
+    }
+    return check_verilog(options);
+}
+
+/* ---- Settings ----------------------------------------------------------------------------------
+ */
+
+static int values_of(const glint_parameter *parameter, int value)
+{
+    return value != GLINT_EVERY_VALUE  ? 1
+           : parameter->listed != NULL ? parameter->listed_count
+                                       : parameter->max - parameter->min + 1;
+}
+
+static int value_at(const glint_parameter *parameter, int value, int turn)
+{
+    return value != GLINT_EVERY_VALUE  ? value
+           : parameter->listed != NULL ? parameter->listed[turn]
+                                       : parameter->min + turn;
+}
+
+static const char *verilog_of(const glint_circuit_options *options)
+{
+    return options->verilog != NULL ? options->verilog : options->directory;
+}
+
+bool glint_circuit_options_setting(const glint_circuit_options *options, int index,
+                                   glint_setting *setting)
+{
+    for (int c = 0; c < options->chosen_count; c++) {
+        const glint_circuit *circuit = options->chosen[c];
+        int rest = index, settings = 1;
+        *setting = (glint_setting){.circuit = circuit, .verilog = verilog_of(options)};
+        for (int i = circuit->parameter_count - 1; i >= 0; i--) {
+            const glint_parameter *parameter = &circuit->parameters[i];
+            const int value = options->value[c][i];
+            const int count = values_of(parameter, value);
+            setting->values[i] = value_at(parameter, value, rest % count);
+            rest /= count;
+            settings *= count;
+        }
+        if (rest == 0)
+            return true;
+        index -= settings;
+    }
+    return false;
+}
+
+glint_setting glint_circuit_options_first(const glint_circuit_options *options, int chosen)
+{
+    glint_setting setting = glint_setting_standard(options->chosen[chosen]);
+    setting.verilog = verilog_of(options);
+    for (int i = 0; i < setting.circuit->parameter_count; i++)
+        if (options->value[chosen][i] != GLINT_EVERY_VALUE)
+            setting.values[i] = options->value[chosen][i];
+    return setting;
+}
+
+bool glint_circuit_options_given(const glint_circuit_options *options, const char *parameter)
+{
+    for (int i = 0; i < options->parameter_count; i++)
+        if (strcmp(options->parameter[i].name, parameter) == 0)
+            return options->parameter[i].text != NULL;
+    return false;
+}
+
+static void append_option(const char *name, const char *directory, char *text, size_t size)
+{
+    if (directory == NULL)
+        return;
+    append_text(text, size, name);
+    glint_shell_append(text, size, directory);
+}
+
+void glint_circuit_options_append(const glint_circuit_options *options, char *text, size_t size)
+{
+    append_option(" --circuit-dir ", options->directory, text, size);
+    append_option(" --rtl ", options->verilog, text, size);
+}
