@@ -13,6 +13,10 @@ const glint_circuit *glint_circuit_number(int index);
 /* By its name; NULL: there is none. */
 const glint_circuit *glint_circuit_named(const char *name);
 
+/* A circuit from elsewhere (own.h), which is to stay: from now on its name is known, before any
+ * other of that name. One at a time, before any thread asks. */
+void glint_circuit_add(const glint_circuit *circuit);
+
 /* Where the parameters of the thesis's circuits stand in `values`. */
 enum { GLINT_SPECULAR_GATE, GLINT_SPECULAR_PIPELINE, GLINT_SPECULAR_LANES };
 enum { GLINT_DIVIDER_FORM, GLINT_DIVIDER_SHIFTS };

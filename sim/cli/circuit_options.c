@@ -393,19 +393,19 @@ bool glint_circuit_options_setting(const glint_circuit_options *options, int ind
 {
     for (int c = 0; c < options->chosen_count; c++) {
         const glint_circuit *circuit = options->chosen[c];
-        int rest = index, settings = 1;
+        int64_t rest = index, settings = 1;
         *setting = (glint_setting){.circuit = circuit, .verilog = verilog_of(options)};
         for (int i = circuit->parameter_count - 1; i >= 0; i--) {
             const glint_parameter *parameter = &circuit->parameters[i];
             const int value = options->value[c][i];
             const int count = values_of(parameter, value);
-            setting->values[i] = value_at(parameter, value, rest % count);
+            setting->values[i] = value_at(parameter, value, (int)(rest % count));
             rest /= count;
-            settings *= count;
+            settings *= settings <= INT_MAX ? count : 1; /* more than any index */
         }
         if (rest == 0)
             return true;
-        index -= settings;
+        index -= (int)settings; /* at most index */
     }
     return false;
 }
