@@ -16,6 +16,7 @@ typedef struct glint_rtl glint_rtl;
 typedef enum glint_rtl_kind {
     GLINT_RTL_OBSERVED, /* every signal readable: for lockstep */
     GLINT_RTL_FAST,     /* inputs and outputs alone, and waveforms: a third faster */
+    GLINT_RTL_VCD,      /* the same, but that its waveforms are VCD */
 } glint_rtl_kind;
 
 /* Loads, and builds where needed, and creates an instance: reset for one clock, enable 1.
@@ -40,9 +41,9 @@ uint64_t glint_rtl_clocks(const glint_rtl *rtl);
 void *glint_rtl_port(glint_rtl *rtl, const char *name, size_t *size);
 void glint_rtl_edge(glint_rtl *rtl);
 
-/* Opens a waveform (FST) that starts with the next clock, at 10 ns a clock: the rising edge of
- * clock k (glint_rtl_clocks() after it) stands at 10·k ns. GLINT_IO_ERROR when path cannot be
- * written. Of a fast circuit. */
+/* Opens a waveform (FST, or VCD by its kind) that starts with the next clock, at 10 ns a clock: the
+ * rising edge of clock k (glint_rtl_clocks() after it) stands at 10·k ns. GLINT_IO_ERROR when path
+ * cannot be written. Of a fast circuit, and of one of kind GLINT_RTL_VCD. */
 glint_status glint_rtl_trace_open(glint_rtl *rtl, const char *path, glint_error *err);
 void glint_rtl_trace_close(glint_rtl *rtl); /* without an open waveform, nothing happens */
 

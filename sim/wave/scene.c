@@ -1,113 +1,126 @@
-/* The demonstration scene, clock by clock. */
-#include <math.h>
+#include "wave/scene.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "rtl/rtl.h"
-#include "wave/waveform.h"
+#include "circuit/circuits.h"
+#include "circuit/random_pins.h"
+#include "circuit/words.h"
+#include "wave/divider_scene.h"
+#include "wave/specular_scene.h"
 
+/* Of a circuit without a scene of its own. */
 enum {
     RESET_CLOCK = 1,
-    SCAN_FIRST = 3,
-    SCAN_POINTS = 17, /* along the scan line, the centre in the middle */
-    STALL_CLOCKS = 3,
+    FIRST_CLOCK = 3,  /* that takes something */
+    RUN_CLOCKS = 40,  /* from there on, as far as the circuit is not slower */
+    THINGS = 4,       /* that a slow circuit takes at least */
+    STALL_CLOCKS = 3, /* a third of the way */
+    GAP_CLOCKS = 2,   /* two thirds of the way, for certain */
 };
+#define SEED 11
 
-static const glint_material warm = {60, 255, 190, 110};
-static const glint_material sharp = {300, 120, 200, 255};
-static const glint_material dull = {5, 255, 255, 255};
-
-static void write_material(glint_specular_inputs *in, const glint_material *material)
+static int run_clocks(const glint_setting *setting)
 {
-    in->n_we = in->rgb_we = 1;
-    in->n = material->n;
-    in->r = material->r;
-    in->g = material->g;
-    in->b = material->b;
+    const glint_circuit *circuit = setting->circuit;
+    const int pace = circuit->pace != NULL ? circuit->pace(setting->values) : 1;
+    return pace * THINGS > RUN_CLOCKS ? pace * THINGS : RUN_CLOCKS;
 }
 
-/* Point `point` of a scan line over the highlight of `n`, from a little outside its edge to as far
- * outside on the other side. */
-static uint32_t scan_cos(int point, int n)
+static int random_clocks(const glint_setting *setting)
 {
-    double half = (SCAN_POINTS - 1) / 2.0;
-    double reach = 1.15 * 3.0 / (n + 1.0); /* 1 − cos γ at the ends; the edge is at 3/(n+1) */
-    double across = (point - half) / half;
-    return glint_cos_code(1.0 - reach * across * across);
+    return FIRST_CLOCK + run_clocks(setting) + setting->circuit->latency(setting->values) +
+           STALL_CLOCKS;
 }
 
-/* Clocks that a scan takes with so many lanes. */
-static int scan_clocks(int lanes)
+static void put(const glint_pin_info *pin, glint_pins *pins, uint64_t value)
 {
-    return (SCAN_POINTS + lanes - 1) / lanes;
+    uint64_t words[GLINT_VALUE_WORDS] = {value};
+    glint_pin_set(pin, pins, words);
 }
 
-static void scan(glint_specular_inputs *in, int first_point, int lanes, int n)
+/* What the clock is for, put on the pins that control the circuit; the data is random. */
+static void control(const glint_setting *setting, int clock, glint_pins *pins)
 {
-    for (int i = 0; i < lanes && first_point + i < SCAN_POINTS; i++) {
-        in->cos[i] = scan_cos(first_point + i, n);
-        in->in_valid |= 1u << i;
+    const int run = run_clocks(setting);
+    const int stall = FIRST_CLOCK + run / 3;
+    const int gap = FIRST_CLOCK + 2 * run / 3;
+    const bool is_reset = clock == RESET_CLOCK;
+    const bool is_stalled = clock >= stall && clock < stall + STALL_CLOCKS;
+    const bool is_quiet = clock < FIRST_CLOCK || clock >= FIRST_CLOCK + run + STALL_CLOCKS ||
+                          (clock >= gap && clock < gap + GAP_CLOCKS);
+    for (int i = 0; i < setting->circuit->pin_count(setting->values); i++) {
+        const glint_pin_info pin = setting->circuit->pin(setting->values, i);
+        if (pin.role == GLINT_PIN_RESET)
+            put(&pin, pins, is_reset);
+        else if (pin.role == GLINT_PIN_RESET_LOW)
+            put(&pin, pins, !is_reset);
+        else if (pin.role == GLINT_PIN_ENABLE)
+            put(&pin, pins, !is_stalled);
+        else if (pin.role == GLINT_PIN_VALID && is_quiet)
+            put(&pin, pins, 0);
     }
 }
 
-/* First clock of the stall: a third of the way through the scan, so that points are in flight and
- * more are to come, however few clocks the scan takes. */
-static int stall_first(int lanes)
+static void fill_random(const glint_setting *setting, glint_wave_scene *scene)
 {
-    return SCAN_FIRST + (scan_clocks(lanes) + 1) / 3;
-}
-
-static int is_stalled(int clock, int lanes)
-{
-    return clock >= stall_first(lanes) && clock < stall_first(lanes) + STALL_CLOCKS;
-}
-
-/* The number of the clock without the stalled ones: what a point's place in the scene goes by. */
-static int running_clock(int clock, int lanes)
-{
-    if (is_stalled(clock, lanes))
-        return stall_first(lanes);
-    return clock < stall_first(lanes) ? clock : clock - STALL_CLOCKS;
-}
-
-/* After the first scan: the second material with its first point, a gap, a code above 1.0, and a
- * third material that comes between points. */
-static void after_first_scan(int step, int lanes, glint_specular_inputs *in)
-{
-    const int second = scan_clocks(lanes);
-    if (step == 0)
-        write_material(in, &sharp);
-    if (step < second)
-        scan(in, step * lanes, lanes, sharp.n);
-    else if (step == second + 1)
-        for (int i = 0; i < lanes; i++) {
-            in->cos[i] = GLINT_COS_ONE + 1000u;
-            in->in_valid |= 1u << i;
-        }
-    else if (step == second + 3)
-        write_material(in, &dull);
-    else if (step == second + 4)
-        scan(in, SCAN_POINTS / 2, lanes, sharp.n);
-}
-
-void glint_wave_scene(int clock, int lanes, glint_specular_inputs *in)
-{
-    const int running = running_clock(clock, lanes);
-    const int step = running - SCAN_FIRST;
-    memset(in, 0, sizeof *in);
-    in->en = !is_stalled(clock, lanes);
-    in->reset = clock == RESET_CLOCK;
-    if (step < 0) {
-        if (step == -1)
-            write_material(in, &warm);
-    } else if (step < scan_clocks(lanes)) {
-        scan(in, step * lanes, lanes, warm.n);
-    } else {
-        after_first_scan(step - scan_clocks(lanes), lanes, in);
+    glint_random_pins source;
+    glint_random_pins_begin(&source, setting, SEED);
+    for (int i = 0; i < scene->clocks; i++) {
+        glint_random_pins_next(&source, &scene->pins[i]);
+        control(setting, i + 1, &scene->pins[i]);
     }
 }
 
-int glint_wave_scene_centre(int lanes)
+static void fill_specular(const glint_setting *setting, glint_wave_scene *scene)
 {
-    int running = SCAN_FIRST + SCAN_POINTS / 2 / lanes;
-    return running < stall_first(lanes) ? running : running + STALL_CLOCKS;
+    for (int i = 0; i < scene->clocks; i++)
+        glint_specular_scene(i + 1, setting->values[GLINT_SPECULAR_LANES],
+                             (glint_specular_inputs *)(void *)&scene->pins[i]);
+}
+
+static glint_divider_form form_of(const glint_setting *setting)
+{
+    return (glint_divider_form)setting->values[GLINT_DIVIDER_FORM];
+}
+
+static void fill_divider(const glint_setting *setting, glint_wave_scene *scene)
+{
+    for (int i = 0; i < scene->clocks; i++)
+        glint_divider_scene(form_of(setting), setting->values[GLINT_DIVIDER_SHIFTS], i + 1,
+                            (glint_divider_inputs *)(void *)&scene->pins[i]);
+}
+
+int glint_wave_scene_clocks(const glint_setting *setting)
+{
+    return setting->circuit == &glint_circuit_specular ? GLINT_SPECULAR_SCENE_CLOCKS
+           : setting->circuit == &glint_circuit_divider
+               ? glint_divider_scene_clocks(form_of(setting), setting->values[GLINT_DIVIDER_SHIFTS])
+               : random_clocks(setting);
+}
+
+static int marker_of(const glint_setting *setting)
+{
+    return setting->circuit == &glint_circuit_specular
+               ? glint_specular_scene_centre(setting->values[GLINT_SPECULAR_LANES])
+           : setting->circuit == &glint_circuit_divider
+               ? glint_divider_scene_first_result(form_of(setting),
+                                                  setting->values[GLINT_DIVIDER_SHIFTS]) -
+                     1
+               : FIRST_CLOCK;
+}
+
+glint_status glint_wave_scene_make(const glint_setting *setting, glint_wave_scene *scene,
+                                   glint_error *err)
+{
+    scene->clocks = glint_wave_scene_clocks(setting);
+    scene->marker = marker_of(setting);
+    scene->pins = calloc((size_t)scene->clocks, sizeof *scene->pins);
+    if (scene->pins == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a scene");
+    (setting->circuit == &glint_circuit_specular  ? fill_specular
+     : setting->circuit == &glint_circuit_divider ? fill_divider
+                                                  : fill_random)(setting, scene);
+    return GLINT_OK;
 }

@@ -8,32 +8,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <gtkwave/fstapi.h> /* comes with Verilator */
-
 #include "file/new_file.h"
 #include "file/room.h"
 #include "file/temporary.h"
 #include "rtl/rtl.h"
 
 /* What record_scene() is to run. */
-typedef struct scene {
-    const glint_specular_config *config;
+typedef struct recording {
+    const glint_setting *setting;
+    const glint_wave_scene *scene;
+    glint_rtl_kind kind;
     int first, last;
-} scene;
+} recording;
 
 static glint_status record_scene(const void *context, const char *path, glint_error *err)
 {
-    const scene *scene = context;
-    glint_rtl *rtl;
-    glint_specular_inputs inputs;
-    glint_status status = glint_rtl_create(scene->config, &rtl, err);
-    for (int clock = 1; status == GLINT_OK && clock <= scene->last; clock++) {
-        if (clock == scene->first)
+    const recording *of = context;
+    glint_rtl *rtl = NULL;
+    glint_status status = glint_rtl_open(of->setting, of->kind, &rtl, err);
+    for (int clock = 1; status == GLINT_OK && clock <= of->last; clock++) {
+        if (clock == of->first)
             status = glint_file_room(path, GLINT_WAVE_ROOM, err);
-        if (clock == scene->first && status == GLINT_OK)
+        if (clock == of->first && status == GLINT_OK)
             status = glint_rtl_trace_open(rtl, path, err);
-        glint_wave_scene(clock, scene->config->lanes, &inputs);
-        glint_rtl_clock(rtl, &inputs);
+        if (status == GLINT_OK)
+            glint_rtl_clock(rtl, &of->scene->pins[clock - 1]);
     }
     glint_rtl_destroy(rtl);
     return status;
@@ -76,34 +75,6 @@ static void name_target(const char *part, const char *path, glint_error *err)
     *err = told;
 }
 
-glint_status glint_wave_write(const char *path, glint_wave_format format,
-                              glint_wave_recorder *record, const void *context, glint_error *err)
-{
-    char *part = glint_temporary_name(path, GLINT_TEMPORARY_WAVE);
-    if (part == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
-    glint_temporary_sweep(path);
-    glint_status status = record(context, part, err);
-    glint_wave_info info;
-    if (status == GLINT_OK) /* a full disk shows here: Verilator's writer does not tell */
-        status = glint_wave_read_info(part, &info, err);
-    if (status == GLINT_OK)
-        status = format == GLINT_WAVE_VCD ? glint_wave_fst_to_vcd(part, path, err)
-                                          : copy_file(part, path, err);
-    if (status != GLINT_OK)
-        name_target(part, path, err);
-    (void)remove(part);
-    free(part);
-    return status;
-}
-
-glint_status glint_wave_record(const glint_specular_config *config, glint_wave_format format,
-                               int first, int last, const char *path, glint_error *err)
-{
-    const scene scene = {config, first, last};
-    return glint_wave_write(path, format, record_scene, &scene, err);
-}
-
 /* The eight bytes of a block's length, the highest first. */
 static uint64_t read_length(FILE *file)
 {
@@ -113,8 +84,11 @@ static uint64_t read_length(FILE *file)
     return length;
 }
 
+/* The first byte of a block that is still being written. */
+#define UNFINISHED 255
+
 /* An FST file is blocks, one after the other: a byte that says which, its length, its content. They
- * must fill the file exactly. fstapi does not look, and exits or worse on a file cut short. */
+ * must fill the file exactly. */
 static bool has_whole_blocks(FILE *file)
 {
     if (fseeko(file, 0, SEEK_END) != 0)
@@ -122,7 +96,7 @@ static bool has_whole_blocks(FILE *file)
     const int64_t size = ftello(file);
     int64_t at = 0;
     while (at < size) {
-        if (fseeko(file, at, SEEK_SET) != 0 || fgetc(file) == FST_BL_SKIP)
+        if (fseeko(file, at, SEEK_SET) != 0 || fgetc(file) == UNFINISHED)
             return false;
         const uint64_t length = read_length(file);
         if (length < 8 || length > (uint64_t)(size - at - 1))
@@ -132,117 +106,57 @@ static bool has_whole_blocks(FILE *file)
     return size > 0;
 }
 
-static bool is_whole(const char *path)
+bool glint_wave_is_whole(const char *fst)
 {
-    FILE *file = fopen(path, "rb");
+    FILE *file = fopen(fst, "rb");
     bool whole = file != NULL && has_whole_blocks(file);
     if (file != NULL)
         (void)fclose(file);
     return whole;
 }
 
-static void *open_fst(const char *path, glint_error *err)
+/* Its last line is a whole one: the times come last, and the writer ends its lines. */
+static bool is_whole_vcd(const char *path)
 {
-    void *reader = is_whole(path) ? fstReaderOpen(path) : NULL;
-    if (reader == NULL)
-        (void)glint_fail(err, GLINT_BAD_INPUT, "%s: no readable FST waveform", path);
-    return reader;
+    FILE *file = fopen(path, "rb");
+    const bool whole = file != NULL && fseeko(file, -1, SEEK_END) == 0 && fgetc(file) == '\n';
+    if (file != NULL)
+        (void)fclose(file);
+    return whole;
 }
 
-glint_status glint_wave_read_info(const char *fst, glint_wave_info *info, glint_error *err)
+/* A full disk shows here: Verilator's writers do not tell. */
+static glint_status check_whole(const char *path, glint_wave_format format, glint_error *err)
 {
-    void *reader = open_fst(fst, err);
-    if (reader == NULL)
-        return GLINT_BAD_INPUT;
-    info->first_time = fstReaderGetStartTime(reader);
-    info->last_time = fstReaderGetEndTime(reader);
-    info->signals = fstReaderGetVarCount(reader);
-    fstReaderClose(reader);
-    return GLINT_OK;
+    const bool whole = format == GLINT_WAVE_FST ? glint_wave_is_whole(path) : is_whole_vcd(path);
+    return whole ? GLINT_OK
+                 : glint_fail(err, GLINT_IO_ERROR, "%s: the waveform did not arrive whole", path);
 }
 
-typedef struct vcd_writer {
-    FILE *out;
-    uint64_t times; /* written so far */
-    uint64_t time;  /* the last of them */
-} vcd_writer;
-
-/* A signal's name within the file, as fstReaderProcessHier() declares it: digits of base 94 that
- * count from 1. */
-static const char *vcd_code(fstHandle signal, char *code)
+glint_status glint_wave_write(const char *path, glint_wave_format format,
+                              glint_wave_recorder *record, const void *context, glint_error *err)
 {
-    char *end = code;
-    for (uint32_t rest = signal; rest != 0; rest /= 94) {
-        rest--;
-        *end++ = (char)('!' + rest % 94);
-    }
-    *end = '\0';
-    return code;
-}
-
-/* The changes at the first time are the values that all signals begin with. */
-static void write_time(vcd_writer *writer, uint64_t time)
-{
-    if (writer->times != 0 && writer->time == time)
-        return;
-    if (writer->times == 1)
-        fprintf(writer->out, "$end\n");
-    fprintf(writer->out, "#%" PRIu64 "\n", time);
-    if (writer->times == 0)
-        fprintf(writer->out, "$dumpvars\n");
-    writer->times++;
-    writer->time = time;
-}
-
-static void write_change(void *context, uint64_t time, fstHandle signal, const unsigned char *value)
-{
-    vcd_writer *writer = context;
-    char code[8];
-    write_time(writer, time);
-    if (value[0] != '\0' && value[1] == '\0')
-        fprintf(writer->out, "%s%s\n", (const char *)value, vcd_code(signal, code));
-    else
-        fprintf(writer->out, "b%s %s\n", (const char *)value, vcd_code(signal, code));
-}
-
-/* A variable that holds a text, as GTKWave writes it to VCD and reads it there. */
-static void write_text(void *context, uint64_t time, fstHandle signal, const unsigned char *text,
-                       uint32_t length)
-{
-    vcd_writer *writer = context;
-    char code[8];
-    write_time(writer, time);
-    fprintf(writer->out, "s%.*s %s\n", (int)length, (const char *)text, vcd_code(signal, code));
-}
-
-/* fstReaderIterBlocks2() would write VCD itself, but past the stream, and does not tell whether it
- * all arrived. */
-static bool write_changes(void *reader, FILE *out)
-{
-    vcd_writer writer = {.out = out};
-    fstReaderSetFacProcessMaskAll(reader);
-    if (!fstReaderIterBlocks2(reader, write_change, write_text, &writer, NULL) || writer.times == 0)
-        return false;
-    write_time(&writer, fstReaderGetEndTime(reader));
-    return true;
-}
-
-glint_status glint_wave_fst_to_vcd(const char *fst, const char *vcd, glint_error *err)
-{
-    glint_new_file *file;
-    void *reader = open_fst(fst, err);
-    if (reader == NULL)
-        return GLINT_BAD_INPUT;
-    glint_status status = glint_new_file_open(vcd, &file, err);
-    if (status == GLINT_OK) {
-        FILE *out = glint_new_file_stream(file);
-        if (fstReaderProcessHier(reader, out) && write_changes(reader, out))
-            status = glint_new_file_commit(file, err);
-        else {
-            glint_new_file_discard(file);
-            status = glint_fail(err, GLINT_BAD_INPUT, "%s: the waveform is damaged", fst);
-        }
-    }
-    fstReaderClose(reader);
+    char *part = glint_temporary_name(path, GLINT_TEMPORARY_WAVE);
+    if (part == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+    glint_temporary_sweep(path);
+    glint_status status = record(context, part, err);
+    if (status == GLINT_OK)
+        status = check_whole(part, format, err);
+    if (status == GLINT_OK)
+        status = copy_file(part, path, err);
+    if (status != GLINT_OK)
+        name_target(part, path, err);
+    (void)remove(part);
+    free(part);
     return status;
+}
+
+glint_status glint_wave_record(const glint_setting *setting, const glint_wave_scene *scene,
+                               glint_wave_format format, int first, int last, const char *path,
+                               glint_error *err)
+{
+    const recording recording = {
+        setting, scene, format == GLINT_WAVE_VCD ? GLINT_RTL_VCD : GLINT_RTL_FAST, first, last};
+    return glint_wave_write(path, format, record_scene, &recording, err);
 }

@@ -1,9 +1,8 @@
-#include "wave/divider_wave.h"
+/* The dividers' demonstration scene, clock by clock. */
+#include "wave/divider_scene.h"
 
+#include <stdbool.h>
 #include <string.h>
-
-#include "file/room.h"
-#include "rtl/divider_rtl.h"
 
 enum {
     RESET_CLOCK = 1,
@@ -60,36 +59,4 @@ void glint_divider_scene(glint_divider_form form, int shifts, int clock, glint_d
     in->start = 1;
     in->k = divisions[step / each].k;
     memcpy(in->difference, divisions[step / each].difference, sizeof in->difference);
-}
-
-/* What record_scene() is to run. */
-typedef struct scene {
-    glint_divider_form form;
-    int shifts;
-} scene;
-
-static glint_status record_scene(const void *context, const char *path, glint_error *err)
-{
-    const scene *scene = context;
-    glint_divider_rtl *rtl;
-    glint_divider_inputs inputs;
-    glint_status status = glint_divider_rtl_create(scene->form, scene->shifts, &rtl, err);
-    if (status == GLINT_OK)
-        status = glint_file_room(path, GLINT_WAVE_ROOM, err);
-    if (status == GLINT_OK)
-        status = glint_divider_rtl_trace_open(rtl, path, err);
-    const int clocks = glint_divider_scene_clocks(scene->form, scene->shifts);
-    for (int clock = 1; status == GLINT_OK && clock <= clocks; clock++) {
-        glint_divider_scene(scene->form, scene->shifts, clock, &inputs);
-        glint_divider_rtl_clock(rtl, &inputs);
-    }
-    glint_divider_rtl_destroy(rtl);
-    return status;
-}
-
-glint_status glint_divider_wave_record(glint_divider_form form, int shifts,
-                                       glint_wave_format format, const char *path, glint_error *err)
-{
-    const scene scene = {form, shifts};
-    return glint_wave_write(path, format, record_scene, &scene, err);
 }

@@ -1,0 +1,23 @@
+/* What a waveform of a circuit shows: the pins of some dozens of clocks. The circuits of the thesis
+ * have scenes of their own (specular_scene.h, divider_scene.h); any other gets random pins, with a
+ * reset, gaps and a stall. */
+#ifndef GLINT_SIM_WAVE_SCENE_H
+#define GLINT_SIM_WAVE_SCENE_H
+
+#include "circuit/setting.h"
+
+typedef struct glint_wave_scene {
+    int clocks;
+    int marker;       /* the clock to look at, 1…clocks */
+    glint_pins *pins; /* clocks of them */
+} glint_wave_scene;
+
+/* To be freed with free(scene->pins). */
+glint_status glint_wave_scene_make(const glint_setting *setting, glint_wave_scene *scene,
+                                   glint_error *err);
+
+/* The most clocks that a scene of the circuit has in any setting of a parameter's range: for
+ * options that name a clock. */
+int glint_wave_scene_clocks(const glint_setting *setting);
+
+#endif
