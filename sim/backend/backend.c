@@ -4,12 +4,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "rtl/rtl.h"
+#include "circuit/circuits.h"
 
 struct glint_backend {
     glint_backend_config config;
-    glint_rtl *rtl;                /* kind rtl only, like circuit */
-    glint_specular_config circuit; /* that was chosen */
+    glint_rtl *rtl; /* kind rtl only */
     glint_backend_watch *watch;
     glint_history *history; /* since there is a watch, until that has found something */
 };
@@ -17,12 +16,19 @@ struct glint_backend {
 /* The fastest lane count in the bench. */
 #define FAST_LANES 16
 
+glint_setting glint_backend_setting(const glint_backend_config *config)
+{
+    const glint_specular_config circuit = {config->gate, config->pipeline,
+                                           config->lanes != 0 ? config->lanes : FAST_LANES};
+    glint_setting setting = glint_setting_specular(&circuit);
+    setting.verilog = config->verilog;
+    return setting;
+}
+
 static glint_status create_circuit(glint_backend *backend, glint_error *err)
 {
-    backend->circuit =
-        (glint_specular_config){backend->config.gate, backend->config.pipeline,
-                                backend->config.lanes != 0 ? backend->config.lanes : FAST_LANES};
-    return glint_rtl_create_fast(&backend->circuit, &backend->rtl, err);
+    const glint_setting setting = glint_backend_setting(&backend->config);
+    return glint_rtl_open(&setting, GLINT_RTL_FAST, &backend->rtl, err);
 }
 
 glint_status glint_backend_create(const glint_backend_config *config, glint_backend **backend,
@@ -61,17 +67,23 @@ static uint32_t round_half_up(double value)
     return (uint32_t)floor(value + 0.5);
 }
 
-static void shade_real(glint_gate gate, const glint_material *material, const uint32_t *cos_code,
-                       size_t count, uint32_t *w_code, uint8_t *r, uint8_t *g, uint8_t *b)
+static void shade_real(glint_gate gate, const glint_material *material, const glint_points *points)
 {
-    for (size_t i = 0; i < count; i++) {
-        double w = glint_specular_real(gate, material->n, cos_code[i]);
-        if (w_code != NULL)
-            w_code[i] = round_half_up(w * GLINT_W_ONE);
-        r[i] = (uint8_t)round_half_up(w * material->r);
-        g[i] = (uint8_t)round_half_up(w * material->g);
-        b[i] = (uint8_t)round_half_up(w * material->b);
+    for (size_t i = 0; i < points->count; i++) {
+        double w = glint_specular_real(gate, material->n, points->cos[i]);
+        if (points->w != NULL)
+            points->w[i] = round_half_up(w * GLINT_W_ONE);
+        points->r[i] = (uint8_t)round_half_up(w * material->r);
+        points->g[i] = (uint8_t)round_half_up(w * material->g);
+        points->b[i] = (uint8_t)round_half_up(w * material->b);
     }
+}
+
+static glint_status shade_c(glint_gate gate, const glint_material *material,
+                            const glint_points *points)
+{
+    return glint_specular_batch(gate, material, points->cos, points->count, points->w, points->r,
+                                points->g, points->b);
 }
 
 void glint_backend_set_watch(glint_backend *backend, glint_backend_watch *watch)
@@ -79,13 +91,7 @@ void glint_backend_set_watch(glint_backend *backend, glint_backend_watch *watch)
     backend->watch = watch;
 }
 
-/* What came of a run; w may be NULL. */
-typedef struct shaded {
-    const uint32_t *w;
-    const uint8_t *r, *g, *b;
-} shaded;
-
-static uint32_t value_of(const shaded *of, glint_answer_value value, size_t i)
+static uint32_t value_of(const glint_points *of, glint_answer_value value, size_t i)
 {
     switch (value) {
     case GLINT_ANSWER_R:
@@ -99,26 +105,21 @@ static uint32_t value_of(const shaded *of, glint_answer_value value, size_t i)
     }
 }
 
-static glint_setting setting_of(const glint_backend *backend)
-{
-    return (glint_setting){.specular = backend->circuit};
-}
-
 /* Notes the first answer that is not the model's. */
 static void compare_run(const glint_backend *backend, const glint_material *material,
-                        const uint32_t *cos_code, size_t count, const shaded *model,
-                        const shaded *rtl)
+                        const glint_points *model, const glint_points *rtl)
 {
     glint_backend_watch *watch = backend->watch;
-    for (size_t i = 0; i < count && !watch->found; i++)
+    const glint_setting setting = glint_backend_setting(&backend->config);
+    for (size_t i = 0; i < rtl->count && !watch->found; i++)
         for (int v = 0; v < GLINT_ANSWER_VALUES && !watch->found; v++) {
             const glint_answer_value value = (glint_answer_value)v;
             if (value_of(model, value, i) == value_of(rtl, value, i))
                 continue;
             watch->found = true;
-            watch->setting = setting_of(backend);
-            glint_answer_keep_points(&watch->answer, backend->circuit.lanes, material, cos_code,
-                                     count, i);
+            watch->setting = setting;
+            glint_answer_keep_points(&watch->answer, setting.values[GLINT_SPECULAR_LANES], material,
+                                     rtl->cos, rtl->count, i);
             watch->answer.value = value;
             watch->answer.model = (int32_t)value_of(model, value, i);
             watch->answer.rtl = (int32_t)value_of(rtl, value, i);
@@ -126,9 +127,9 @@ static void compare_run(const glint_backend *backend, const glint_material *mate
 }
 
 static glint_status watch_run(const glint_backend *backend, const glint_material *material,
-                              const uint32_t *cos_code, size_t count, const shaded *rtl,
-                              glint_error *err)
+                              const glint_points *rtl, glint_error *err)
 {
+    const size_t count = rtl->count;
     uint32_t *w = rtl->w != NULL ? malloc(count * sizeof *w) : NULL;
     uint8_t *colors = malloc(3 * count);
     if (colors == NULL || (w == NULL && rtl->w != NULL)) {
@@ -136,12 +137,10 @@ static glint_status watch_run(const glint_backend *backend, const glint_material
         free(colors);
         return glint_fail(err, GLINT_NO_MEMORY, "no memory to hold a run against the model");
     }
-    const glint_status status =
-        glint_specular_batch(backend->config.gate, material, cos_code, count, w, colors,
-                             colors + count, colors + 2 * count);
+    const glint_points model = {rtl->cos, count, w, colors, colors + count, colors + 2 * count};
+    const glint_status status = shade_c(backend->config.gate, material, &model);
     if (status == GLINT_OK)
-        compare_run(backend, material, cos_code, count,
-                    &(shaded){w, colors, colors + count, colors + 2 * count}, rtl);
+        compare_run(backend, material, &model, rtl);
     free(w);
     free(colors);
     return status;
@@ -158,28 +157,31 @@ static void give_history(glint_backend *backend)
     backend->history = NULL;
 }
 
-static glint_status shade_rtl(glint_backend *backend, const glint_material *material,
-                              const uint32_t *cos_code, size_t count, uint32_t *w_code, uint8_t *r,
-                              uint8_t *g, uint8_t *b, glint_error *err)
+static void remember(glint_backend *backend, const glint_material *material,
+                     const glint_points *points)
 {
-    const glint_setting setting = setting_of(backend);
-    const bool watched = is_watched(backend) && count != 0;
+    const glint_setting setting = glint_backend_setting(&backend->config);
+    const glint_batch batch = {
+        .material = material, .cos_code = points->cos, .count = points->count};
+    glint_history_add(&backend->history, &setting, &batch);
+}
+
+static glint_status shade_rtl(glint_backend *backend, const glint_material *material,
+                              const glint_points *points, glint_error *err)
+{
+    const bool watched = is_watched(backend) && points->count != 0;
     if (watched)
-        glint_history_add(
-            &backend->history, &setting,
-            &(glint_batch){.material = material, .cos_code = cos_code, .count = count});
-    glint_status status =
-        glint_rtl_batch(backend->rtl, material, cos_code, count, w_code, r, g, b, err);
+        remember(backend, material, points);
+    glint_status status = glint_rtl_shade(backend->rtl, material, points, err);
     if (status == GLINT_OK && watched)
-        status = watch_run(backend, material, cos_code, count, &(shaded){w_code, r, g, b}, err);
+        status = watch_run(backend, material, points, err);
     if (watched && (backend->watch->found || status == GLINT_DEVICE_FAULT))
         give_history(backend);
     return status;
 }
 
 glint_status glint_backend_shade(glint_backend *backend, const glint_material *material,
-                                 const uint32_t *cos_code, size_t count, uint32_t *w_code,
-                                 uint8_t *r, uint8_t *g, uint8_t *b, glint_error *err)
+                                 const glint_points *points, glint_error *err)
 {
     const glint_gate gate = backend->config.gate;
     if (material->n > GLINT_N_MAX)
@@ -187,12 +189,12 @@ glint_status glint_backend_shade(glint_backend *backend, const glint_material *m
                           GLINT_N_MAX);
     switch (backend->config.kind) {
     case GLINT_BACKEND_RTL:
-        return shade_rtl(backend, material, cos_code, count, w_code, r, g, b, err);
+        return shade_rtl(backend, material, points, err);
     case GLINT_BACKEND_REAL:
-        shade_real(gate, material, cos_code, count, w_code, r, g, b);
+        shade_real(gate, material, points);
         return GLINT_OK;
     default:
-        return glint_specular_batch(gate, material, cos_code, count, w_code, r, g, b);
+        return shade_c(gate, material, points);
     }
 }
 

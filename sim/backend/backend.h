@@ -7,6 +7,7 @@
 
 #include "lockstep/answer.h"
 #include "lockstep/history.h"
+#include "rtl/batch.h"
 
 /* The first answer of any circuit under watch that is not the C model's. Destroy history. */
 typedef struct glint_backend_watch {
@@ -28,13 +29,17 @@ typedef struct glint_backend_config {
     glint_backend_kind kind;
     glint_gate gate;
     glint_pipeline pipeline;
-    int lanes; /* kind rtl: 1, 2, 4, 8 or 16; 0: the fastest lane count built for gate and pipeline
-                */
+    int lanes;           /* kind rtl: 1…GLINT_LANES_MAX; 0: the fastest lane count */
+    const char *verilog; /* kind rtl: the directory with the Verilog, to stay; NULL: Glint's own */
 } glint_backend_config;
 
 typedef struct glint_backend glint_backend;
 
-/* Creates a backend in reset state. GLINT_BAD_ARGUMENT for a setting that was not built. */
+/* The setting of the circuit that kind rtl has. */
+glint_setting glint_backend_setting(const glint_backend_config *config);
+
+/* Creates a backend in reset state. GLINT_BAD_ARGUMENT for a setting out of range;
+ * GLINT_DEVICE_FAULT when its Verilog does not build. */
 glint_status glint_backend_create(const glint_backend_config *config, glint_backend **backend,
                                   glint_error *err);
 void glint_backend_destroy(glint_backend *backend); /* NULL is allowed */
@@ -43,12 +48,11 @@ void glint_backend_destroy(glint_backend *backend); /* NULL is allowed */
  * noted in watch; NULL: no more. One watch may serve several backends, all of one thread. */
 void glint_backend_set_watch(glint_backend *backend, glint_backend_watch *watch);
 
-/* Shades a run of count fragments with one material. cos_code: U1.18, 0…GLINT_COS_CODE_MAX.
- * w_code (may be NULL): W, U1.18. r, g, b: the highlight's colour, 8 bits. Backend real rounds
- * W and each colour half up. Runs of any length are right; long ones are fast. */
+/* Shades a run of fragments with one material. cos: U1.18, 0…GLINT_COS_CODE_MAX; w: U1.18; r, g, b:
+ * the highlight's colour, 8 bits. Backend real rounds W and each colour half up. Runs of any length
+ * are right; long ones are fast. */
 glint_status glint_backend_shade(glint_backend *backend, const glint_material *material,
-                                 const uint32_t *cos_code, size_t count, uint32_t *w_code,
-                                 uint8_t *r, uint8_t *g, uint8_t *b, glint_error *err);
+                                 const glint_points *points, glint_error *err);
 
 /* Clocks that the circuit behind this backend has run so far; 0 for kinds without a clock. */
 uint64_t glint_backend_clocks(const glint_backend *backend);

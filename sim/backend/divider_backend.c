@@ -3,14 +3,27 @@
 
 #include <stdlib.h>
 
-#include "rtl/divider_rtl.h"
+#include "circuit/circuits.h"
 
 struct glint_divider_backend {
     glint_divider_config config;
-    glint_divider_rtl *rtl; /* kind rtl only */
+    glint_rtl *rtl; /* kind rtl only */
     glint_backend_watch *watch;
     glint_history *history; /* since there is a watch, until that has found something */
 };
+
+static glint_setting setting_of(const glint_divider_config *config)
+{
+    glint_setting setting = glint_setting_divider(config->form, config->shifts);
+    setting.verilog = config->verilog;
+    return setting;
+}
+
+static glint_status create_circuit(glint_divider_backend *backend, glint_error *err)
+{
+    const glint_setting setting = setting_of(&backend->config);
+    return glint_rtl_open(&setting, GLINT_RTL_FAST, &backend->rtl, err);
+}
 
 glint_status glint_divider_backend_create(const glint_divider_config *config,
                                           glint_divider_backend **backend, glint_error *err)
@@ -26,9 +39,8 @@ glint_status glint_divider_backend_create(const glint_divider_config *config,
     if (created == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for a divider");
     created->config = *config;
-    glint_status status = GLINT_OK;
-    if (config->kind == GLINT_BACKEND_RTL)
-        status = glint_divider_rtl_create(config->form, config->shifts, &created->rtl, err);
+    const glint_status status =
+        config->kind == GLINT_BACKEND_RTL ? create_circuit(created, err) : GLINT_OK;
     if (status != GLINT_OK) {
         free(created);
         return status;
@@ -41,7 +53,7 @@ void glint_divider_backend_destroy(glint_divider_backend *backend)
 {
     if (backend == NULL)
         return;
-    glint_divider_rtl_destroy(backend->rtl);
+    glint_rtl_destroy(backend->rtl);
     glint_history_destroy(backend->history);
     free(backend);
 }
@@ -73,12 +85,6 @@ void glint_divider_backend_set_watch(glint_divider_backend *backend, glint_backe
     backend->watch = watch;
 }
 
-static glint_setting setting_of(const glint_divider_backend *backend)
-{
-    return (glint_setting){
-        .is_divider = true, .form = backend->config.form, .shifts = backend->config.shifts};
-}
-
 /* Notes the first quotient that is not the model's. */
 static void compare_run(const glint_divider_backend *backend, const glint_division *divisions,
                         size_t count, const glint_quotients *model, const glint_quotients *rtl)
@@ -89,7 +95,7 @@ static void compare_run(const glint_divider_backend *backend, const glint_divisi
             if (model[i].code[c] == rtl[i].code[c])
                 continue;
             watch->found = true;
-            watch->setting = setting_of(backend);
+            watch->setting = setting_of(&backend->config);
             glint_answer_keep_divisions(&watch->answer, divisions, count, i);
             watch->answer.value = (glint_answer_value)(GLINT_ANSWER_R + c);
             watch->answer.model = model[i].code[c];
@@ -124,12 +130,12 @@ static void give_history(glint_divider_backend *backend)
 static glint_status divide_rtl(glint_divider_backend *backend, const glint_division *divisions,
                                size_t count, glint_quotients *quotients, glint_error *err)
 {
-    const glint_setting setting = setting_of(backend);
+    const glint_setting setting = setting_of(&backend->config);
     const bool watched = is_watched(backend) && count != 0;
     if (watched)
         glint_history_add(&backend->history, &setting,
                           &(glint_batch){.division = divisions, .count = count});
-    glint_status status = glint_divider_rtl_batch(backend->rtl, divisions, count, quotients, err);
+    glint_status status = glint_rtl_divide(backend->rtl, divisions, count, quotients, err);
     if (status == GLINT_OK && watched)
         status = watch_run(backend, divisions, count, quotients, err);
     if (watched && (backend->watch->found || status == GLINT_DEVICE_FAULT))
@@ -155,5 +161,5 @@ glint_status glint_divider_backend_divide(glint_divider_backend *backend,
 
 uint64_t glint_divider_backend_clocks(const glint_divider_backend *backend)
 {
-    return backend->rtl != NULL ? glint_divider_rtl_clocks(backend->rtl) : 0;
+    return backend->rtl != NULL ? glint_rtl_clocks(backend->rtl) : 0;
 }

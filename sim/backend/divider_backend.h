@@ -13,6 +13,7 @@ typedef struct glint_divider_config {
                                 rounded half up to the same fraction bits */
     glint_divider_form form; /* kind rtl only; both give the same quotients */
     int shifts;              /* GLINT_DIVIDER_SHIFTS_MIN…MAX */
+    const char *verilog; /* kind rtl: the directory with the Verilog, to stay; NULL: Glint's own */
 } glint_divider_config;
 
 typedef struct glint_divider_backend glint_divider_backend;

@@ -71,7 +71,7 @@ static void play_clock(player *p)
     glint_twin_clock(p->twin, &now->pins);
     glint_twin_read(p->twin, now->model, now->rtl);
     p->capture->found.clocks = p->last;
-    glint_mismatch_compare_values(&p->capture->found, p->play->setting, now->model, now->rtl);
+    glint_mismatch_compare_values(&p->capture->found, &p->capture->signals, now->model, now->rtl);
     tell_progress(p);
 }
 
@@ -123,6 +123,7 @@ static glint_status play_all(player *p, glint_error *err)
     const glint_status status = glint_twin_create(p->play->setting, &p->twin, err);
     if (status != GLINT_OK)
         return status;
+    p->capture->signals = *glint_twin_signals(p->twin);
     glint_random_pins_begin(&p->random, p->play->setting, p->play->seed);
     while (has_pins(p) && p->last < middle_of(p) + GLINT_CAPTURE_AFTER && !stopped(p))
         play_clock(p);

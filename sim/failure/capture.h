@@ -3,7 +3,10 @@
 #ifndef GLINT_SIM_CAPTURE_H
 #define GLINT_SIM_CAPTURE_H
 
+#include <string.h>
+
 #include "lockstep/lockstep.h"
+#include "lockstep/signals.h"
 
 #define GLINT_CAPTURE_BEFORE 32
 #define GLINT_CAPTURE_AFTER  8
@@ -39,17 +42,34 @@ typedef struct glint_play {
 typedef struct glint_capture_clock {
     uint64_t clock;
     glint_pins pins;
-    uint64_t model[GLINT_SETTING_SIGNALS_MAX], rtl[GLINT_SETTING_SIGNALS_MAX];
+    uint64_t model[GLINT_SIGNAL_WORDS_MAX], rtl[GLINT_SIGNAL_WORDS_MAX];
 } glint_capture_clock;
 
 typedef struct glint_capture {
     glint_setting setting;
+    glint_signals signals; /* where each has its words in a clock */
     glint_lockstep_result found; /* up to the last clock here; found.clocks is its number */
     int failing; /* the first clock with a mismatch; without one, or if play.up_to_expected with
                   * earlier ones, the one that was expected to have one */
     int count;
     glint_capture_clock clock[GLINT_CAPTURE_CLOCKS];
 } glint_capture;
+
+/* The words of signal `index` in a clock's model or rtl. */
+static inline const uint64_t *glint_capture_words(const glint_capture *capture,
+                                                  const uint64_t *values, int index)
+{
+    return values + capture->signals.place[index];
+}
+
+/* Whether signal `index` differs in that clock of the capture. */
+static inline bool glint_capture_differs_at(const glint_capture *capture, int clock, int index)
+{
+    const int at = capture->signals.place[index];
+    const size_t words = (size_t)(capture->signals.place[index + 1] - at);
+    return memcmp(capture->clock[clock].model + at, capture->clock[clock].rtl + at,
+                  words * sizeof(uint64_t)) != 0;
+}
 
 /* Plays until 8 clocks after the first mismatch, or after the expected clock when there is none up
  * to there or play.up_to_expected, or until the pins end. To be freed with free().

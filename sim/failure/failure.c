@@ -1,9 +1,18 @@
 #include "failure/failure.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "lockstep/mismatch.h"
+
 const char *const glint_failure_kind_names[GLINT_FAILURE_KINDS] = {"random", "exhaustive", "frame"};
+
+void glint_failure_name_verilog(glint_failure *failure)
+{
+    const char *verilog = failure->setting.verilog;
+    (void)snprintf(failure->rtl, sizeof failure->rtl, "%s", verilog != NULL ? verilog : "");
+}
 
 void glint_failure_destroy(glint_failure *failure)
 {
@@ -17,15 +26,15 @@ void glint_failure_destroy(glint_failure *failure)
 static void take_finding(const glint_capture *capture, glint_failure_finding *finding)
 {
     const glint_capture_clock *failing = &capture->clock[capture->failing];
-    const int signals = glint_setting_signal_count(&capture->setting);
     finding->lockstep_differs = capture->found.mismatches != 0;
     finding->clock = failing->clock;
     finding->count = 0;
-    for (int i = 0; i < signals && finding->count < GLINT_MISMATCHES_KEPT; i++)
-        if (failing->model[i] != failing->rtl[i])
+    for (int i = 0; i < capture->signals.count && finding->count < GLINT_MISMATCHES_KEPT; i++)
+        if (glint_capture_differs_at(capture, capture->failing, i))
             finding->mismatch[finding->count++] =
-                (glint_mismatch){failing->clock, glint_setting_signal(&capture->setting, i),
-                                 failing->model[i], failing->rtl[i]};
+                glint_mismatch_of(failing->clock, &capture->signals.info[i],
+                                  glint_capture_words(capture, failing->model, i),
+                                  glint_capture_words(capture, failing->rtl, i));
 }
 
 static glint_status play(const glint_play *play, glint_failure_finding *finding,
@@ -123,7 +132,8 @@ glint_status glint_failure_play(const glint_failure *failure, const glint_captur
 static bool same_mismatch(const glint_mismatch *a, const glint_mismatch *b)
 {
     return strcmp(a->signal.name, b->signal.name) == 0 && a->signal.lane == b->signal.lane &&
-           a->model == b->model && a->rtl == b->rtl;
+           memcmp(a->model, b->model, sizeof a->model) == 0 &&
+           memcmp(a->rtl, b->rtl, sizeof a->rtl) == 0;
 }
 
 bool glint_failure_same(const glint_failure_finding *a, const glint_failure_finding *b)
@@ -146,6 +156,7 @@ glint_status glint_failure_of_answer(glint_failure_kind kind, const glint_settin
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for a failure");
     made->kind = kind;
     made->setting = *setting;
+    glint_failure_name_verilog(made);
     if (answer != NULL) {
         made->has_answer = true;
         made->answer = *answer;

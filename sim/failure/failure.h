@@ -7,6 +7,7 @@
 
 #include "failure/capture.h"
 #include "lockstep/answer.h"
+#include "lockstep/domain.h"
 #include "lockstep/history.h"
 #include "lockstep/lockstep.h"
 
@@ -46,13 +47,18 @@ typedef struct glint_failure_finding {
     glint_mismatch mismatch[GLINT_MISMATCHES_KEPT];
 } glint_failure_finding;
 
-#define GLINT_FAILURE_COMMAND 2048
+#define GLINT_FAILURE_COMMAND   2048
+#define GLINT_FAILURE_DIRECTORY 4096
 
 typedef struct glint_failure {
     glint_failure_kind kind;
     glint_setting setting;
     char command[GLINT_FAILURE_COMMAND]; /* that found it, whole */
     const char *program; /* for the commands of the report; NULL: build/glint. Not in a packet */
+
+    /* What is not Glint's own, for the commands of the report; "": nothing. */
+    char circuit_dir[GLINT_FAILURE_DIRECTORY]; /* that describes the circuit (--circuit-dir) */
+    char rtl[GLINT_FAILURE_DIRECTORY];         /* that has its Verilog (--rtl), if another */
 
     /* pins[0] is what clock first_clock took, from reset state on. Random: without pins, the whole
      * run from seed is played. Others: without pins, the answer is asked; they have pins when it is
@@ -93,6 +99,16 @@ glint_status glint_failure_of_history(glint_failure_kind kind, const glint_setti
                                       const glint_answer *answer, const glint_history *history,
                                       const volatile bool *stop, glint_failure **failure,
                                       glint_error *err);
+
+/* Of an output that glint_domain_run() with these options found to differ: plays its block again up
+ * to there, and keeps the pins of the fewest of its last clocks that show the same.
+ * GLINT_INTERRUPTED when stopped; GLINT_DEVICE_FAULT when nothing differs this time. */
+glint_status glint_failure_of_domain(const glint_domain_options *options,
+                                     const glint_domain_mismatch *mismatch,
+                                     glint_failure **failure, glint_error *err);
+
+/* Takes setting.verilog for failure->rtl, as what makes a failure does. */
+void glint_failure_name_verilog(glint_failure *failure);
 
 void glint_failure_destroy(glint_failure *failure); /* NULL is allowed */
 

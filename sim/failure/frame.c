@@ -61,9 +61,7 @@ static glint_setting setting_of(const glint_frame_pair *pair, const glint_backen
         return watch->setting;
     if (watch->history != NULL)
         return *glint_history_setting(watch->history);
-    return (glint_setting){
-        .specular = {pair->backend->gate, pair->backend->pipeline,
-                     pair->backend->lanes != 0 ? pair->backend->lanes : GLINT_LANES_MAX}};
+    return glint_backend_setting(pair->backend);
 }
 
 glint_status glint_failure_of_frame(const glint_frame_pair *pair, const volatile bool *stop,

@@ -118,6 +118,39 @@ static glint_status play_history(glint_failure *failure, const glint_history *hi
     return status;
 }
 
+static glint_status play_block(glint_failure *failure, const glint_domain_options *options,
+                               const glint_domain_mismatch *mismatch, glint_error *err)
+{
+    shown all = {.stop = options->stop, .first_clock = 1};
+    all.pins = glint_domain_pins(options, mismatch->block, mismatch->signal.clock,
+                                 GLINT_CAPTURE_AFTER, &all.count);
+    if (all.pins == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for what a circuit was asked");
+    glint_status status = keep_shown(failure, &all, err);
+    free(all.pins);
+    if (status == GLINT_OK && failure->pins == NULL)
+        status = glint_fail(err, GLINT_DEVICE_FAULT,
+                            "asked again, the Verilog does what the C model does: one of them does "
+                            "not do the same each time");
+    return status;
+}
+
+glint_status glint_failure_of_domain(const glint_domain_options *options,
+                                     const glint_domain_mismatch *mismatch,
+                                     glint_failure **failure, glint_error *err)
+{
+    glint_status status = glint_failure_of_answer(GLINT_FAILURE_EXHAUSTIVE, &options->setting, NULL,
+                                                  failure, err);
+    if (status != GLINT_OK)
+        return status;
+    status = play_block(*failure, options, mismatch, err);
+    if (status != GLINT_OK) {
+        glint_failure_destroy(*failure);
+        *failure = NULL;
+    }
+    return status;
+}
+
 glint_status glint_failure_of_history(glint_failure_kind kind, const glint_setting *setting,
                                       const glint_answer *answer, const glint_history *history,
                                       const volatile bool *stop, glint_failure **failure,

@@ -57,9 +57,9 @@ static glint_status remember(history *h, const glint_lockstep_options *options, 
 /* Whether the C model, begun in reset state at clock `start`, has all that it had in the window. */
 static glint_status suffices(const history *h, uint64_t start, bool *same, glint_error *err)
 {
-    const size_t size = (size_t)glint_setting_signal_count(h->setting) * sizeof(uint64_t);
+    const size_t size = (size_t)h->capture->signals.words * sizeof(uint64_t);
     const glint_capture_clock *window = h->capture->clock;
-    uint64_t model[GLINT_SETTING_SIGNALS_MAX];
+    uint64_t model[GLINT_SIGNAL_WORDS_MAX];
     glint_twin *twin;
     const glint_status status = glint_twin_create_model(h->setting, &twin, err);
     if (status != GLINT_OK)
@@ -172,6 +172,7 @@ glint_status glint_failure_of_lockstep(const glint_lockstep_options *options,
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for a failure");
     made->kind = GLINT_FAILURE_RANDOM;
     made->setting = options->setting;
+    glint_failure_name_verilog(made);
     made->seed = options->seed;
     made->first_clock = 1;
     take_run(made, result);

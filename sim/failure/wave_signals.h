@@ -24,7 +24,7 @@ static inline bool glint_capture_differs(const glint_capture *capture, int index
 {
     bool differs = false;
     for (int i = 0; i < capture->count; i++)
-        differs |= capture->clock[i].rtl[index] != capture->clock[i].model[index];
+        differs |= glint_capture_differs_at(capture, i, index);
     return differs;
 }
 

@@ -143,6 +143,10 @@ static glint_status plan_all(plan *plan, const glint_domain_options *options, gl
     if (status != GLINT_OK)
         return status;
     make_plan(plan, options);
+    if (plan->total == 0)
+        return glint_fail(err, GLINT_BAD_ARGUMENT,
+                          "circuit %s: its description names no domain for this setting",
+                          options->setting.circuit->name);
     if (plan->blocks == 0)
         return glint_fail(err, GLINT_BAD_ARGUMENT,
                           "nothing to compare: no point of shard %" PRIu64 "/%" PRIu64

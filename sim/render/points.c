@@ -7,7 +7,7 @@
 
 /* Appends the point p, in the camera's coordinates, with a normal n of any length. V is the way
  * from there to the eye. */
-static void add_point(glint_points *points, const glint_lighting *lighting, glint_view_point p,
+static void add_point(glint_lit_points *points, const glint_lighting *lighting, glint_view_point p,
                       glint_vec3 n)
 {
     const glint_vec3 l = glint_vec3_of(lighting->light);
@@ -40,14 +40,17 @@ static void add_point(glint_points *points, const glint_lighting *lighting, glin
     }
 }
 
-static glint_status find_highlights(glint_points *points, const glint_lighting *lighting,
+static glint_status find_highlights(glint_lit_points *points, const glint_lighting *lighting,
                                     glint_backend *backend, glint_error *err)
 {
     const glint_material *material = &lighting->material;
     if (lighting->specular == NULL) {
-        return glint_backend_shade(backend, material, points->cos_code, points->count, NULL,
-                                   points->highlight[0], points->highlight[1], points->highlight[2],
-                                   err);
+        const glint_points run = {.cos = points->cos_code,
+                                  .count = points->count,
+                                  .r = points->highlight[0],
+                                  .g = points->highlight[1],
+                                  .b = points->highlight[2]};
+        return glint_backend_shade(backend, material, &run, err);
     }
     const uint8_t color[3] = {material->r, material->g, material->b};
     for (int c = 0; c < 3; c++) {
@@ -57,7 +60,7 @@ static glint_status find_highlights(glint_points *points, const glint_lighting *
 }
 
 /* Lights all that were added: base becomes the colours. */
-static glint_status light_points(glint_points *points, const glint_lighting *lighting,
+static glint_status light_points(glint_lit_points *points, const glint_lighting *lighting,
                                  glint_backend *backend, glint_error *err)
 {
     if (points->count == 0) {
@@ -70,7 +73,7 @@ static glint_status light_points(glint_points *points, const glint_lighting *lig
     return status;
 }
 
-glint_status glint_light_vertices(glint_points *points, const glint_point_light *light,
+glint_status glint_light_vertices(glint_lit_points *points, const glint_point_light *light,
                                   size_t first, size_t last, glint_backend *backend,
                                   glint_screen_vertex *screen, glint_error *err)
 {
@@ -89,7 +92,7 @@ glint_status glint_light_vertices(glint_points *points, const glint_point_light 
     return status;
 }
 
-static void add_triangle_point(glint_points *points, const glint_point_light *light,
+static void add_triangle_point(glint_lit_points *points, const glint_point_light *light,
                                uint32_t triangle)
 {
     const uint32_t *corner = &light->mesh->index[3 * (size_t)triangle];
@@ -105,7 +108,7 @@ static void add_triangle_point(glint_points *points, const glint_point_light *li
     add_point(points, light->lighting, centroid, glint_vec3_cross(ab, ac));
 }
 
-static void give_color(const glint_points *points, size_t at, glint_triangle *t)
+static void give_color(const glint_lit_points *points, size_t at, glint_triangle *t)
 {
     for (int i = 0; i < 3; i++) {
         for (int c = 0; c < 3; c++) {
@@ -114,7 +117,7 @@ static void give_color(const glint_points *points, size_t at, glint_triangle *t)
     }
 }
 
-glint_status glint_light_triangles(glint_points *points, const glint_point_light *light,
+glint_status glint_light_triangles(glint_lit_points *points, const glint_point_light *light,
                                    glint_backend *backend, glint_triangle_list *list,
                                    uint64_t *count, glint_error *err)
 {

@@ -10,14 +10,14 @@
 #define GLINT_POINTS_RUN 1024
 
 /* One thread's room. */
-typedef struct glint_points {
+typedef struct glint_lit_points {
     size_t count;
     uint32_t cos_code[GLINT_POINTS_RUN];    /* for a backend */
     float value[GLINT_POINTS_RUN];          /* by a model, instead */
     uint8_t base[3][GLINT_POINTS_RUN];      /* ambient and Lambert light, then the sum */
     uint8_t highlight[3][GLINT_POINTS_RUN]; /* from the backend or the model */
     uint8_t lit[GLINT_POINTS_RUN];          /* 255 where the surface faces the light, else 0 */
-} glint_points;
+} glint_lit_points;
 
 /* What a frame's points are lit with. */
 typedef struct glint_point_light {
@@ -28,14 +28,14 @@ typedef struct glint_point_light {
 
 /* Gives screen[first] … screen[last−1] the colours of the mesh's vertices, those out of sight too:
  * a clipped triangle needs them. At most GLINT_POINTS_RUN. */
-glint_status glint_light_vertices(glint_points *points, const glint_point_light *light,
+glint_status glint_light_vertices(glint_lit_points *points, const glint_point_light *light,
                                   size_t first, size_t last, glint_backend *backend,
                                   glint_screen_vertex *screen, glint_error *err);
 
 /* Gives each triangle of the list the one colour of the mesh's triangle: light on its centroid,
  * with the normal of its plane. *count is how many of the mesh's there were, at most
  * GLINT_POINTS_RUN. */
-glint_status glint_light_triangles(glint_points *points, const glint_point_light *light,
+glint_status glint_light_triangles(glint_lit_points *points, const glint_point_light *light,
                                    glint_backend *backend, glint_triangle_list *list,
                                    uint64_t *count, glint_error *err);
 

@@ -26,7 +26,7 @@ typedef struct worker {
     glint_backend *backend;
     glint_visibility band;
     glint_shader shader;
-    glint_points points;
+    glint_lit_points points;
     glint_gouraud *gouraud; /* made, with the divider, for the first frame that needs it */
     glint_divider_backend *divider;
     int divider_shifts;

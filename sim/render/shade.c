@@ -322,9 +322,13 @@ glint_status glint_shade_band(glint_shader *shader, const glint_lighting *lighti
         count += found;
     }
     if (count > 0 && lighting->specular == NULL) {
-        const glint_status status = glint_backend_shade(
-            backend, &lighting->material, cos_code, count, NULL, shader->highlight[0],
-            shader->highlight[1], shader->highlight[2], err);
+        const glint_points run = {.cos = cos_code,
+                                  .count = count,
+                                  .r = shader->highlight[0],
+                                  .g = shader->highlight[1],
+                                  .b = shader->highlight[2]};
+        const glint_status status =
+            glint_backend_shade(backend, &lighting->material, &run, err);
         if (status != GLINT_OK) {
             return status;
         }

@@ -73,9 +73,8 @@ static void shade(glint_backend *backend, glint_backend_watch *watch, bool with_
     glint_error err;
     memset(watch, 0, sizeof *watch);
     glint_backend_set_watch(backend, watch);
-    assert_int_equal(
-        glint_backend_shade(backend, &material, cosine, POINTS, with_w ? w : NULL, r, g, b, &err),
-        GLINT_OK);
+    const glint_points points = {cosine, POINTS, with_w ? w : NULL, r, g, b};
+    assert_int_equal(glint_backend_shade(backend, &material, &points, &err), GLINT_OK);
 }
 
 static void assert_watched(glint_backend *backend, long at, glint_answer_value value)

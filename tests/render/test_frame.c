@@ -460,9 +460,8 @@ static void the_picture_is_base_and_highlight(void **state)
         assert_int_equal(material.n, scene.n);
         assert_int_equal(material.r, 153); /* 255 · 0.75 · 0.8 */
         uint8_t rgb[3];
-        assert_int_equal(glint_backend_shade(backend, &material, &code, 1, NULL, &rgb[0], &rgb[1],
-                                             &rgb[2], NULL),
-                         GLINT_OK);
+        const glint_points point = {&code, 1, NULL, &rgb[0], &rgb[1], &rgb[2]};
+        assert_int_equal(glint_backend_shade(backend, &material, &point, NULL), GLINT_OK);
         for (int i = 0; i < 3; i++) {
             const double base = scene.color[i] * (0.2 * 0.5 + 0.8 * 0.75 * diffuse);
             const int sum = (int)(base + 0.5) + (cosine > 0.0 ? rgb[i] : 0);
