@@ -1,6 +1,10 @@
-/* `glint wave`: the demonstration scene as waveforms, ready for GTKWave. */
+/* `glint wave`: a short scene on each circuit as waveforms, ready for GTKWave. */
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
+#include "circuit/circuits.h"
+#include "cli/circuit_options.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -9,82 +13,71 @@
 #include "file/directory.h"
 #include "file/kind.h"
 #include "rtl/rtl.h"
-#include "wave/divider_wave.h"
 #include "wave/save_file.h"
 #include "wave/waveform.h"
 
-#define PATH_SIZE   4096
-#define QUOTED_SIZE (4 * PATH_SIZE)
-
-enum { BOTH_PIPELINES = GLINT_PIPELINE_COUNT };
-enum { SPECULAR, DIVIDER, ALL_CIRCUITS };
+#define PATH_SIZE    4096
+#define QUOTED_SIZE  (4 * PATH_SIZE)
+#define CLOCKS_MAX   65536 /* of any scene */
+#define SETTINGS_MAX 1024
 
 typedef struct wave_options {
+    glint_circuit_options circuits;
     const char *out;
-    int circuit, gate, pipeline, format;
-    int64_t lanes, shifts, from, to;
-    bool json, force;
-    bool of_specular, of_divider; /* an option that only this circuit has was given */
+    int format;
+    int64_t from, to;
+    bool json, force, from_given, to_given;
 } wave_options;
 
-static const char *const circuit_choices[] = {"specular", "divider", "all", NULL};
-static const char *const pipeline_choices[] = {"combinational", "pipelined", "both", NULL};
 static const char *const format_choices[] = {"fst", "vcd", NULL};
+
+/* Both pipelines and both forms side by side; else one setting of each circuit. */
+static const char *usual(const char *parameter)
+{
+    return strcmp(parameter, "pipeline") == 0 || strcmp(parameter, "form") == 0 ? "all" : NULL;
+}
+
+#define OWN_ROWS 6
 
 static int parse(int argc, char **argv, wave_options *chosen)
 {
-    const glint_option options[] = {
+    const glint_circuit_use use = {
+        .command = "wave", .circuit = "all", .takes_all = true, .usual = usual};
+    int status = glint_circuit_options_begin(&chosen->circuits, &use, argc, argv);
+    if (status != GLINT_OPTIONS_RUN)
+        return status;
+    glint_option options[OWN_ROWS + GLINT_CIRCUIT_OPTIONS] = {
         {.name = "out",
          .placeholder = "DIR",
          .help = "where the files go; made if missing",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
-        {.name = "circuit",
-         .help = "which; an option that only one circuit has leaves the other out",
-         .kind = GLINT_OPTION_CHOICE,
-         .choice = {&chosen->circuit, circuit_choices}},
-        {.name = "gate",
-         .given = &chosen->of_specular,
-         .help = "what bounds the highlight",
-         .kind = GLINT_OPTION_CHOICE,
-         .choice = {&chosen->gate, glint_gate_names}},
-        {.name = "pipeline",
-         .given = &chosen->of_specular,
-         .help = "where the registers are",
-         .kind = GLINT_OPTION_CHOICE,
-         .choice = {&chosen->pipeline, pipeline_choices}},
-        {.name = "lanes",
-         .given = &chosen->of_specular,
-         .help = "cosines a clock: 1, 2, 4, 8 or 16",
-         .kind = GLINT_OPTION_INTEGER,
-         .integer = {&chosen->lanes, 1, GLINT_LANES_MAX}},
-        {.name = "shifts",
-         .given = &chosen->of_divider,
-         .help = "of the divider",
-         .kind = GLINT_OPTION_INTEGER,
-         .integer = {&chosen->shifts, GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX}},
         {.name = "format",
          .help = "of the waveform",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->format, format_choices}},
         {.name = "from",
-         .given = &chosen->of_specular,
+         .given = &chosen->from_given,
          .placeholder = "CLOCK",
-         .help = "first clock of the specular device's window",
+         .help = "first clock of the scene that is shown, of one circuit; of specular when none is "
+                 "chosen",
          .kind = GLINT_OPTION_INTEGER,
-         .integer = {&chosen->from, 1, GLINT_WAVE_SCENE_CLOCKS}},
+         .integer = {&chosen->from, 1, CLOCKS_MAX}},
         {.name = "to",
-         .given = &chosen->of_specular,
+         .given = &chosen->to_given,
+         .usually = "the scene's last",
          .placeholder = "CLOCK",
-         .help = "last clock of the specular device's window",
+         .help = "last clock, likewise",
          .kind = GLINT_OPTION_INTEGER,
-         .integer = {&chosen->to, 1, GLINT_WAVE_SCENE_CLOCKS}},
+         .integer = {&chosen->to, 1, CLOCKS_MAX}},
         GLINT_FORCE_OPTION(&chosen->force),
         {.name = "json",
          .help = "the files as JSON",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
+    const size_t count =
+        OWN_ROWS + glint_circuit_options_add(&chosen->circuits, options + OWN_ROWS);
     static const glint_example examples[] = {
         {"waveforms of everything, as FST", "glint wave --out wave"},
         {"16 lanes of the specular device, as VCD",
@@ -97,35 +90,31 @@ static int parse(int argc, char **argv, wave_options *chosen)
                    "each. Specular device: a scan line across a highlight with a stall in its "
                    "middle, then a new material with a point, a gap, a code above 1.0, and a new "
                    "material between points. Divider: five divisions, one stalled, one beyond "
-                   "the table. docs/waveforms.md reads them clock by clock.",
+                   "the table. Any other circuit: random pins, with a stall and a gap. "
+                   "docs/waveforms.md reads them clock by clock.",
         .examples = examples,
         .options = options,
-        .option_count = sizeof options / sizeof options[0],
+        .option_count = count,
     };
-    int status = glint_options_parse(&line, argc, argv);
-    if (status != GLINT_OPTIONS_RUN)
+    return glint_options_parse(&line, argc, argv);
+}
+
+/* The clocks that were named are those of one scene: of the first circuit. */
+static int settle(wave_options *chosen)
+{
+    const int status = glint_circuit_options_settle(&chosen->circuits);
+    if (status != GLINT_OPTIONS_RUN || !(chosen->from_given || chosen->to_given))
         return status;
-    if ((chosen->lanes & (chosen->lanes - 1)) != 0)
-        return glint_complain("wave", GLINT_EXIT_TROUBLE, "--lanes: %d is not 1, 2, 4, 8 or 16",
-                              (int)chosen->lanes);
+    chosen->circuits.chosen_count = 1;
+    const glint_setting first = glint_circuit_options_first(&chosen->circuits, 0);
+    const int clocks = glint_wave_scene_clocks(&first);
+    if (chosen->from > clocks || (chosen->to_given && chosen->to > clocks))
+        return glint_complain("wave", GLINT_EXIT_TROUBLE,
+                              "--%s: the scene of %s has the clocks 1 to %d",
+                              chosen->from > clocks ? "from" : "to", first.circuit->name, clocks);
     if (chosen->from > chosen->to)
         return glint_complain("wave", GLINT_EXIT_TROUBLE, "--from %d is after --to %d",
                               (int)chosen->from, (int)chosen->to);
-    return GLINT_OPTIONS_RUN;
-}
-
-/* An option that only one circuit has leaves the other one out, and makes no sense for it. */
-static int narrow_circuit(wave_options *chosen)
-{
-    if ((chosen->of_specular && (chosen->of_divider || chosen->circuit == DIVIDER)) ||
-        (chosen->of_divider && chosen->circuit == SPECULAR))
-        return glint_complain("wave", GLINT_EXIT_TROUBLE,
-                              "--gate, --pipeline, --lanes, --from, --to are for the specular "
-                              "device, --shifts for the divider");
-    if (chosen->circuit == ALL_CIRCUITS && chosen->of_specular)
-        chosen->circuit = SPECULAR;
-    if (chosen->circuit == ALL_CIRCUITS && chosen->of_divider)
-        chosen->circuit = DIVIDER;
     return GLINT_OPTIONS_RUN;
 }
 
@@ -182,83 +171,96 @@ static void announce(const wave_files *files, cJSON *list)
     cJSON_AddItemToArray(list, entry);
 }
 
-static int write_specular(const wave_options *chosen, glint_pipeline pipeline, cJSON *list)
+/* Of the specular device without the lanes, unless waveforms of several counts are made. */
+static void name_setting(const wave_options *chosen, const glint_setting *setting,
+                         char name[GLINT_SETTING_TEXT])
 {
-    const glint_specular_config config = {(glint_gate)chosen->gate, pipeline, (int)chosen->lanes};
-    char name[64];
+    glint_setting_name(setting, name);
+    char *last = strrchr(name, '_');
+    if (setting->circuit == &glint_circuit_specular && last != NULL &&
+        chosen->circuits.value[0][GLINT_SPECULAR_LANES] != GLINT_EVERY_VALUE)
+        *last = '\0';
+}
+
+static glint_status record(const wave_options *chosen, const glint_setting *setting,
+                           const wave_files *files, glint_error *err)
+{
+    glint_wave_scene scene;
+    glint_status status = glint_wave_scene_make(setting, &scene, err);
+    if (status != GLINT_OK)
+        return status;
+    const int from = (int)chosen->from;
+    const int to = chosen->to < scene.clocks ? (int)chosen->to : scene.clocks;
+    const glint_gtkw_window window = window_of(files->waveform, from, to, scene.marker);
+    status = from > to ? glint_fail(err, GLINT_BAD_ARGUMENT, "--from: the scene has %d clocks",
+                                    scene.clocks)
+                       : glint_wave_record(setting, &scene, (glint_wave_format)chosen->format, from,
+                                           to, files->waveform, err);
+    if (status == GLINT_OK)
+        status = glint_wave_save_file(setting, &window, files->save_file, err);
+    free(scene.pins);
+    return status;
+}
+
+static int write_setting(const wave_options *chosen, const glint_setting *setting, cJSON *list)
+{
+    char name[GLINT_SETTING_TEXT];
     wave_files files;
     glint_error err;
-    (void)snprintf(name, sizeof name, "specular_%s_%s", glint_gate_name(config.gate),
-                   glint_pipeline_name(pipeline));
+    name_setting(chosen, setting, name);
     if (name_files(chosen, name, &files) != GLINT_EXIT_OK)
         return GLINT_EXIT_TROUBLE;
-    glint_status status =
-        glint_wave_record(&config, (glint_wave_format)chosen->format, (int)chosen->from,
-                          (int)chosen->to, files.waveform, &err);
-    const glint_wave_view view = {.config = &config,
-                                  .window =
-                                      window_of(files.waveform, (int)chosen->from, (int)chosen->to,
-                                                glint_wave_scene_centre(config.lanes))};
-    if (status == GLINT_OK)
-        status = glint_wave_save_file(&view, files.save_file, &err);
-    if (status != GLINT_OK)
+    if (record(chosen, setting, &files, &err) != GLINT_OK)
         return glint_complain_error("wave", &err);
     announce(&files, list);
     return GLINT_EXIT_OK;
 }
 
-static int write_divider(const wave_options *chosen, glint_divider_form form, cJSON *list)
+static bool is_first(const wave_options *chosen, const glint_setting *setting)
 {
-    const int shifts = (int)chosen->shifts;
-    char name[64];
-    wave_files files;
-    glint_error err;
-    (void)snprintf(name, sizeof name, "divider_%s_%d", glint_divider_form_name(form), shifts);
-    if (name_files(chosen, name, &files) != GLINT_EXIT_OK)
-        return GLINT_EXIT_TROUBLE;
-    const glint_gtkw_window window =
-        window_of(files.waveform, 1, glint_divider_scene_clocks(form, shifts),
-                  glint_divider_scene_first_result(form, shifts) - 1);
-    glint_status status = glint_divider_wave_record(form, shifts, (glint_wave_format)chosen->format,
-                                                    files.waveform, &err);
-    if (status == GLINT_OK)
-        status = glint_divider_save_file(form, shifts, &window, files.save_file, &err);
-    if (status != GLINT_OK)
-        return glint_complain_error("wave", &err);
-    announce(&files, list);
-    return GLINT_EXIT_OK;
+    for (int c = 0; c < chosen->circuits.chosen_count; c++) {
+        const glint_setting first = glint_circuit_options_first(&chosen->circuits, c);
+        if (glint_setting_equal(&first, setting))
+            return true;
+    }
+    return false;
+}
+
+/* Circuit by circuit, of each the standard setting before the others. */
+static int write_circuit(const wave_options *chosen, int circuit, cJSON *list)
+{
+    const glint_setting first = glint_circuit_options_first(&chosen->circuits, circuit);
+    glint_setting setting;
+    int status = write_setting(chosen, &first, list);
+    for (int i = 0;
+         status == GLINT_EXIT_OK && glint_circuit_options_setting(&chosen->circuits, i, &setting);
+         i++)
+        if (setting.circuit == first.circuit && !is_first(chosen, &setting))
+            status = write_setting(chosen, &setting, list);
+    return status;
 }
 
 static int write_all(const wave_options *chosen, cJSON *list)
 {
     int status = GLINT_EXIT_OK;
-    for (int p = GLINT_PIPELINE_COUNT - 1; p >= 0 && chosen->circuit != DIVIDER; p--)
-        if (status == GLINT_EXIT_OK &&
-            (chosen->pipeline == BOTH_PIPELINES || chosen->pipeline == p))
-            status = write_specular(chosen, (glint_pipeline)p, list);
-    for (int f = 0; f < GLINT_DIVIDER_FORM_COUNT && chosen->circuit != SPECULAR; f++)
-        if (status == GLINT_EXIT_OK)
-            status = write_divider(chosen, (glint_divider_form)f, list);
+    for (int c = 0; c < chosen->circuits.chosen_count && status == GLINT_EXIT_OK; c++)
+        status = write_circuit(chosen, c, list);
     return status;
 }
 
 int glint_cmd_wave(int argc, char **argv)
 {
-    wave_options chosen = {.out = "wave",
-                           .circuit = ALL_CIRCUITS,
-                           .shifts = GLINT_DIVIDER_SHIFTS_DEFAULT,
-                           .gate = GLINT_GATE_COSINE,
-                           .pipeline = BOTH_PIPELINES,
-                           .format = GLINT_WAVE_FST,
-                           .lanes = 1,
-                           .from = 1,
-                           .to = GLINT_WAVE_SCENE_CLOCKS};
+    wave_options chosen = {.out = "wave", .format = GLINT_WAVE_FST, .from = 1, .to = CLOCKS_MAX};
+    glint_setting last;
     int status = parse(argc, argv, &chosen);
+    if (status == GLINT_OPTIONS_RUN)
+        status = settle(&chosen);
     if (status != GLINT_OPTIONS_RUN)
         return status;
-    status = narrow_circuit(&chosen);
-    if (status != GLINT_OPTIONS_RUN)
-        return status;
+    if (glint_circuit_options_setting(&chosen.circuits, SETTINGS_MAX, &last))
+        return glint_complain("wave", GLINT_EXIT_TROUBLE,
+                              "more than %d settings: choose by --%s and so on", SETTINGS_MAX,
+                              last.circuit->parameters[0].name);
     glint_error err;
     if (glint_directory_make(chosen.out, &err) != GLINT_OK)
         return glint_complain_error("wave", &err);
