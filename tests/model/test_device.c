@@ -13,13 +13,15 @@
 #include "circuit/random.h"
 #include "glint_specular_device.h"
 
+static const int lane_counts[] = {1, 2, 3, 8, 16, 31, 32};
+
 enum {
-    SETTINGS = 30, /* 3 gates, 2 pipelines, 1 to 16 lanes */
+    LANE_COUNTS = sizeof lane_counts / sizeof lane_counts[0],
+    SETTINGS = GLINT_GATE_COUNT * GLINT_PIPELINE_COUNT * LANE_COUNTS,
     LATENCY_MAX = 8,
     CLOCKS = 6000
 };
 
-static const int lane_counts[] = {1, 2, 3, 4, 5, 8, 16, 31, 32};
 static glint_random draw;
 
 static int seed_draw(void **state)
@@ -31,8 +33,10 @@ static int seed_draw(void **state)
 
 static glint_specular_config setting(int index)
 {
-    return (glint_specular_config){(glint_gate)(index / 10), (glint_pipeline)(index / 5 % 2),
-                                   lane_counts[index % 5]};
+    const int gate_and_pipeline = index / LANE_COUNTS;
+    return (glint_specular_config){(glint_gate)(gate_and_pipeline / GLINT_PIPELINE_COUNT),
+                                   (glint_pipeline)(gate_and_pipeline % GLINT_PIPELINE_COUNT),
+                                   lane_counts[index % LANE_COUNTS]};
 }
 
 static glint_specular_device *create(const glint_specular_config *config)
@@ -68,7 +72,7 @@ static void push(scoreboard *s, const glint_specular_inputs *in)
     expectation *e = &s->queue[s->queued];
     assert_true(s->queued < LATENCY_MAX);
     e->due = s->enabled + (uint64_t)glint_specular_latency(s->config.pipeline) - 1;
-    e->valid = in->in_valid & ((1u << s->config.lanes) - 1u);
+    e->valid = in->in_valid & (UINT32_MAX >> (32 - s->config.lanes));
     for (int i = 0; i < s->config.lanes; i++) {
         if ((e->valid >> i & 1) != 0) {
             assert_int_equal(glint_specular_eval(s->config.gate, &s->material,
