@@ -1,0 +1,347 @@
+#include "circuit/validate_setting.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "circuit/words.h"
+
+#define WIDTH_MAX (64 * GLINT_VALUE_WORDS)
+
+/* A setting, and its tables as the circuit's functions give them. */
+typedef struct described {
+    const glint_setting *setting;
+    int pin_count, signal_count;
+    glint_pin_info *pins;
+    glint_signal_info *signals;
+    glint_error *err;
+} described;
+
+static glint_status wrong(const described *d, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+static glint_status wrong(const described *d, const char *format, ...)
+{
+    char setting[GLINT_SETTING_TEXT], what[256];
+    va_list arguments;
+    va_start(arguments, format);
+    (void)vsnprintf(what, sizeof what, format, arguments);
+    va_end(arguments);
+    glint_setting_describe(d->setting, setting);
+    return glint_fail(d->err, GLINT_BAD_INPUT, "circuit %s (%s): %s", d->setting->circuit->name,
+                      setting, what);
+}
+
+/* What a pin and a signal have alike. */
+typedef struct number {
+    const char *sort; /* "pin" */
+    const char *name, *meaning;
+    int int_bits, frac_bits, is_signed, lane;
+} number;
+
+static glint_status check_number(const described *d, const number *n, int index)
+{
+    const int64_t width = (int64_t)n->int_bits + n->frac_bits;
+    if (!glint_is_identifier(n->name))
+        return wrong(d, "the name of %s %d is no C identifier", n->sort, index);
+    if (n->meaning == NULL)
+        return wrong(d, "%s %s has no meaning", n->sort, n->name);
+    if (n->int_bits < 0 || n->frac_bits < 0 || width < 1 || width > WIDTH_MAX)
+        return wrong(d, "%s %s: %d + %d bits are not 1 to %d", n->sort, n->name, n->int_bits,
+                     n->frac_bits, WIDTH_MAX);
+    if (n->is_signed && n->int_bits < 1)
+        return wrong(d, "%s %s is signed, and has no integer bit for the sign", n->sort, n->name);
+    if (n->lane < -1)
+        return wrong(d, "%s %s: there is no lane %d", n->sort, n->name, n->lane);
+    return GLINT_OK;
+}
+
+/* ---- Pins ------------------------------------------------------------------------------------ */
+
+static glint_status check_role(const described *d, const glint_pin_info *pin)
+{
+    switch (pin->role) {
+    case GLINT_PIN_RESET:
+    case GLINT_PIN_RESET_LOW:
+    case GLINT_PIN_ENABLE:
+    case GLINT_PIN_STROBE:
+        return glint_pin_width(pin) == 1
+                   ? GLINT_OK
+                   : wrong(d, "pin %s: a reset, an enable or a strobe has one bit, not %d",
+                           pin->name, glint_pin_width(pin));
+    case GLINT_PIN_VALID:
+    case GLINT_PIN_DATA:
+        return GLINT_OK;
+    }
+    return wrong(d, "pin %s: there is no role number %d", pin->name, (int)pin->role);
+}
+
+static glint_status check_place(const described *d, const glint_pin_info *pin)
+{
+    const size_t all = d->setting->circuit->pins_size;
+    const size_t word = sizeof(uint64_t);
+    const size_t alignment = pin->size < word ? pin->size : word;
+    const bool is_integer = pin->size == 1 || pin->size == 2 || pin->size == 4;
+    if (!is_integer && (pin->size == 0 || pin->size % word != 0))
+        return wrong(d, "pin %s: %zu bytes are not 1, 2, 4 or 8 a word", pin->name, pin->size);
+    if (8 * pin->size < (size_t)glint_pin_width(pin))
+        return wrong(d, "pin %s: its %d bits do not fit into %zu bytes", pin->name,
+                     glint_pin_width(pin), pin->size);
+    if (pin->offset > all || pin->size > all - pin->offset)
+        return wrong(d, "pin %s: %zu bytes at offset %zu are not in a struct of %zu", pin->name,
+                     pin->size, pin->offset, all);
+    if (pin->offset % alignment != 0)
+        return wrong(d, "pin %s: offset %zu is no multiple of its %zu bytes", pin->name,
+                     pin->offset, alignment);
+    return GLINT_OK;
+}
+
+/* Lanes of a port stand one behind the other, 0 first; else a name comes once. */
+static glint_status check_port(const described *d, int index)
+{
+    const glint_pin_info *pin = &d->pins[index];
+    const glint_pin_info *before = index > 0 ? &d->pins[index - 1] : NULL;
+    if (pin->lane > 0) {
+        if (before == NULL || strcmp(before->name, pin->name) != 0 || before->lane != pin->lane - 1)
+            return wrong(d, "pin %s: lane %d does not stand behind lane %d", pin->name, pin->lane,
+                         pin->lane - 1);
+        if (glint_pin_width(before) != glint_pin_width(pin) || before->is_signed != pin->is_signed)
+            return wrong(d, "pin %s: lanes %d and %d differ in width or sign", pin->name,
+                         before->lane, pin->lane);
+        return GLINT_OK;
+    }
+    for (int i = 0; i < index; i++)
+        if (strcmp(d->pins[i].name, pin->name) == 0)
+            return wrong(d, "two pins %s", pin->name);
+    const char *clock = d->setting->circuit->clock_port;
+    if (clock != NULL && strcmp(clock, pin->name) == 0)
+        return wrong(d, "pin %s is the clock, which is none of the pins", pin->name);
+    return GLINT_OK;
+}
+
+static glint_status check_pin(const described *d, int index)
+{
+    const glint_pin_info *pin = &d->pins[index];
+    const number n = {"pin",          pin->name,      pin->meaning, pin->int_bits,
+                      pin->frac_bits, pin->is_signed, pin->lane};
+    glint_status status = check_number(d, &n, index);
+    if (status == GLINT_OK)
+        status = check_role(d, pin);
+    if (status == GLINT_OK)
+        status = check_place(d, pin);
+    return status == GLINT_OK ? check_port(d, index) : status;
+}
+
+/* Two pins in the same bytes: a row was copied. */
+static glint_status check_overlaps(const described *d)
+{
+    int owner[GLINT_PINS_SIZE_MAX] = {0}; /* 1 + index; 0: none */
+    for (int i = 0; i < d->pin_count; i++)
+        for (size_t byte = 0; byte < d->pins[i].size; byte++) {
+            int *whose = &owner[d->pins[i].offset + byte];
+            if (*whose != 0)
+                return wrong(d, "pins %s and %s lie in the same bytes", d->pins[*whose - 1].name,
+                             d->pins[i].name);
+            *whose = i + 1;
+        }
+    return GLINT_OK;
+}
+
+static glint_status check_pins(const described *d)
+{
+    glint_status status = GLINT_OK;
+    for (int i = 0; i < d->pin_count && status == GLINT_OK; i++)
+        status = check_pin(d, i);
+    return status == GLINT_OK ? check_overlaps(d) : status;
+}
+
+/* ---- Signals --------------------------------------------------------------------------------- */
+
+static bool has_heading(const glint_circuit *circuit, const char *title)
+{
+    for (int i = 0; i < circuit->heading_count; i++)
+        if (strcmp(circuit->headings[i].title, title) == 0)
+            return true;
+    return false;
+}
+
+static glint_status check_heading(const described *d, const glint_signal_info *signal)
+{
+    if (signal->heading == NULL)
+        return signal->lane >= 0 ? GLINT_OK : wrong(d, "signal %s has no heading", signal->name);
+    if (!has_heading(d->setting->circuit, signal->heading))
+        return wrong(d, "signal %s: its heading \"%s\" is none of the circuit's", signal->name,
+                     signal->heading);
+    return GLINT_OK;
+}
+
+/* What may stand in a path: names, dots and indices. */
+static bool is_path(const char *path)
+{
+    if (*path == '\0')
+        return false;
+    while (isalnum((unsigned char)*path) || (*path != '\0' && strchr("_$.[]", *path) != NULL))
+        path++;
+    return *path == '\0';
+}
+
+static glint_status check_way(const described *d, const glint_signal_info *signal)
+{
+    const glint_circuit *circuit = d->setting->circuit;
+    if (signal->lane >= 0 && circuit->lane_name == NULL)
+        return wrong(d, "signal %s is of lane %d, and the circuit has no lane_name", signal->name,
+                     signal->lane);
+    if (signal->kind == GLINT_SIGNAL_OUTPUT)
+        return GLINT_OK;
+    if (signal->lane >= 0 && circuit->lane_scope == NULL)
+        return wrong(d, "signal %s is of lane %d, and the circuit has no lane_scope", signal->name,
+                     signal->lane);
+    if (signal->path != NULL && !is_path(signal->path))
+        return wrong(d, "signal %s: \"%s\" is no path in Verilog", signal->name, signal->path);
+    return GLINT_OK;
+}
+
+static int find_signal(const described *d, int before, const char *name, int lane)
+{
+    for (int i = 0; i < before; i++)
+        if (d->signals[i].lane == lane && strcmp(d->signals[i].name, name) == 0)
+            return i;
+    return -1;
+}
+
+/* A port of lanes is cut into as many equal parts. */
+static glint_status check_output(const described *d, int index)
+{
+    const glint_signal_info *signal = &d->signals[index];
+    for (int i = 0; i < d->pin_count; i++)
+        if (strcmp(d->pins[i].name, signal->name) == 0)
+            return wrong(d, "output %s has the name of a pin", signal->name);
+    if (signal->lane < 1)
+        return GLINT_OK;
+    const int before = find_signal(d, index, signal->name, signal->lane - 1);
+    if (before < 0)
+        return wrong(d, "output %s: lane %d does not come after lane %d", signal->name,
+                     signal->lane, signal->lane - 1);
+    if (glint_signal_width(&d->signals[before]) != glint_signal_width(signal))
+        return wrong(d, "output %s: lanes %d and %d differ in width", signal->name,
+                     signal->lane - 1, signal->lane);
+    return GLINT_OK;
+}
+
+static glint_status check_signal(const described *d, int index)
+{
+    const glint_signal_info *signal = &d->signals[index];
+    const number n = {"signal",          signal->name,      signal->meaning, signal->int_bits,
+                      signal->frac_bits, signal->is_signed, signal->lane};
+    glint_status status = check_number(d, &n, index);
+    if (status == GLINT_OK && (unsigned)signal->kind > GLINT_SIGNAL_OUTPUT)
+        status = wrong(d, "signal %s: there is no kind number %d", signal->name, (int)signal->kind);
+    if (status == GLINT_OK && signal->offset % sizeof(int64_t) != 0)
+        status = wrong(d, "signal %s: offset %zu is not that of an int64_t", signal->name,
+                       signal->offset);
+    if (status == GLINT_OK && find_signal(d, index, signal->name, signal->lane) >= 0)
+        status = wrong(d, "two signals %s of lane %d", signal->name, signal->lane);
+    if (status == GLINT_OK)
+        status = check_heading(d, signal);
+    if (status == GLINT_OK)
+        status = check_way(d, signal);
+    if (status == GLINT_OK && signal->kind == GLINT_SIGNAL_OUTPUT)
+        status = check_output(d, index);
+    return status;
+}
+
+static glint_status check_signals(const described *d)
+{
+    int words = 0, outputs = 0;
+    glint_status status = GLINT_OK;
+    for (int i = 0; i < d->signal_count && status == GLINT_OK; i++) {
+        status = check_signal(d, i);
+        words += glint_words_of(glint_signal_width(&d->signals[i]));
+        outputs += d->signals[i].kind == GLINT_SIGNAL_OUTPUT;
+    }
+    if (status == GLINT_OK && words > GLINT_SIGNAL_WORDS_MAX)
+        status = wrong(d, "its signals have %d words of 64 bits, more than %d", words,
+                       GLINT_SIGNAL_WORDS_MAX);
+    if (status == GLINT_OK && outputs == 0)
+        status = wrong(d, "none of its signals is an output");
+    return status;
+}
+
+/* ---- The rest -------------------------------------------------------------------------------- */
+
+static glint_status check_clocks(const described *d)
+{
+    const glint_circuit *circuit = d->setting->circuit;
+    const int *values = d->setting->values;
+    const int latency = circuit->latency(values);
+    if (!glint_is_identifier(circuit->top(values)))
+        return wrong(d, "the name of its top is no C identifier");
+    if (latency < 0)
+        return wrong(d, "a latency of %d clocks is below 0", latency);
+    if (latency > 0 && circuit->clock_port == NULL)
+        return wrong(d, "it has no clock, and a latency of %d", latency);
+    if (circuit->pace != NULL && circuit->pace(values) < 1)
+        return wrong(d, "a pace of %d clocks is below 1", circuit->pace(values));
+    return GLINT_OK;
+}
+
+static glint_status check_model(const described *d)
+{
+    const glint_circuit *circuit = d->setting->circuit;
+    void *model = NULL;
+    const glint_status created = circuit->create(d->setting->values, &model);
+    if (created == GLINT_NO_MEMORY)
+        return glint_fail(d->err, created, "no memory for a C model");
+    if (created != GLINT_OK || model == NULL)
+        return wrong(d, "its C model cannot be created");
+    const bool readable = circuit->signals(model) != NULL;
+    circuit->destroy(model);
+    return readable ? GLINT_OK : wrong(d, "its C model has no signals");
+}
+
+static glint_status check_counts(const described *d)
+{
+    const size_t size = d->setting->circuit->pins_size;
+    if (size < 1 || size > GLINT_PINS_SIZE_MAX)
+        return wrong(d, "pins_size, %zu, is not in 1 to %d", size, GLINT_PINS_SIZE_MAX);
+    if (d->pin_count < 1 || d->pin_count > GLINT_PINS_SIZE_MAX)
+        return wrong(d, "%d pins are not 1 to %d", d->pin_count, GLINT_PINS_SIZE_MAX);
+    if (d->signal_count < 1 || d->signal_count > GLINT_SIGNAL_WORDS_MAX)
+        return wrong(d, "%d signals are not 1 to %d", d->signal_count, GLINT_SIGNAL_WORDS_MAX);
+    return GLINT_OK;
+}
+
+static glint_status fill_and_check(described *d)
+{
+    const glint_circuit *circuit = d->setting->circuit;
+    d->pins = calloc((size_t)d->pin_count, sizeof *d->pins);
+    d->signals = calloc((size_t)d->signal_count, sizeof *d->signals);
+    if (d->pins == NULL || d->signals == NULL)
+        return glint_fail(d->err, GLINT_NO_MEMORY, "no memory for the tables of a circuit");
+    for (int i = 0; i < d->pin_count; i++)
+        d->pins[i] = circuit->pin(d->setting->values, i);
+    for (int i = 0; i < d->signal_count; i++)
+        d->signals[i] = circuit->signal(d->setting->values, i);
+    glint_status status = check_pins(d);
+    if (status == GLINT_OK)
+        status = check_signals(d);
+    if (status == GLINT_OK)
+        status = check_clocks(d);
+    return status == GLINT_OK ? check_model(d) : status;
+}
+
+glint_status glint_setting_describes(const glint_setting *setting, glint_error *err)
+{
+    described d = {.setting = setting,
+                   .pin_count = setting->circuit->pin_count(setting->values),
+                   .signal_count = setting->circuit->signal_count(setting->values),
+                   .err = err};
+    glint_status status = check_counts(&d);
+    if (status == GLINT_OK)
+        status = fill_and_check(&d);
+    free(d.pins);
+    free(d.signals);
+    return status;
+}
