@@ -134,8 +134,6 @@ static void put(const int *values, uint64_t point, void *pins_now)
     mac_pins *pins = pins_now;
     const int half = 1 << (values[WIDTH] - 1);
     const int pair = (int)(point / ROUNDS);
-    pins->en = 1;
-    pins->in_valid = 1;
     pins->first = point % ROUNDS == 0;
     pins->a = (int16_t)(pair / (2 * half) - half);
     pins->b = (int16_t)(pair % (2 * half) - half);
