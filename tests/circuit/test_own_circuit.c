@@ -1,0 +1,245 @@
+/* Circuits of one's own, named on the command line: those of tests/circuit/own, each of which has
+ * something that the others have not. Each is verified; a copy of its Verilog with a fault is found
+ * out, and its packet replayed; waveforms and eval; and what is wrong in such a directory is said
+ * in a line. */
+#define _XOPEN_SOURCE 700
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "../scratch.h"
+
+#include "../cli/run.h"
+#include "own.h"
+
+#define OWN "tests/circuit/own/"
+
+/* Whether a signal's kinds, its widths and its place are the circuit's: the tests are of these. */
+typedef struct own_circuit {
+    const char *name;
+    const char *options;          /* of the setting that the faulty copy is tried in */
+    const char *file, *from, *to; /* its fault */
+    const char *signal;           /* that the verdict names first */
+    const char *input, *output;   /* of eval with these options; NULL: it has no numbers */
+} own_circuit;
+
+static const own_circuit circuits[] = {
+    {"rotate_xor", "", "rotate_xor.v", "{state[86:0], state[99:87]}", "{state[85:0], state[99:86]}",
+     "turned", "", ""},
+    {"wide_sum", "--width 256", "wide_sum.v", "sum <= a + b",
+     "sum <= (a + b) & ~$signed(257'd1 << 200)", "sum", "", ""},
+    {"signed_order", "--width 8", "signed_order.v", "b < a", "$unsigned(b) < $unsigned(a)", "swap",
+     "", ""},
+    {"staged_alu", "--op subtract --width 8 --stages 3", "alu_stage.v", "in_value - in_operand",
+     "in_value + in_operand", "value", "", ""},
+    {"ring", "", "ring.v", "push && (!full || gone)", "push && !full", "taken", "", ""},
+    {"detector", "--form binary", "detector_binary.v", "default: state <= bit_in ? 2'd1 : 2'd2",
+     "default: state <= bit_in ? 2'd1 : 2'd0", "state", NULL, NULL},
+    {"clip_lanes", "--lanes 3", "clip_lane.v", "-12'sd128 ? -8'sd128", "-12'sd127 ? -8'sd127",
+     "clipped", "", ""},
+};
+
+enum { CIRCUITS = sizeof circuits / sizeof circuits[0] };
+
+static void directory_of(const own_circuit *circuit, char path[OWN_PATH])
+{
+    (void)snprintf(path, OWN_PATH, OWN "%s", circuit->name);
+}
+
+static void it_is_verified(void **state)
+{
+    const own_circuit *circuit = *state;
+    char directory[OWN_PATH];
+    directory_of(circuit, directory);
+    outcome done = own_run(directory, "", "verify --clocks 3000");
+    assert_outcome(&done, 0, "");
+    assert_says(done.out, "0 mismatches of ");
+    assert_says(done.out, circuit->name);
+    forget(&done);
+}
+
+/* With its packet, which shows the mismatch again, and none with the right circuit. */
+static void its_wrong_copy_is_found(void **state)
+{
+    const own_circuit *circuit = *state;
+    char right[OWN_PATH], wrong[OWN_PATH], packets[OWN_PATH], packet[OWN_PATH], name[256];
+    directory_of(circuit, right);
+    (void)snprintf(name, sizeof name, "wrong-%s", circuit->name);
+    own_copy(right, name, wrong);
+    own_edit(wrong, circuit->file, circuit->from, circuit->to);
+    (void)snprintf(packets, sizeof packets, "%s/packets-%s", scratch_directory, circuit->name);
+
+    outcome done = own_run(right, "", "verify --clocks 3000 --rtl %s --out %s %s", wrong, packets,
+                           circuit->options);
+    assert_int_equal(done.status, 1);
+    assert_says(done.out, circuit->signal);
+    forget(&done);
+
+    own_only_entry(packets, packet);
+    done = own_run(right, "", "replay %s --rtl %s --out %s-again", packet, wrong, packets);
+    assert_int_equal(done.status, 1);
+    assert_says(done.out, circuit->signal);
+    forget(&done);
+    done = own_run(right, "", "replay %s --rtl %s", packet, right);
+    assert_outcome(&done, 0, "");
+    assert_says(done.out, ": gone: ");
+    forget(&done);
+}
+
+static void its_waveform_has_a_save_file(void **state)
+{
+    const own_circuit *circuit = *state;
+    char directory[OWN_PATH], out[OWN_PATH];
+    directory_of(circuit, directory);
+    (void)snprintf(out, sizeof out, "%s/wave-%s", scratch_directory, circuit->name);
+    outcome done = own_run(directory, "", "wave --out %s %s", out, circuit->options);
+    assert_outcome(&done, 0, NULL);
+    assert_says(done.out, ".fst");
+    assert_says(done.out, ".gtkw");
+    forget(&done);
+}
+
+static void eval_has_the_right_numbers(void **state)
+{
+    const own_circuit *circuit = *state;
+    static const char *const backends[] = {"c", "rtl"};
+    char directory[OWN_PATH];
+    directory_of(circuit, directory);
+    for (size_t i = 0; i < 2; i++) {
+        outcome done = own_run(directory, circuit->input != NULL ? circuit->input : "",
+                               "eval --backend %s %s", backends[i], circuit->options);
+        if (circuit->input == NULL) {
+            assert_own_refused(&done, "no data");
+        } else {
+            assert_outcome(&done, 0, "");
+            assert_string_equal(done.out, circuit->output);
+        }
+        forget(&done);
+    }
+}
+
+/* ---- What is wrong in a directory --------------------------------------------------------------
+ */
+
+static void what_is_wrong_is_said(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name; /* of the copy of rotate_xor */
+        const char *file, *from, *to;
+        const char *words;
+    } faults[] = {
+        {"width", "rotate_xor.c", "DATA, 100, 0", "DATA, 90, 0", "word"},
+        {"output-width", "rotate_xor.c", "OUTPUT, 100, 0", "OUTPUT, 101, 0", "state"},
+        {"signal-width", "rotate_xor.c", "BLOCK, 100, 0", "BLOCK, 99, 0", "turned"},
+        {"signal", "rotate_xor.v", "turned", "twisted", "turned"},
+        {"pin", "rotate_xor.v", "input  wire        in_valid", "input  wire        taken",
+         "in_valid"},
+        {"clock", "rotate_xor.c", "\"clk\"", "\"clock\"", "clock"},
+        {"top", "rotate_xor.c", "top, \"rotate_xor\"", "top, \"turn\"", "turn"},
+        {"compiler", "rotate_xor.c", "glint_status create", "glint_stats create", "glint_stats"},
+        {"verilog", "rotate_xor.v", "endmodule", "endmodul", "rotate_xor.v"},
+        {"name", "rotate_xor.c", "glint_circuit glint_my_circuit", "glint_circuit my_circuit",
+         "glint_my_circuit"},
+        {"no-title", "rotate_xor.c", ".title = \"Turned and mixed\",", "", "title"},
+        {"heading", "rotate_xor.c", "{.title = \"State\"}", "{.title = \"Stat\"}", "heading"},
+    };
+    for (size_t i = 0; i < sizeof faults / sizeof faults[0]; i++) {
+        char directory[OWN_PATH];
+        own_copy(OWN "rotate_xor", faults[i].name, directory);
+        own_edit(directory, faults[i].file, faults[i].from, faults[i].to);
+        outcome done = own_run(directory, "", "verify --clocks 100");
+        assert_own_refused(&done, faults[i].words);
+        forget(&done);
+    }
+}
+
+static void a_directory_without_a_circuit_is_refused(void **state)
+{
+    (void)state;
+    char empty[OWN_PATH];
+    own_make("empty", empty);
+    outcome done = own_run(empty, "", "verify");
+    assert_own_refused(&done, "empty");
+    forget(&done);
+    done = own_run(scratch_path("nowhere"), "", "verify");
+    assert_own_refused(&done, "nowhere");
+    forget(&done);
+}
+
+/* What the C model is made of may lie in several files; two circuits may not. */
+static void several_files_make_one_circuit(void **state)
+{
+    (void)state;
+    char directory[OWN_PATH], path[OWN_PATH + 100];
+    own_copy(OWN "rotate_xor", "several", directory);
+    own_edit(directory, "rotate_xor.c", "static glint_status create(",
+             "glint_status create(const int *values, void **model);\nglint_status create(");
+    (void)snprintf(path, sizeof path, "%s/more.c", directory);
+    scratch_write(path, "int more(void);\nint more(void) { return 1; }\n", 44);
+    outcome done = own_run(directory, "", "verify --clocks 100");
+    assert_outcome(&done, 0, "");
+    forget(&done);
+
+    static const char twice[] = "#include \"glint_circuit.h\"\n"
+                                "const glint_circuit glint_my_circuit = {.name = \"second\"};\n";
+    scratch_write(path, twice, sizeof twice - 1);
+    done = own_run(directory, "", "verify --clocks 100");
+    assert_own_refused(&done, "glint_my_circuit");
+    forget(&done);
+}
+
+static void a_blank_in_the_name_does_no_harm(void **state)
+{
+    (void)state;
+    char directory[OWN_PATH];
+    own_copy(OWN "rotate_xor", "with blank", directory);
+    char *argv[] = {NULL,
+                    (char[]){"--circuit-dir"},
+                    directory,
+                    (char[]){"verify"},
+                    (char[]){"--clocks"},
+                    (char[]){"100"},
+                    NULL};
+    const plumbing none = {0};
+    outcome done = run_arguments(argv, "", 0, &none);
+    assert_outcome(&done, 0, "");
+    forget(&done);
+}
+
+/* ---- All of them -------------------------------------------------------------------------------
+ */
+
+int main(void)
+{
+    static char names[4 * CIRCUITS][128];
+    struct CMUnitTest tests[4 * CIRCUITS + 4];
+    static const struct {
+        const char *what;
+        CMUnitTestFunction run;
+    } each[] = {{"is verified", it_is_verified},
+                {"has a wrong copy that is found", its_wrong_copy_is_found},
+                {"has a waveform", its_waveform_has_a_save_file},
+                {"is evaluated", eval_has_the_right_numbers}};
+    static const struct CMUnitTest others[] = {
+        cmocka_unit_test(what_is_wrong_is_said),
+        cmocka_unit_test(a_directory_without_a_circuit_is_refused),
+        cmocka_unit_test(several_files_make_one_circuit),
+        cmocka_unit_test(a_blank_in_the_name_does_no_harm),
+    };
+    size_t count = 0;
+    for (size_t c = 0; c < CIRCUITS; c++) {
+        for (size_t t = 0; t < sizeof each / sizeof each[0]; t++, count++) {
+            (void)snprintf(names[count], sizeof names[count], "%s %s", circuits[c].name,
+                           each[t].what);
+            tests[count] = (struct CMUnitTest){names[count], each[t].run, NULL, NULL,
+                                               (void *)(uintptr_t)&circuits[c]};
+        }
+    }
+    memcpy(tests + count, others, sizeof others);
+    return cmocka_run_group_tests_name("own_circuit", tests, scratch_make, scratch_remove);
+}
