@@ -45,6 +45,7 @@ list() {
     below 644 share/doc/glint README.md LICENSE
     below 644 share/doc/glint/docs docs/*.md
     below 644 share/doc/glint/docs/images docs/images/*.png
+    below 644 share/doc/glint/docs/examples/saturating_mac docs/examples/saturating_mac/*
     echo "example README.md share/doc/glint/examples/example.c"
     below man share/man/man1 "$build"/install/man/*.1
     echo "644 $build/install/completion/glint.bash share/bash-completion/completions/glint"
