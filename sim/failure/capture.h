@@ -47,7 +47,7 @@ typedef struct glint_capture_clock {
 
 typedef struct glint_capture {
     glint_setting setting;
-    glint_signals signals; /* where each has its words in a clock */
+    glint_signals signals;       /* where each has its words in a clock */
     glint_lockstep_result found; /* up to the last clock here; found.clocks is its number */
     int failing; /* the first clock with a mismatch; without one, or if play.up_to_expected with
                   * earlier ones, the one that was expected to have one */

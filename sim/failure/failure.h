@@ -58,7 +58,7 @@ typedef struct glint_failure {
 
     /* What is not Glint's own, for the commands of the report; "": nothing. */
     char circuit_dir[GLINT_FAILURE_DIRECTORY]; /* that describes the circuit (--circuit-dir) */
-    char rtl[GLINT_FAILURE_DIRECTORY];         /* that has its Verilog (--rtl), if another */
+    char rtl[GLINT_FAILURE_DIRECTORY];         /* that has its Verilog (--rtl) */
 
     /* pins[0] is what clock first_clock took, from reset state on. Random: without pins, the whole
      * run from seed is played. Others: without pins, the answer is asked; they have pins when it is
@@ -104,11 +104,18 @@ glint_status glint_failure_of_history(glint_failure_kind kind, const glint_setti
  * to there, and keeps the pins of the fewest of its last clocks that show the same.
  * GLINT_INTERRUPTED when stopped; GLINT_DEVICE_FAULT when nothing differs this time. */
 glint_status glint_failure_of_domain(const glint_domain_options *options,
-                                     const glint_domain_mismatch *mismatch,
-                                     glint_failure **failure, glint_error *err);
+                                     const glint_domain_mismatch *mismatch, glint_failure **failure,
+                                     glint_error *err);
 
 /* Takes setting.verilog for failure->rtl, as what makes a failure does. */
 void glint_failure_name_verilog(glint_failure *failure);
+
+/* The Verilog's directory, where the circuit's own does not tell it already; "": nothing to tell.
+ */
+static inline const char *glint_failure_rtl(const glint_failure *failure)
+{
+    return strcmp(failure->rtl, failure->circuit_dir) != 0 ? failure->rtl : "";
+}
 
 void glint_failure_destroy(glint_failure *failure); /* NULL is allowed */
 

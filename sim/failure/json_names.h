@@ -2,7 +2,23 @@
 #ifndef GLINT_SIM_FAILURE_JSON_NAMES_H
 #define GLINT_SIM_FAILURE_JSON_NAMES_H
 
+#include "circuit/circuits.h"
+
 #define GLINT_JSON_FORMAT  "glint failure"
 #define GLINT_JSON_VERSION 1
+
+#define GLINT_JSON_CIRCUIT_DIR "circuit_dir"
+#define GLINT_JSON_RTL         "rtl"
+
+/* Of a circuit that is not Glint's own the parameters stand in an object of that name: they may be
+ * called anything. */
+#define GLINT_JSON_PARAMETERS "parameters"
+static inline bool glint_json_is_own(const glint_circuit *circuit)
+{
+    return glint_circuit_named(circuit->name) == circuit;
+}
+
+/* Pins of more bits are texts, "0x1f": a JSON number would lose the low ones. */
+#define GLINT_JSON_NUMBER_BITS 53
 
 #endif

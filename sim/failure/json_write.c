@@ -4,10 +4,12 @@
 
 #include <cjson/cJSON.h>
 
+#include "circuit/words.h"
+#include "failure/answer_form.h"
 #include "failure/json.h"
 #include "failure/json_names.h"
-#include "failure/pins.h"
 #include "file/json_text.h"
+#include "lockstep/mismatch.h"
 
 /* A JSON number would lose the low bits of a large one. */
 static void add_exact(cJSON *json, const char *name, const char *format, uint64_t value)
@@ -28,17 +30,34 @@ static void add_rgb(cJSON *json, const char *name, const uint8_t rgb[3])
     add_numbers(json, name, values, 3);
 }
 
-static void add_setting(cJSON *json, const glint_setting *setting)
+static void add_value(cJSON *json, const glint_parameter *parameter, int value)
 {
-    cJSON_AddStringToObject(json, "circuit", setting->is_divider ? "divider" : "specular");
-    if (setting->is_divider) {
-        cJSON_AddStringToObject(json, "form", glint_divider_form_name(setting->form));
-        cJSON_AddNumberToObject(json, "shifts", setting->shifts);
-        return;
-    }
-    cJSON_AddStringToObject(json, "gate", glint_gate_name(setting->specular.gate));
-    cJSON_AddStringToObject(json, "pipeline", glint_pipeline_name(setting->specular.pipeline));
-    cJSON_AddNumberToObject(json, "lanes", setting->specular.lanes);
+    if (parameter->choices != NULL)
+        cJSON_AddStringToObject(json, parameter->name, parameter->choices[value]);
+    else
+        cJSON_AddNumberToObject(json, parameter->name, value);
+}
+
+static void add_setting(cJSON *json, const glint_failure *failure)
+{
+    const glint_circuit *circuit = failure->setting.circuit;
+    cJSON_AddStringToObject(json, "circuit", circuit->name);
+    if (failure->circuit_dir[0] != '\0')
+        cJSON_AddStringToObject(json, GLINT_JSON_CIRCUIT_DIR, failure->circuit_dir);
+    if (glint_failure_rtl(failure)[0] != '\0')
+        cJSON_AddStringToObject(json, GLINT_JSON_RTL, failure->rtl);
+    cJSON *to =
+        glint_json_is_own(circuit) ? json : cJSON_AddObjectToObject(json, GLINT_JSON_PARAMETERS);
+    for (int i = 0; i < circuit->parameter_count; i++)
+        add_value(to, &circuit->parameters[i], failure->setting.values[i]);
+}
+
+static void add_bits(cJSON *json, const char *name, const glint_signal_info *signal,
+                     const uint64_t *words)
+{
+    char text[GLINT_VALUE_TEXT];
+    glint_mismatch_bits(signal, words, text);
+    cJSON_AddStringToObject(json, name, text);
 }
 
 static void add_finding(cJSON *json, const glint_failure *failure)
@@ -55,8 +74,8 @@ static void add_finding(cJSON *json, const glint_failure *failure)
         cJSON_AddNumberToObject(entry, glint_setting_lane_name(&failure->setting),
                                 mismatch->signal.lane);
         cJSON_AddNumberToObject(entry, "block", mismatch->signal.block);
-        add_exact(entry, "model", "0x%" PRIx64, mismatch->model);
-        add_exact(entry, "rtl", "0x%" PRIx64, mismatch->rtl);
+        add_bits(entry, "model", &mismatch->signal, mismatch->model);
+        add_bits(entry, "rtl", &mismatch->signal, mismatch->rtl);
         cJSON_AddItemToArray(list, entry);
     }
     if (!failure->has_answer)
@@ -66,21 +85,35 @@ static void add_finding(cJSON *json, const glint_failure *failure)
     cJSON_AddNumberToObject(to, "answer_rtl", finding->rtl);
 }
 
+static cJSON *pin_of(const glint_pin_info *pin, const glint_pins *pins)
+{
+    const int width = glint_pin_width(pin);
+    uint64_t words[GLINT_VALUE_WORDS];
+    char text[GLINT_VALUE_TEXT];
+    glint_pin_get(pin, pins, words);
+    if (width <= GLINT_JSON_NUMBER_BITS)
+        return cJSON_CreateNumber(glint_words_number(words, width, 0, pin->is_signed));
+    glint_words_hex(words, width, text);
+    return cJSON_CreateString(text);
+}
+
 static void add_pins(cJSON *json, const glint_failure *failure)
 {
     const glint_setting *setting = &failure->setting;
-    const int count = glint_pin_count(setting);
+    const int count = glint_setting_pin_count(setting);
     cJSON *to = cJSON_AddObjectToObject(json, "pins");
     cJSON_AddNumberToObject(to, "first_clock", (double)failure->first_clock);
     cJSON *names = cJSON_AddArrayToObject(to, "names");
     for (int i = 0; i < count; i++)
-        cJSON_AddItemToArray(names, cJSON_CreateString(glint_pin(setting, i).name));
+        cJSON_AddItemToArray(names, cJSON_CreateString(glint_setting_pin(setting, i).name));
     cJSON *clocks = cJSON_AddArrayToObject(to, "clocks");
     for (size_t clock = 0; clock < failure->pin_count; clock++) {
-        double values[GLINT_PINS_MAX];
-        for (int i = 0; i < count; i++)
-            values[i] = (double)glint_pin_get(setting, &failure->pins[clock], i);
-        cJSON_AddItemToArray(clocks, cJSON_CreateDoubleArray(values, count));
+        cJSON *values = cJSON_CreateArray();
+        for (int i = 0; i < count; i++) {
+            const glint_pin_info pin = glint_setting_pin(setting, i);
+            cJSON_AddItemToArray(values, pin_of(&pin, &failure->pins[clock]));
+        }
+        cJSON_AddItemToArray(clocks, values);
     }
 }
 
@@ -91,26 +124,15 @@ static void add_material(cJSON *json, const glint_material *material)
     add_rgb(json, "rgb", rgb);
 }
 
-static cJSON *division_of(const glint_division *division)
+static void add_answer(cJSON *json, const glint_failure *failure)
 {
-    const double values[] = {division->difference[0], division->difference[1],
-                             division->difference[2], division->k};
-    return cJSON_CreateDoubleArray(values, 4);
-}
-
-static void add_answer(cJSON *json, const glint_answer *answer)
-{
+    const glint_answer *answer = &failure->answer;
     cJSON *to = cJSON_AddObjectToObject(json, "answer");
     cJSON_AddNumberToObject(to, "at", answer->at);
     cJSON_AddStringToObject(to, "value", glint_answer_value_name(answer->value));
     cJSON_AddNumberToObject(to, "model", answer->model);
     cJSON_AddNumberToObject(to, "rtl", answer->rtl);
-    if (!answer->is_divider)
-        add_material(to, &answer->material);
-    cJSON *list = cJSON_AddArrayToObject(to, answer->is_divider ? "divisions" : "cosines");
-    for (int i = 0; i < answer->count; i++)
-        cJSON_AddItemToArray(list, answer->is_divider ? division_of(&answer->division[i])
-                                                      : cJSON_CreateNumber(answer->cos_code[i]));
+    glint_answer_form_of(failure->setting.circuit)->write(to, answer);
 }
 
 static void add_frame(cJSON *json, const glint_failure_frame *frame)
@@ -144,14 +166,14 @@ char *glint_failure_to_json(const glint_failure *failure)
     cJSON_AddNumberToObject(json, "version", GLINT_JSON_VERSION);
     cJSON_AddStringToObject(json, "kind", glint_failure_kind_names[failure->kind]);
     cJSON_AddStringToObject(json, "command", failure->command);
-    add_setting(json, &failure->setting);
+    add_setting(json, failure);
     if (failure->kind == GLINT_FAILURE_RANDOM)
         add_exact(json, "seed", "%" PRIu64, failure->seed);
     add_finding(json, failure);
     if (failure->pins != NULL)
         add_pins(json, failure);
     if (failure->has_answer)
-        add_answer(json, &failure->answer);
+        add_answer(json, failure);
     if (failure->kind == GLINT_FAILURE_FRAME)
         add_frame(json, &failure->frame);
     char *text = glint_json_text(json);

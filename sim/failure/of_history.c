@@ -136,11 +136,11 @@ static glint_status play_block(glint_failure *failure, const glint_domain_option
 }
 
 glint_status glint_failure_of_domain(const glint_domain_options *options,
-                                     const glint_domain_mismatch *mismatch,
-                                     glint_failure **failure, glint_error *err)
+                                     const glint_domain_mismatch *mismatch, glint_failure **failure,
+                                     glint_error *err)
 {
-    glint_status status = glint_failure_of_answer(GLINT_FAILURE_EXHAUSTIVE, &options->setting, NULL,
-                                                  failure, err);
+    glint_status status =
+        glint_failure_of_answer(GLINT_FAILURE_EXHAUSTIVE, &options->setting, NULL, failure, err);
     if (status != GLINT_OK)
         return status;
     status = play_block(*failure, options, mismatch, err);

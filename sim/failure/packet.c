@@ -17,14 +17,15 @@
 #include "file/new_file.h"
 #include "file/temporary.h"
 
-#define PATH      4096
-#define DATA_MAX  (16L << 20) /* bytes of failure.json: some ten times the longest */
+#define PATH     4096
+#define DATA_MAX (64L << 20) /* bytes of failure.json: more than the longest, of the widest pins   \
+                              */
 #define CROP_SIDE 64
 #define CROP_ZOOM 4
 
 static const char *const file_names[] = {
     GLINT_PACKET_REPORT, GLINT_PACKET_DATA, GLINT_PACKET_WAVE,       GLINT_PACKET_SAVE_FILE,
-    GLINT_PACKET_MODEL,  GLINT_PACKET_RTL,  GLINT_PACKET_DIFFERENCE,
+    GLINT_PACKET_MODEL,  GLINT_PACKET_RTL,  GLINT_PACKET_DIFFERENCE, GLINT_PACKET_OLD_WAVE,
 };
 #define FILE_COUNT (sizeof file_names / sizeof file_names[0])
 
@@ -306,7 +307,8 @@ static glint_status open_data(const char *path, FILE **file, glint_error *err)
                       is_regular ? "cannot be opened" : "not a regular file");
 }
 
-glint_status glint_packet_read(const char *directory, glint_failure **failure, glint_error *err)
+glint_status glint_packet_read(const char *directory, const glint_circuit *extra,
+                               glint_failure **failure, glint_error *err)
 {
     char path[PATH];
     char *text = NULL;
@@ -323,7 +325,7 @@ glint_status glint_packet_read(const char *directory, glint_failure **failure, g
     (void)fclose(file);
     if (status != GLINT_OK)
         return status;
-    status = glint_failure_from_json(text, failure, &why);
+    status = glint_failure_from_json(text, extra, failure, &why);
     free(text);
     return status == GLINT_OK ? GLINT_OK : glint_fail(err, status, "%s: %s", path, why.text);
 }

@@ -8,11 +8,13 @@
 
 #define GLINT_PACKET_REPORT     "report.txt"
 #define GLINT_PACKET_DATA       "failure.json"
-#define GLINT_PACKET_WAVE       "wave.fst"
+#define GLINT_PACKET_WAVE       "wave.vcd"
 #define GLINT_PACKET_SAVE_FILE  "wave.gtkw"
 #define GLINT_PACKET_MODEL      "model.png" /* of a frame: the surroundings of the pixel */
 #define GLINT_PACKET_RTL        "rtl.png"
 #define GLINT_PACKET_DIFFERENCE "difference.png"
+
+#define GLINT_PACKET_OLD_WAVE "wave.fst" /* a file of a packet too: older versions wrote it */
 
 /* The two frames of a failure, for the pictures. */
 typedef struct glint_packet_frames {
@@ -26,8 +28,11 @@ typedef struct glint_packet_frames {
 glint_status glint_packet_write(const glint_failure *failure, const glint_packet_frames *frames,
                                 const char *directory, glint_error *err);
 
-/* Reads a packet's failure. GLINT_IO_ERROR when it cannot be read; GLINT_BAD_INPUT, naming the file
- * and what is wrong in it, when it is no packet or holds a value out of its range. */
-glint_status glint_packet_read(const char *directory, glint_failure **failure, glint_error *err);
+/* Reads a packet's failure. extra: a circuit besides Glint's own that it may be of; NULL: none.
+ * setting.verilog is NULL: where its Verilog was is in failure->rtl, and is for the caller to use.
+ * GLINT_IO_ERROR when it cannot be read; GLINT_BAD_INPUT, naming the file and what is wrong in it,
+ * when it is no packet, is of no circuit that is known, or holds a value out of its range. */
+glint_status glint_packet_read(const char *directory, const glint_circuit *extra,
+                               glint_failure **failure, glint_error *err);
 
 #endif

@@ -3,12 +3,15 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "circuit/words.h"
+#include "failure/answer_form.h"
 #include "failure/packet.h"
-#include "failure/pins.h"
 #include "failure/shell.h"
+#include "lockstep/answer_kind.h"
 #include "lockstep/mismatch.h"
+#include "wave/presentation.h"
 
-#define COLUMN 24 /* the longest text in one */
+#define COLUMN GLINT_VALUE_TEXT /* the longest text in one */
 #define WORD   8192
 
 /* A word of a command line. */
@@ -19,9 +22,32 @@ static void print_word(FILE *out, const char *word)
     fprintf(out, "%s", text);
 }
 
-static void print_program(FILE *out, const glint_failure *failure)
+void glint_failure_print_program(FILE *out, const glint_failure *failure)
 {
     print_word(out, failure->program != NULL ? failure->program : "build/glint");
+}
+
+static void print_directory(FILE *out, const char *option, const char *directory)
+{
+    if (directory[0] == '\0')
+        return;
+    fprintf(out, " %s ", option);
+    print_word(out, directory);
+}
+
+void glint_failure_print_directories(FILE *out, const glint_failure *failure)
+{
+    print_directory(out, "--circuit-dir", failure->circuit_dir);
+    print_directory(out, "--rtl", glint_failure_rtl(failure));
+}
+
+const glint_answer_form *glint_answer_form_of(const glint_circuit *circuit)
+{
+    static const glint_answer_form *const forms[] = {&glint_point_form, &glint_division_form};
+    for (size_t i = 0; i < sizeof forms / sizeof forms[0]; i++)
+        if (forms[i]->circuit == circuit)
+            return forms[i];
+    return NULL;
 }
 
 /* ---- What differs -------------------------------------------------------------------------------
@@ -61,76 +87,12 @@ static void print_frame(FILE *out, const glint_failure_frame *frame)
                 frame->material.r, frame->material.g, frame->material.b);
 }
 
-/* The point as a line for `glint eval` says more than a list of its values. It takes lane 0: one of
- * another lane comes behind as many of itself, and is the last row printed. */
-static void print_point_alone(FILE *out, const glint_failure *failure)
-{
-    const glint_answer *answer = &failure->answer;
-    const glint_specular_config *config = &failure->setting.specular;
-    const int lane = answer->at % config->lanes;
-    fprintf(out, "  alone: %s '%u 0x%" PRIx32 " %u %u %u' | ", lane == 0 ? "echo" : "yes",
-            answer->material.n, answer->cos_code[answer->at], answer->material.r,
-            answer->material.g, answer->material.b);
-    if (lane != 0)
-        fprintf(out, "head -n %d | ", lane + 1);
-    print_program(out, failure);
-    fprintf(out, " eval --backend rtl --gate %s --pipeline %s --lanes %d\n",
-            glint_gate_name(config->gate), glint_pipeline_name(config->pipeline), config->lanes);
-}
-
-static void print_point(FILE *out, const glint_failure *failure)
-{
-    const glint_answer *answer = &failure->answer;
-    const glint_specular_config *config = &failure->setting.specular;
-    const uint32_t code = answer->cos_code[answer->at];
-    fprintf(out, "  n %u, cosine 0x%05" PRIx32 " (%.9g), R,G,B %u,%u,%u, lane %d: %s: ",
-            answer->material.n, code, (double)code / GLINT_COS_ONE, answer->material.r,
-            answer->material.g, answer->material.b, answer->at % config->lanes,
-            glint_answer_value_name(answer->value));
-    fprintf(out, "model %" PRId32 ", rtl %" PRId32 "\n", answer->model, answer->rtl);
-    if (failure->finding.alone_differs)
-        print_point_alone(out, failure);
-}
-
-/* The components before the answer's are there to put it in its place: `glint divide` takes lines
- * of one k for R, G and B of one division. It is the last row printed. */
-static void print_division_alone(FILE *out, const glint_failure *failure)
-{
-    const glint_answer *answer = &failure->answer;
-    const glint_division *division = &answer->division[answer->at];
-    fprintf(out, "  alone: printf '");
-    for (int c = 0; c <= (int)answer->value - GLINT_ANSWER_R; c++)
-        fprintf(out, "%d %u\\n", division->difference[c], division->k);
-    fprintf(out, "' | ");
-    print_program(out, failure);
-    fprintf(out, " divide --backend rtl --form %s --shifts %d\n",
-            glint_divider_form_name(failure->setting.form), failure->setting.shifts);
-}
-
-static void print_division(FILE *out, const glint_failure *failure)
-{
-    const glint_answer *answer = &failure->answer;
-    const glint_division *division = &answer->division[answer->at];
-    const int component = (int)answer->value - GLINT_ANSWER_R;
-    const double one = (double)(1 << failure->setting.shifts);
-    fprintf(out,
-            "  difference %d, k %u: quotient of %s: model %" PRId32 " (%.9g), rtl %" PRId32
-            " (%.9g)\n",
-            division->difference[component], division->k, glint_answer_value_name(answer->value),
-            answer->model, answer->model / one, answer->rtl, answer->rtl / one);
-    if (failure->finding.alone_differs)
-        print_division_alone(out, failure);
-}
-
 static void print_answer(FILE *out, const glint_failure *failure)
 {
     const glint_failure_finding *finding = &failure->finding;
     fprintf(out, "the first answer of the circuit that differs%s:\n",
             failure->kind == GLINT_FAILURE_FRAME ? ", in the order of rendering" : "");
-    if (failure->setting.is_divider)
-        print_division(out, failure);
-    else
-        print_point(out, failure);
+    glint_answer_form_of(failure->setting.circuit)->print(out, failure);
     if (failure->pins != NULL)
         fprintf(out,
                 "asked again, alone with its neighbours, the circuit answers as the model does: "
@@ -155,53 +117,51 @@ static int wider(int a, int b)
     return a > b ? a : b;
 }
 
-/* Bits as bits, cosines as codes, all else as numbers. */
-static void pin_text(const glint_pin_info *pin, int64_t value, char text[COLUMN])
+/* Lanes' bits as bits, cosines as codes, and what no reader takes for a number; all else as
+ * numbers. */
+static bool is_code(const glint_pin_info *pin)
 {
-    if (pin->frac_bits > 0 || strcmp(pin->name, "in_valid") == 0)
-        (void)snprintf(text, COLUMN, "0x%0*" PRIx64, (pin->width + 3) / 4, (uint64_t)value);
-    else
-        (void)snprintf(text, COLUMN, "%" PRId64, value);
+    return pin->frac_bits > 0 || strcmp(pin->name, "in_valid") == 0 || glint_pin_width(pin) > 64;
 }
 
-static void pin_name(const glint_pin_info *pin, int lanes, char text[COLUMN])
+static void words_text(const glint_pin_info *pin, const uint64_t *words, char text[COLUMN])
 {
-    if (pin->lane >= 0 && lanes > 1)
+    const int width = glint_pin_width(pin);
+    if (is_code(pin))
+        glint_words_hex(words, width, text);
+    else
+        glint_words_decimal(words, width, pin->is_signed, text);
+}
+
+static void pin_name(const glint_setting *setting, const glint_pin_info *pin, char text[COLUMN])
+{
+    if (pin->lane >= 0 && glint_show_place(setting) != NULL)
         (void)snprintf(text, COLUMN, "%s[%d]", pin->name, pin->lane);
     else
         (void)snprintf(text, COLUMN, "%s", pin->name);
 }
 
-static int pin_width(const glint_pin_info *pin, int lanes)
+/* Of the name and of the longest value: the largest, or with a sign the smallest. */
+static int pin_width(const glint_setting *setting, const glint_pin_info *pin)
 {
-    char name[COLUMN], least[COLUMN], most[COLUMN];
-    pin_name(pin, lanes, name);
-    pin_text(pin, pin->min, least);
-    pin_text(pin, pin->max, most);
-    return wider((int)strlen(name), wider((int)strlen(least), (int)strlen(most)));
-}
-
-static bool differs_then(const glint_capture *capture, int signal)
-{
-    const glint_capture_clock *failing = &capture->clock[capture->failing];
-    return failing->rtl[signal] != failing->model[signal];
+    char name[COLUMN], longest[COLUMN];
+    uint64_t words[GLINT_VALUE_WORDS];
+    const int top = glint_pin_width(pin) - 1;
+    memset(words, pin->is_signed ? 0 : 0xff, sizeof words);
+    if (pin->is_signed)
+        words[top / 64] = UINT64_C(1) << top % 64;
+    pin_name(setting, pin, name);
+    words_text(pin, words, longest);
+    return wider((int)strlen(name), (int)strlen(longest));
 }
 
 /* Whether the signal is the output with the answer's value. */
 static bool is_answer(const glint_failure *failure, const glint_signal_info *signal)
 {
-    static const char *const points[] = {"out_w", "out_r", "out_g", "out_b"};
-    static const char *const divisions[] = {"", "quotient_r", "quotient_g", "quotient_b"};
-    const glint_answer *answer = &failure->answer;
     const glint_setting *setting = &failure->setting;
     if (!failure->has_answer || failure->pins != NULL)
         return false;
-    if (!answer->is_divider)
-        return strcmp(signal->name, points[answer->value]) == 0 &&
-               signal->lane == answer->at % setting->specular.lanes;
-    return strcmp(signal->name, setting->form == GLINT_DIVIDER_SEQUENTIAL
-                                    ? "quotient"
-                                    : divisions[answer->value]) == 0;
+    return glint_answer_kind_of(setting->circuit)->is_output(&failure->answer, setting, signal);
 }
 
 /* Index of the signal that the table shows, of those that differ in the failing clock: the answer,
@@ -209,21 +169,20 @@ static bool is_answer(const glint_failure *failure, const glint_signal_info *sig
 static int signal_of_table(const glint_failure *failure, const glint_capture *capture)
 {
     int first = -1;
-    for (int i = glint_setting_signal_count(&capture->setting) - 1; i >= 0; i--) {
-        const glint_signal_info signal = glint_setting_signal(&capture->setting, i);
-        if (!differs_then(capture, i))
+    for (int i = capture->signals.count - 1; i >= 0; i--) {
+        if (!glint_capture_differs_at(capture, capture->failing, i))
             continue;
-        if (is_answer(failure, &signal))
+        if (is_answer(failure, &capture->signals.info[i]))
             return i;
         first = i;
     }
     return first;
 }
 
-/* Of several lanes the table has the cosine of one: the failing one's. */
+/* Of several lanes the table has the pins of one: the failing one's. */
 static bool is_in_table(const glint_capture *capture, const glint_pin_info *pin, int signal)
 {
-    const int lane = signal >= 0 ? glint_setting_signal(&capture->setting, signal).lane : 0;
+    const int lane = signal >= 0 ? capture->signals.info[signal].lane : 0;
     return pin->lane < 0 || pin->lane == wider(lane, 0);
 }
 
@@ -231,18 +190,27 @@ static void print_heading(FILE *out, const glint_capture *capture, int signal)
 {
     const glint_setting *setting = &capture->setting;
     fprintf(out, "  %10s", "clock");
-    for (int i = 0; i < glint_pin_count(setting); i++) {
+    for (int i = 0; i < glint_setting_pin_count(setting); i++) {
         char name[COLUMN];
-        const glint_pin_info pin = glint_pin(setting, i);
-        pin_name(&pin, setting->specular.lanes, name);
+        const glint_pin_info pin = glint_setting_pin(setting, i);
+        pin_name(setting, &pin, name);
         if (is_in_table(capture, &pin, signal))
-            cell(out, name, pin_width(&pin, setting->specular.lanes));
+            cell(out, name, pin_width(setting, &pin));
     }
-    if (signal >= 0) {
-        const glint_signal_info info = glint_setting_signal(setting, signal);
-        fprintf(out, "  %s: model, rtl", info.name);
-    }
+    if (signal >= 0)
+        fprintf(out, "  %s: model, rtl", capture->signals.info[signal].name);
     fprintf(out, "\n");
+}
+
+static void print_both(FILE *out, const glint_capture *capture, int row, int signal)
+{
+    const glint_capture_clock *clock = &capture->clock[row];
+    const int width = glint_signal_width(&capture->signals.info[signal]);
+    char text[GLINT_VALUE_TEXT];
+    glint_words_hex(glint_capture_words(capture, clock->model, signal), width, text);
+    fprintf(out, "  %s", text);
+    glint_words_hex(glint_capture_words(capture, clock->rtl, signal), width, text);
+    fprintf(out, " %s", text);
 }
 
 static void print_clock(FILE *out, const glint_capture *capture, int row, int signal)
@@ -250,35 +218,18 @@ static void print_clock(FILE *out, const glint_capture *capture, int row, int si
     const glint_setting *setting = &capture->setting;
     const glint_capture_clock *clock = &capture->clock[row];
     fprintf(out, "%s %10" PRIu64, row == capture->failing ? ">" : " ", clock->clock);
-    for (int i = 0; i < glint_pin_count(setting); i++) {
+    for (int i = 0; i < glint_setting_pin_count(setting); i++) {
         char text[COLUMN];
-        const glint_pin_info pin = glint_pin(setting, i);
-        pin_text(&pin, glint_pin_get(setting, &clock->pins, i), text);
+        uint64_t words[GLINT_VALUE_WORDS];
+        const glint_pin_info pin = glint_setting_pin(setting, i);
+        glint_pin_get(&pin, &clock->pins, words);
+        words_text(&pin, words, text);
         if (is_in_table(capture, &pin, signal))
-            cell(out, text, pin_width(&pin, setting->specular.lanes));
+            cell(out, text, pin_width(setting, &pin));
     }
-    if (signal >= 0) {
-        const glint_signal_info info = glint_setting_signal(setting, signal);
-        const int digits = (info.int_bits + info.frac_bits + 3) / 4;
-        fprintf(out, "  0x%0*" PRIx64 " 0x%0*" PRIx64, digits, clock->model[signal], digits,
-                clock->rtl[signal]);
-    }
+    if (signal >= 0)
+        print_both(out, capture, row, signal);
     fprintf(out, "\n");
-}
-
-/* What the table's first clock left in the registers of the material: it may be older. */
-static void print_material(FILE *out, const glint_capture *capture, int row)
-{
-    static const char *const names[] = {"reg2", "reg3", "reg4", "reg5"};
-    uint64_t held[4] = {0};
-    for (int i = 0; i < glint_setting_signal_count(&capture->setting); i++)
-        for (int r = 0; r < 4; r++)
-            if (strcmp(glint_setting_signal(&capture->setting, i).name, names[r]) == 0)
-                held[r] = capture->clock[row].model[i];
-    fprintf(out,
-            "after the first of them registers 2 to 5 hold n = %" PRIu64 ", %" PRIu64 ", %" PRIu64
-            ", %" PRIu64 "\n",
-            held[0], held[1], held[2], held[3]);
 }
 
 static void print_table(FILE *out, const glint_failure *failure, const glint_capture *capture)
@@ -286,16 +237,17 @@ static void print_table(FILE *out, const glint_failure *failure, const glint_cap
     const int last = capture->failing;
     const int first = last + 1 > GLINT_CAPTURE_BEFORE ? last + 1 - GLINT_CAPTURE_BEFORE : 0;
     const int signal = signal_of_table(failure, capture);
-    const glint_signal_info shown =
-        glint_setting_signal(&capture->setting, signal < 0 ? 0 : signal);
+    const glint_answer_form *form = glint_answer_form_of(capture->setting.circuit);
     fprintf(out, "the last %d clocks, at each edge the pins, and after it both values of the %s:\n",
             last + 1 - first,
-            signal >= 0 && is_answer(failure, &shown) ? "answer" : "first signal to differ");
+            signal >= 0 && is_answer(failure, &capture->signals.info[signal])
+                ? "answer"
+                : "first signal to differ");
     print_heading(out, capture, signal);
     for (int row = first; row <= last; row++)
         print_clock(out, capture, row, signal);
-    if (!capture->setting.is_divider)
-        print_material(out, capture, first);
+    if (form != NULL && form->print_below != NULL)
+        form->print_below(out, capture, first);
 }
 
 /* ---- All of it ----------------------------------------------------------------------------------
@@ -387,8 +339,9 @@ void glint_failure_report(FILE *out, const glint_failure *failure, const glint_c
         return;
     print_look(out, directory);
     fprintf(out, "replay: ");
-    print_program(out, failure);
+    glint_failure_print_program(out, failure);
     fprintf(out, " replay ");
     print_word(out, directory);
+    glint_failure_print_directories(out, failure);
     fprintf(out, "\n");
 }

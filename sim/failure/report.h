@@ -20,4 +20,9 @@ void glint_failure_print_mismatches(FILE *out, const glint_failure *failure,
                                     const glint_failure_finding *finding,
                                     const glint_lockstep_result *found);
 
+/* The program of the commands, as a shell reads it, and behind a subcommand of it the options for
+ * what is not Glint's own: the circuit's directory, that of its Verilog. */
+void glint_failure_print_program(FILE *out, const glint_failure *failure);
+void glint_failure_print_directories(FILE *out, const glint_failure *failure);
+
 #endif

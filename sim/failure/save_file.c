@@ -1,61 +1,70 @@
 /* The save file of a failure's waveform. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "failure/pins.h"
 #include "failure/wave.h"
 #include "failure/wave_signals.h"
 #include "wave/presentation.h"
 
-#define TITLE 64
+/* A heading, and behind it the lane. */
+#define TITLE (GLINT_SHOW_LABEL + 64)
 
 /* The groups of a circuit's signals: some dozen, or that many a lane. */
 typedef struct groups {
     const glint_capture *capture;
     int count;
-    int of_signal[GLINT_SETTING_SIGNALS_MAX];
-    int first_differing[GLINT_SETTING_SIGNALS_MAX]; /* of the capture's clocks; its count: none */
-    char title[GLINT_SETTING_SIGNALS_MAX][TITLE];
+    int of_signal[GLINT_SIGNAL_WORDS_MAX];
+    int first_differing[GLINT_SIGNAL_WORDS_MAX]; /* of the capture's clocks; its count: none */
+    char title[GLINT_SIGNAL_WORDS_MAX][TITLE];
 } groups;
 
-static void title_of(const glint_setting *setting, int index, char title[TITLE])
+/* Whether the heading is of one signal a lane: here it stands among its lane's. */
+static bool is_of_every_lane(const glint_circuit *circuit, const char *title)
 {
-    const glint_signal_info signal = glint_setting_signal(setting, index);
-    const char *of_specular = setting->is_divider
-                                  ? NULL
-                                  : glint_show_specular_title(glint_show_specular_section(&signal));
-    if (setting->is_divider && signal.lane >= 0)
-        (void)snprintf(title, TITLE, "Stage %d", signal.lane);
-    else if (setting->is_divider)
-        (void)snprintf(title, TITLE, "%s",
-                       glint_show_divider_title(setting->form, setting->shifts, index));
-    else if (signal.lane >= 0 && setting->specular.lanes > 1)
-        (void)snprintf(title, TITLE, "%s, lane %d", of_specular, signal.lane);
+    for (int i = 0; i < circuit->heading_count; i++)
+        if (strcmp(circuit->headings[i].title, title) == 0)
+            return circuit->headings[i].every_lane != 0;
+    return false;
+}
+
+static void title_of(const glint_setting *setting, const glint_signal_info *signal,
+                     char title[TITLE])
+{
+    const char *heading = signal->heading;
+    if (heading != NULL && signal->lane >= 0 && is_of_every_lane(setting->circuit, heading))
+        heading = NULL;
+    if (heading == NULL && signal->lane >= 0)
+        glint_show_lane_title(setting, signal->lane, title);
+    else if (heading == NULL)
+        (void)snprintf(title, TITLE, "Signals");
+    else if (signal->lane >= 0 && glint_show_place(setting) != NULL)
+        (void)snprintf(title, TITLE, "%s, %s %d", heading, glint_setting_lane_name(setting),
+                       signal->lane);
     else
-        (void)snprintf(title, TITLE, "%s", of_specular);
+        (void)snprintf(title, TITLE, "%s", heading);
 }
 
 /* The first clock in which a signal differs; the count of clocks when in none. */
 static int first_differing(const glint_capture *capture, int index)
 {
     int i = 0;
-    while (i < capture->count && capture->clock[i].rtl[index] == capture->clock[i].model[index])
+    while (i < capture->count && !glint_capture_differs_at(capture, i, index))
         i++;
     return i;
 }
 
 static void find_groups(groups *all, const glint_capture *capture)
 {
-    memset(all, 0, sizeof *all);
     all->capture = capture;
-    for (int i = 0; i < glint_setting_signal_count(&capture->setting); i++) {
+    for (int i = 0; i < capture->signals.count; i++) {
         char title[TITLE];
         int group = 0;
-        title_of(&capture->setting, i, title);
+        title_of(&capture->setting, &capture->signals.info[i], title);
         while (group < all->count && strcmp(all->title[group], title) != 0)
             group++;
         if (group == all->count) {
-            memcpy(all->title[group], title, TITLE);
+            (void)snprintf(all->title[group], TITLE, "%s", title);
             all->first_differing[group] = capture->count;
             all->count++;
         }
@@ -66,12 +75,12 @@ static void find_groups(groups *all, const glint_capture *capture)
     }
 }
 
-static void scope_of(const glint_setting *setting, int lane, char scope[32])
+static void scope_of(const glint_setting *setting, int lane, char scope[64])
 {
     if (lane < 0)
-        (void)snprintf(scope, 32, "TOP.");
+        (void)snprintf(scope, 64, "TOP.");
     else
-        (void)snprintf(scope, 32, "TOP.%s[%d].", glint_setting_lane_name(setting), lane);
+        (void)snprintf(scope, 64, "TOP.%.32s[%d].", glint_setting_lane_name(setting), lane);
 }
 
 /* What the rows of one signal or pin have in common. */
@@ -80,22 +89,15 @@ typedef struct subject {
     const glint_signal_info *signal;
 } subject;
 
-/* The lane's or stage's name, where there are several. */
-static const char *place_of(const glint_setting *setting)
-{
-    return setting->is_divider || setting->specular.lanes > 1 ? glint_setting_lane_name(setting)
-                                                              : NULL;
-}
-
 /* The variable behind whose name the endings stand, in `row`, which has the rest. */
 static void add_row(glint_gtkw *rows, const subject *subject, const char *side, const char *ending,
                     glint_gtkw_trace row)
 {
-    char scope[32], name[GLINT_SHOW_LABEL], both[32], label[GLINT_SHOW_LABEL];
+    char scope[64], name[GLINT_SHOW_LABEL], both[32], label[GLINT_SHOW_LABEL];
     scope_of(subject->setting, subject->signal->lane, scope);
     (void)snprintf(both, sizeof both, "%s%s", side, ending);
     (void)snprintf(name, sizeof name, "%s%s", subject->signal->name, both);
-    glint_show_label(subject->signal, place_of(subject->setting), both, label);
+    glint_show_label(subject->signal, glint_show_place(subject->setting), both, label);
     row.scope = scope;
     row.name = name;
     row.label = label;
@@ -128,8 +130,7 @@ static void add_number(glint_gtkw *rows, const subject *subject, const char *sid
 /* Both sides of a signal; of one that differs, where it does. */
 static void add_signal(glint_gtkw *rows, const glint_capture *capture, int index)
 {
-    const glint_signal_info signal = glint_setting_signal(&capture->setting, index);
-    const subject subject = {&capture->setting, &signal};
+    const subject subject = {&capture->setting, &capture->signals.info[index]};
     const bool differs = glint_capture_differs(capture, index);
     const int color = differs ? GLINT_GTKW_COLOR_RED : GLINT_GTKW_COLOR_NORMAL;
     add_code(rows, &subject, GLINT_FAILURE_RTL, color);
@@ -145,13 +146,9 @@ static void add_signal(glint_gtkw *rows, const glint_capture *capture, int index
 static void add_pins(glint_gtkw *rows, const glint_setting *setting)
 {
     glint_gtkw_heading(rows, GLINT_SHOW_INPUTS);
-    for (int i = 0; i < glint_pin_count(setting); i++) {
-        const glint_pin_info pin = glint_pin(setting, i);
-        const glint_signal_info signal = {.name = pin.name,
-                                          .int_bits = pin.width - pin.frac_bits,
-                                          .frac_bits = pin.frac_bits,
-                                          .is_signed = pin.is_signed,
-                                          .lane = pin.lane};
+    for (int i = 0; i < glint_setting_pin_count(setting); i++) {
+        const glint_pin_info pin = glint_setting_pin(setting, i);
+        const glint_signal_info signal = glint_show_pin(&pin);
         const subject subject = {setting, &signal};
         add_code(rows, &subject, "", GLINT_GTKW_COLOR_NORMAL);
         add_number(rows, &subject, "", GLINT_GTKW_COLOR_NORMAL);
@@ -160,7 +157,7 @@ static void add_pins(glint_gtkw *rows, const glint_setting *setting)
 
 static void add_group(glint_gtkw *rows, const groups *all, int group)
 {
-    for (int i = 0; i < glint_setting_signal_count(&all->capture->setting); i++)
+    for (int i = 0; i < all->capture->signals.count; i++)
         if (all->of_signal[i] == group)
             add_signal(rows, all->capture, i);
 }
@@ -203,15 +200,19 @@ static void fill(glint_gtkw *rows, const void *context)
 glint_status glint_failure_write_save_file(const glint_capture *capture, const char *waveform,
                                            const char *path, glint_error *err)
 {
-    char setting[GLINT_SETTING_TEXT], title[128];
-    groups all;
+    char setting[GLINT_SETTING_TEXT], title[GLINT_SETTING_TEXT + 64];
     const glint_failure_times times = glint_failure_times_of(capture);
     const glint_gtkw_window window = {.waveform = waveform,
                                       .first_time = times.first,
                                       .last_time = times.end,
                                       .marker_time = (int64_t)times.marker};
-    find_groups(&all, capture);
+    groups *all = calloc(1, sizeof *all);
+    if (all == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the groups of a save file");
+    find_groups(all, capture);
     glint_setting_describe(&capture->setting, setting);
     (void)snprintf(title, sizeof title, "Model against Verilog: %s", setting);
-    return glint_gtkw_write(path, title, &window, fill, &all, err);
+    const glint_status status = glint_gtkw_write(path, title, &window, fill, all, err);
+    free(all);
+    return status;
 }

@@ -4,245 +4,315 @@
 #include <stdio.h>
 #include <string.h>
 
-#include <gtkwave/fstapi.h> /* comes with Verilator */
-
-#include "failure/pins.h"
+#include "circuit/words.h"
 #include "failure/wave_signals.h"
-#include "file/room.h"
-#include "lockstep/mismatch.h"
+#include "file/new_file.h"
+#include "rtl/rtl.h"
 #include "wave/gtkw.h"
-#include "wave/waveform.h"
 
 #define HALF_PERIOD (GLINT_RTL_TRACE_PERIOD / 2)
 
-/* One variable of the file, and what it was last. */
-typedef struct variable {
-    fstHandle handle;
-    int width; /* 0: not there */
-    bool written;
-    uint64_t bits;
-    fstHandle number; /* what bits stand for, as a variable of its own; 0: none */
-    int frac_bits;    /* if there is one */
-} variable;
+/* A double's own digits: so many bits of a code are a number without loss. */
+#define EXACT_BITS 53
+
+/* What the short names of the variables are numbered by, from 0 on. */
+enum { MISMATCH, CLOCK, CLK, FIRST_PIN };
+enum { PIN, PIN_NUMBER, OF_A_PIN };
+enum { RTL, MODEL, RTL_NUMBER, MODEL_NUMBER, DIFFERS, OF_A_SIGNAL };
 
 typedef struct writer {
-    void *fst;
+    FILE *out;
     const glint_capture *capture;
-    variable mismatch, clock, clk;
-    variable pin[GLINT_PINS_MAX];
-    variable rtl[GLINT_SETTING_SIGNALS_MAX], model[GLINT_SETTING_SIGNALS_MAX];
-    variable differs[GLINT_SETTING_SIGNALS_MAX]; /* of signals that never do: not there */
+    int pins;
 } writer;
 
-static variable declare(const writer *w, const char *name, const char *ending, int width)
+static int pin_id(int index, int of_it)
 {
-    char text[64];
+    return FIRST_PIN + index * OF_A_PIN + of_it;
+}
+
+static int signal_id(const writer *w, int index, int of_it)
+{
+    return pin_id(w->pins, 0) + index * OF_A_SIGNAL + of_it;
+}
+
+/* A variable's short name: its number in printed characters. */
+static void print_id(const writer *w, int id)
+{
+    const int first = '!', count = '~' - '!' + 1;
+    for (; id >= count; id = id / count - 1)
+        fputc(first + id % count, w->out);
+    fputc(first + id, w->out);
+}
+
+/* ---- Declarations -------------------------------------------------------------------------------
+ */
+
+static void declare(const writer *w, int id, const char *name, const char *ending, int width)
+{
+    fprintf(w->out, "$var wire %d ", width);
+    print_id(w, id);
+    fprintf(w->out, " %s%s", name, ending);
     if (width > 1)
-        (void)snprintf(text, sizeof text, "%s%s [%d:0]", name, ending, width - 1);
-    else
-        (void)snprintf(text, sizeof text, "%s%s", name, ending);
-    return (variable){.width = width,
-                      .handle = fstWriterCreateVar(w->fst, FST_VT_VCD_WIRE, FST_VD_IMPLICIT,
-                                                   (uint32_t)width, text, 0)};
+        fprintf(w->out, " [%d:0]", width - 1);
+    fprintf(w->out, " $end\n");
 }
 
 /* A text: of a real number GTKWave would put the exponent where a narrow clock cuts it off. */
-static void declare_number(const writer *w, variable *of, int frac_bits, const char *name,
+static void declare_number(const writer *w, int id, int frac_bits, const char *name,
                            const char *ending)
 {
-    char text[64];
     if (frac_bits == 0)
         return;
-    (void)snprintf(text, sizeof text, "%s%s%s", name, ending, GLINT_FAILURE_REAL);
-    of->number = fstWriterCreateVar(w->fst, FST_VT_GEN_STRING, FST_VD_IMPLICIT, 0, text, 0);
-    of->frac_bits = frac_bits;
+    fprintf(w->out, "$var string 1 ");
+    print_id(w, id);
+    fprintf(w->out, " %s%s%s $end\n", name, ending, GLINT_FAILURE_REAL);
 }
 
-static void declare_pins(writer *w, int lane)
+static void declare_pins(const writer *w, int lane)
 {
-    const glint_setting *setting = &w->capture->setting;
-    for (int i = 0; i < glint_pin_count(setting); i++) {
-        const glint_pin_info pin = glint_pin(setting, i);
+    for (int i = 0; i < w->pins; i++) {
+        const glint_pin_info pin = glint_setting_pin(&w->capture->setting, i);
         if (pin.lane != lane)
             continue;
-        w->pin[i] = declare(w, pin.name, "", pin.width);
-        declare_number(w, &w->pin[i], pin.frac_bits, pin.name, "");
+        declare(w, pin_id(i, PIN), pin.name, "", glint_pin_width(&pin));
+        declare_number(w, pin_id(i, PIN_NUMBER), pin.frac_bits, pin.name, "");
     }
 }
 
-static void declare_signals(writer *w, int lane)
+static void declare_signal(const writer *w, int index)
 {
-    const glint_setting *setting = &w->capture->setting;
-    for (int i = 0; i < glint_setting_signal_count(setting); i++) {
-        const glint_signal_info signal = glint_setting_signal(setting, i);
-        const int width = signal.int_bits + signal.frac_bits;
-        if (signal.lane != lane)
-            continue;
-        w->rtl[i] = declare(w, signal.name, GLINT_FAILURE_RTL, width);
-        w->model[i] = declare(w, signal.name, GLINT_FAILURE_MODEL, width);
-        declare_number(w, &w->rtl[i], signal.frac_bits, signal.name, GLINT_FAILURE_RTL);
-        declare_number(w, &w->model[i], signal.frac_bits, signal.name, GLINT_FAILURE_MODEL);
-        if (glint_capture_differs(w->capture, i))
-            w->differs[i] = declare(w, signal.name, GLINT_FAILURE_DIFFERS, 1);
-    }
+    const glint_signal_info *signal = &w->capture->signals.info[index];
+    const int width = glint_signal_width(signal);
+    declare(w, signal_id(w, index, RTL), signal->name, GLINT_FAILURE_RTL, width);
+    declare(w, signal_id(w, index, MODEL), signal->name, GLINT_FAILURE_MODEL, width);
+    declare_number(w, signal_id(w, index, RTL_NUMBER), signal->frac_bits, signal->name,
+                   GLINT_FAILURE_RTL);
+    declare_number(w, signal_id(w, index, MODEL_NUMBER), signal->frac_bits, signal->name,
+                   GLINT_FAILURE_MODEL);
+    if (glint_capture_differs(w->capture, index))
+        declare(w, signal_id(w, index, DIFFERS), signal->name, GLINT_FAILURE_DIFFERS, 1);
 }
 
-static void open_scope(const writer *w, const char *name)
+static void declare_signals(const writer *w, int lane)
 {
-    fstWriterSetScope(w->fst, FST_ST_VCD_MODULE, name, NULL);
+    for (int i = 0; i < w->capture->signals.count; i++)
+        if (w->capture->signals.info[i].lane == lane)
+            declare_signal(w, i);
 }
 
-static void declare_all(writer *w)
+static bool has_lane(const writer *w, int lane)
 {
-    const glint_setting *setting = &w->capture->setting;
-    int last_lane = -1;
-    for (int i = 0; i < glint_setting_signal_count(setting); i++) {
-        const glint_signal_info signal = glint_setting_signal(setting, i);
-        last_lane = signal.lane > last_lane ? signal.lane : last_lane;
-    }
-    open_scope(w, "TOP");
-    w->mismatch = declare(w, "mismatch", "", 1);
-    w->clock = declare(w, "clock", "", GLINT_FAILURE_CLOCK_BITS);
-    w->clk = declare(w, "clk", "", 1);
+    bool has = false;
+    for (int i = 0; i < w->pins; i++)
+        has |= glint_setting_pin(&w->capture->setting, i).lane == lane;
+    for (int i = 0; i < w->capture->signals.count; i++)
+        has |= w->capture->signals.info[i].lane == lane;
+    return has;
+}
+
+static int last_lane(const writer *w)
+{
+    int last = -1;
+    for (int i = 0; i < w->capture->signals.count; i++)
+        if (w->capture->signals.info[i].lane > last)
+            last = w->capture->signals.info[i].lane;
+    return last;
+}
+
+static void declare_all(const writer *w)
+{
+    fprintf(w->out, "$version Glint $end\n$timescale 1ns $end\n$scope module TOP $end\n");
+    declare(w, MISMATCH, "mismatch", "", 1);
+    declare(w, CLOCK, "clock", "", GLINT_FAILURE_CLOCK_BITS);
+    declare(w, CLK, "clk", "", 1);
     declare_pins(w, -1);
     declare_signals(w, -1);
-    for (int lane = setting->is_divider ? 1 : 0; lane <= last_lane; lane++) {
-        char name[32];
-        (void)snprintf(name, sizeof name, "%s[%d]", glint_setting_lane_name(setting), lane);
-        open_scope(w, name);
+    for (int lane = 0; lane <= last_lane(w); lane++) {
+        if (!has_lane(w, lane))
+            continue;
+        fprintf(w->out, "$scope module %s[%d] $end\n",
+                glint_setting_lane_name(&w->capture->setting), lane);
         declare_pins(w, lane);
         declare_signals(w, lane);
-        fstWriterSetUpscope(w->fst);
+        fprintf(w->out, "$upscope $end\n");
     }
-    fstWriterSetUpscope(w->fst);
+    fprintf(w->out, "$upscope $end\n$enddefinitions $end\n");
 }
 
-/* Whether it changes something. */
-static bool put(const writer *w, variable *variable, uint64_t bits)
+/* ---- Values -------------------------------------------------------------------------------------
+ */
+
+static void put_time(const writer *w, uint64_t time)
 {
-    char text[65];
-    if (variable->width == 0 || (variable->written && variable->bits == bits))
-        return false;
-    for (int i = 0; i < variable->width; i++)
-        text[i] = (char)('0' + (bits >> (variable->width - 1 - i) & 1));
-    fstWriterEmitValueChange(w->fst, variable->handle, text);
-    variable->written = true;
-    variable->bits = bits;
-    return true;
+    fprintf(w->out, "#%" PRIu64 "\n", time);
 }
 
-static void put_text(const writer *w, const variable *variable, const char *text)
+static void put_bit(const writer *w, int id, char bit)
 {
-    if (variable->number != 0)
-        fstWriterEmitVariableLengthValueChange(w->fst, variable->number, text,
-                                               (uint32_t)strlen(text));
+    fputc(bit, w->out);
+    print_id(w, id);
+    fputc('\n', w->out);
 }
 
-/* All its digits, no exponent: as many places behind the point as the code has, less what is 0. */
-static void put_number(const writer *w, const variable *variable, double number)
+static void put_bits(const writer *w, int id, int width, const uint64_t *words)
 {
-    char text[64];
-    int length = snprintf(text, sizeof text, "%.*f", variable->frac_bits, number);
-    while (variable->frac_bits > 0 && (text[length - 1] == '0' || text[length - 1] == '.'))
+    if (width == 1) {
+        put_bit(w, id, (words[0] & 1) != 0 ? '1' : '0');
+        return;
+    }
+    fputc('b', w->out);
+    for (int i = width - 1; i >= 0; i--)
+        fputc((words[i / 64] >> i % 64 & 1) != 0 ? '1' : '0', w->out);
+    fputc(' ', w->out);
+    print_id(w, id);
+    fputc('\n', w->out);
+}
+
+static void put_text(const writer *w, int id, const char *text)
+{
+    fprintf(w->out, "s%s ", text);
+    print_id(w, id);
+    fputc('\n', w->out);
+}
+
+/* All its digits, no exponent: as many places behind the point as the code has, less what is 0. Of
+ * a code wider than a double it is the nearest. */
+static void put_number(const writer *w, int id, int width, int frac_bits, bool is_signed,
+                       const uint64_t *words)
+{
+    char text[128];
+    const double number = glint_words_number(words, width, frac_bits, is_signed);
+    if (width > EXACT_BITS || frac_bits > EXACT_BITS) {
+        (void)snprintf(text, sizeof text, "%.17g", number);
+        put_text(w, id, text);
+        return;
+    }
+    int length = snprintf(text, sizeof text, "%.*f", frac_bits, number);
+    while (text[length - 1] == '0' || text[length - 1] == '.')
         if (text[--length] == '.')
             break;
     text[length] = '\0';
-    put_text(w, variable, text);
+    put_text(w, id, text);
 }
 
-static void put_signal(const writer *w, variable *variable, const glint_signal_info *signal,
-                       uint64_t bits)
+static bool same(const uint64_t *a, const uint64_t *b, int width)
 {
-    if (put(w, variable, bits))
-        put_number(w, variable, glint_mismatch_number(signal, bits));
+    return memcmp(a, b, (size_t)glint_words_of(width) * sizeof *a) == 0;
 }
 
-static void put_pins(writer *w, const glint_capture_clock *clock)
+/* A value of clock `at` of the capture is written where the clock before had another. */
+static void put_pin(const writer *w, int at, int index)
 {
-    const glint_setting *setting = &w->capture->setting;
-    for (int i = 0; i < glint_pin_count(setting); i++) {
-        const uint64_t mask = (UINT64_C(1) << w->pin[i].width) - 1;
-        const int64_t value = glint_pin_get(setting, &clock->pins, i);
-        if (put(w, &w->pin[i], (uint64_t)value & mask))
-            put_number(w, &w->pin[i], (double)value / (double)(UINT64_C(1) << w->pin[i].frac_bits));
-    }
+    const glint_capture_clock *clock = &w->capture->clock[at];
+    const glint_pin_info pin = glint_setting_pin(&w->capture->setting, index);
+    const int width = glint_pin_width(&pin);
+    uint64_t words[GLINT_VALUE_WORDS], before[GLINT_VALUE_WORDS];
+    glint_pin_get(&pin, &clock->pins, words);
+    if (at > 0)
+        glint_pin_get(&pin, &clock[-1].pins, before);
+    if (at > 0 && same(words, before, width))
+        return;
+    put_bits(w, pin_id(index, PIN), width, words);
+    if (pin.frac_bits > 0)
+        put_number(w, pin_id(index, PIN_NUMBER), width, pin.frac_bits, pin.is_signed, words);
 }
 
-static void put_signals(writer *w, const glint_capture_clock *clock)
+static void put_side(const writer *w, int index, int side, const uint64_t *words,
+                     const uint64_t *before)
 {
-    bool any = false;
-    for (int i = 0; i < glint_setting_signal_count(&w->capture->setting); i++) {
-        const glint_signal_info signal = glint_setting_signal(&w->capture->setting, i);
-        const bool differs = clock->rtl[i] != clock->model[i];
-        put_signal(w, &w->rtl[i], &signal, clock->rtl[i]);
-        put_signal(w, &w->model[i], &signal, clock->model[i]);
-        put(w, &w->differs[i], differs);
-        any |= differs;
-    }
-    put(w, &w->mismatch, any);
+    const glint_signal_info *signal = &w->capture->signals.info[index];
+    const int width = glint_signal_width(signal);
+    if (before != NULL && same(words, before, width))
+        return;
+    put_bits(w, signal_id(w, index, side), width, words);
+    if (signal->frac_bits > 0)
+        put_number(w, signal_id(w, index, side == RTL ? RTL_NUMBER : MODEL_NUMBER), width,
+                   signal->frac_bits, signal->is_signed, words);
 }
 
-static void put_clock(writer *w, const glint_capture_clock *clock)
+/* Whether the signal differs. */
+static bool put_signal(const writer *w, int at, int index)
 {
+    const glint_capture_clock *clock = &w->capture->clock[at];
+    const int place = w->capture->signals.place[index];
+    const bool differs = glint_capture_differs_at(w->capture, at, index);
+    put_side(w, index, RTL, clock->rtl + place, at > 0 ? clock[-1].rtl + place : NULL);
+    put_side(w, index, MODEL, clock->model + place, at > 0 ? clock[-1].model + place : NULL);
+    if (glint_capture_differs(w->capture, index))
+        put_bit(w, signal_id(w, index, DIFFERS), differs ? '1' : '0');
+    return differs;
+}
+
+static void put_clock(const writer *w, int at)
+{
+    const glint_capture_clock *clock = &w->capture->clock[at];
     const uint64_t edge = clock->clock * GLINT_RTL_TRACE_PERIOD;
-    fstWriterEmitTimeChange(w->fst, edge - HALF_PERIOD);
-    put(w, &w->clk, 0);
-    put_pins(w, clock);
-    fstWriterEmitTimeChange(w->fst, edge);
-    put(w, &w->clk, 1);
-    put(w, &w->clock, clock->clock);
-    put_signals(w, clock);
+    bool any = false;
+    put_time(w, edge - HALF_PERIOD);
+    put_bit(w, CLK, '0');
+    for (int i = 0; i < w->pins; i++)
+        put_pin(w, at, i);
+    put_time(w, edge);
+    put_bit(w, CLK, '1');
+    put_bits(w, CLOCK, GLINT_FAILURE_CLOCK_BITS, &clock->clock);
+    for (int i = 0; i < w->capture->signals.count; i++)
+        any |= put_signal(w, at, i);
+    put_bit(w, MISMATCH, any ? '1' : '0');
 }
 
-static void put_unknown(const writer *w, const variable *variable)
+static void put_unknown(const writer *w, int id, int width, int number_id, int frac_bits)
 {
-    char text[65];
-    memset(text, 'x', (size_t)variable->width);
-    if (variable->width > 0)
-        fstWriterEmitValueChange(w->fst, variable->handle, text);
-    put_text(w, variable, "x");
+    if (width == 1)
+        put_bit(w, id, 'x');
+    else {
+        fprintf(w->out, "bx ");
+        print_id(w, id);
+        fputc('\n', w->out);
+    }
+    if (frac_bits > 0)
+        put_text(w, number_id, "x");
+}
+
+static void put_unknown_signal(const writer *w, int index)
+{
+    const glint_signal_info *signal = &w->capture->signals.info[index];
+    const int width = glint_signal_width(signal);
+    put_unknown(w, signal_id(w, index, RTL), width, signal_id(w, index, RTL_NUMBER),
+                signal->frac_bits);
+    put_unknown(w, signal_id(w, index, MODEL), width, signal_id(w, index, MODEL_NUMBER),
+                signal->frac_bits);
+    if (glint_capture_differs(w->capture, index))
+        put_bit(w, signal_id(w, index, DIFFERS), 'x');
 }
 
 /* Nothing was played behind the last clock: from here on all is unknown. */
 static void put_end(const writer *w)
 {
-    const glint_setting *setting = &w->capture->setting;
-    put_unknown(w, &w->mismatch);
-    put_unknown(w, &w->clock);
-    put_unknown(w, &w->clk);
-    for (int i = 0; i < glint_pin_count(setting); i++)
-        put_unknown(w, &w->pin[i]);
-    for (int i = 0; i < glint_setting_signal_count(setting); i++) {
-        put_unknown(w, &w->rtl[i]);
-        put_unknown(w, &w->model[i]);
-        put_unknown(w, &w->differs[i]);
+    put_bit(w, MISMATCH, 'x');
+    put_bit(w, CLK, 'x');
+    put_unknown(w, CLOCK, GLINT_FAILURE_CLOCK_BITS, 0, 0);
+    for (int i = 0; i < w->pins; i++) {
+        const glint_pin_info pin = glint_setting_pin(&w->capture->setting, i);
+        put_unknown(w, pin_id(i, PIN), glint_pin_width(&pin), pin_id(i, PIN_NUMBER), pin.frac_bits);
     }
+    for (int i = 0; i < w->capture->signals.count; i++)
+        put_unknown_signal(w, i);
 }
 
-static glint_status record(const void *context, const char *path, glint_error *err)
+static void write_all(const writer *w)
 {
-    writer w = {.capture = context};
-    const glint_status status = glint_file_room(path, GLINT_WAVE_ROOM, err);
-    if (status != GLINT_OK)
-        return status;
-    w.fst = fstWriterCreate(path, 1);
-    if (w.fst == NULL)
-        return glint_fail(err, GLINT_IO_ERROR, "%s: cannot write a waveform", path);
-    fstWriterSetPackType(w.fst, FST_WR_PT_LZ4);
-    fstWriterSetTimescaleFromString(w.fst, "1ns");
-    declare_all(&w);
-    for (int i = 0; i < w.capture->count; i++)
-        put_clock(&w, &w.capture->clock[i]);
-    const glint_failure_times times = glint_failure_times_of(w.capture);
-    fstWriterEmitTimeChange(w.fst, times.last_edge + HALF_PERIOD);
-    put(&w, &w.clk, 0);
+    const glint_failure_times times = glint_failure_times_of(w->capture);
+    declare_all(w);
+    for (int i = 0; i < w->capture->count; i++)
+        put_clock(w, i);
+    put_time(w, times.last_edge + HALF_PERIOD);
+    put_bit(w, CLK, '0');
     if (times.end > times.last_edge + HALF_PERIOD) {
-        fstWriterEmitTimeChange(w.fst, times.last_edge + GLINT_RTL_TRACE_PERIOD);
-        put_end(&w);
-        fstWriterEmitTimeChange(w.fst, times.end);
+        put_time(w, times.last_edge + GLINT_RTL_TRACE_PERIOD);
+        put_end(w);
+        put_time(w, times.end);
     }
-    fstWriterClose(w.fst);
-    return GLINT_OK;
 }
 
 glint_failure_times glint_failure_times_of(const glint_capture *capture)
@@ -261,5 +331,12 @@ glint_failure_times glint_failure_times_of(const glint_capture *capture)
 glint_status glint_failure_write_wave(const glint_capture *capture, const char *path,
                                       glint_error *err)
 {
-    return glint_wave_write(path, GLINT_WAVE_FST, record, capture, err);
+    glint_new_file *file;
+    const glint_status status = glint_new_file_open(path, &file, err);
+    if (status != GLINT_OK)
+        return status;
+    const writer w = {glint_new_file_stream(file), capture,
+                      glint_setting_pin_count(&capture->setting)};
+    write_all(&w);
+    return glint_new_file_commit(file, err);
 }

@@ -1,7 +1,7 @@
 /* An answer of a circuit that is not the C model's, out of a run of points or divisions, as the
  * exhaustive comparison and a frame find it: what was asked, and what was asked about that time, so
- * that the circuit can be asked again. Only the thesis's circuits have answers: points and divisions
- * are typed, here alone and in their batches. */
+ * that the circuit can be asked again. Only the thesis's circuits have answers: points and
+ * divisions are typed, here alone and in their batches. */
 #ifndef GLINT_SIM_ANSWER_H
 #define GLINT_SIM_ANSWER_H
 

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "lockstep/mismatch.h"
 #include "circuit/random.h"
+#include "lockstep/mismatch.h"
 
 /* The chosen points are first, first + step, …: `items` of them, `each` in a block. */
 typedef struct plan {
@@ -295,8 +295,8 @@ static void *work_in_thread(void *context)
 static void run_threads(worker *workers, int count)
 {
     int started = 1;
-    while (started < count && pthread_create(&workers[started].thread, NULL, work_in_thread,
-                                             &workers[started]) == 0)
+    while (started < count &&
+           pthread_create(&workers[started].thread, NULL, work_in_thread, &workers[started]) == 0)
         started++;
     work_on(&workers[0], workers[0].work->plan.options->progress);
     for (int i = 1; i < started; i++)

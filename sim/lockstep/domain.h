@@ -22,12 +22,12 @@
 
 typedef struct glint_domain_options {
     glint_setting setting;
-    uint64_t from;          /* the first point, 0… */
-    uint64_t shard, shards; /* those points p with p mod shards = shard − 1; 1…shards */
-    uint64_t stride;        /* of them only every stride-th; 1: all */
-    uint64_t seed;          /* of where the stride begins */
-    int threads;            /* 1…GLINT_DOMAIN_THREADS_MAX */
-    const volatile bool *stop;                                      /* may be NULL */
+    uint64_t from;             /* the first point, 0… */
+    uint64_t shard, shards;    /* those points p with p mod shards = shard − 1; 1…shards */
+    uint64_t stride;           /* of them only every stride-th; 1: all */
+    uint64_t seed;             /* of where the stride begins */
+    int threads;               /* 1…GLINT_DOMAIN_THREADS_MAX */
+    const volatile bool *stop; /* may be NULL */
     void (*progress)(void *context, uint64_t done, uint64_t total); /* points; may be NULL */
     void *progress_context;
 } glint_domain_options;

@@ -40,8 +40,8 @@
 typedef struct glint_exhaustive_options {
     glint_specular_config config[GLINT_EXHAUSTIVE_CIRCUITS_MAX];
     int configs;
-    const char *verilog; /* the directory with the circuits' Verilog; NULL: Glint's own */
-    uint32_t from;       /* the first n, 0…1023 */
+    const char *verilog;    /* the directory with the circuits' Verilog; NULL: Glint's own */
+    uint32_t from;          /* the first n, 0…1023 */
     uint32_t shard, shards; /* those n with n mod shards = shard − 1; 1…shards, 1…1024 */
     uint32_t stride; /* of the codes only every stride-th, 1…GLINT_EXHAUSTIVE_CODES; 1: all */
     uint64_t seed;   /* of where the stride begins, for each n */

@@ -46,8 +46,8 @@ typedef struct glint_reach_count {
     int lanes; /* as glint_reach_lanes() */
     uint64_t latency, pace;
     uint64_t run, run_enabled, stall; /* under way */
-    uint64_t since;       /* enabled clocks since something was taken, 1 at the next; 0: nothing */
-    uint64_t alone;       /* a bit for each lane that was */
+    uint64_t since; /* enabled clocks since something was taken, 1 at the next; 0: nothing */
+    uint64_t alone; /* a bit for each lane that was */
     uint64_t patterns[(1u << GLINT_REACH_PATTERN_LANES) / 64]; /* a bit each */
 } glint_reach_count;
 

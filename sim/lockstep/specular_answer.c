@@ -81,11 +81,11 @@ static glint_status ask(const glint_answer *answer, const glint_setting *setting
 {
     highlights found;
     glint_rtl *circuit = NULL;
-    const glint_points points = {answer->cos_code, (size_t)answer->count, found.w, found.r,
-                                 found.g,          found.b};
-    glint_status status = glint_specular_batch((glint_gate)setting->values[GLINT_SPECULAR_GATE],
-                                               &answer->material, points.cos, points.count,
-                                               points.w, points.r, points.g, points.b);
+    const glint_points points = {answer->cos_code, (size_t)answer->count, found.w, found.r, found.g,
+                                 found.b};
+    glint_status status =
+        glint_specular_batch((glint_gate)setting->values[GLINT_SPECULAR_GATE], &answer->material,
+                             points.cos, points.count, points.w, points.r, points.g, points.b);
     if (status != GLINT_OK)
         return glint_fail(err, status, "the C model refuses n = %u", answer->material.n);
     *model = value_of(&found, answer);
