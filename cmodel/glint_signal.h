@@ -27,7 +27,7 @@ typedef struct glint_signal_info {
     const char *meaning;
     size_t offset;       /* of its int64_t, or its uint64_t words, in the model's signals */
     const char *path;    /* below the top, or the lane's scope: "u.acc"; NULL: its name */
-    const char *heading; /* that it stands under in a waveform; NULL: that of its lane alone */
+    const char *heading; /* that it stands under in a waveform; NULL: none, or its lane's alone */
     int is_copy;         /* repeats another signal in this setting: waveforms leave it out */
 } glint_signal_info;
 

@@ -214,8 +214,6 @@ static void put(const int *values, uint64_t point, void *pins)
 {
     glint_divider_inputs *in = pins;
     (void)values;
-    in->en = 1;
-    in->start = 1;
     in->k = (uint8_t)(point / DIFFERENCE_COUNT);
     for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++)
         in->difference[c] =

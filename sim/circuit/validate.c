@@ -3,10 +3,8 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "circuit/validate_setting.h"
-
-/* Of a parameter without a list `verify` tries all values. */
-#define UNLISTED_MAX 1024
+#define SETTINGS_MAX 512   /* that are looked at */
+#define UNLISTED_MAX 65536 /* of a parameter without a list `verify` tries all values */
 
 bool glint_is_identifier(const char *name)
 {
@@ -118,13 +116,24 @@ static glint_status check_headings(const glint_circuit *circuit, glint_error *er
 
 /* ---- Parameters ------------------------------------------------------------------------------ */
 
+/* "data-width": a letter first. */
+static bool is_option(const char *name)
+{
+    if (name == NULL || !isalpha((unsigned char)*name))
+        return false;
+    while (isalnum((unsigned char)*name) || *name == '_' || *name == '-')
+        name++;
+    return *name == '\0';
+}
+
 static glint_status check_parameter_names(const glint_circuit *circuit, int index, glint_error *err)
 {
     const glint_parameter *parameter = &circuit->parameters[index];
-    if (!glint_is_identifier(parameter->name))
+    if (!is_option(parameter->name))
         return glint_fail(err, GLINT_BAD_INPUT,
-                          "circuit %s: the name of parameter %d is no C identifier", circuit->name,
-                          index);
+                          "circuit %s: the name of parameter %d is not one of letters, digits, _ "
+                          "and -",
+                          circuit->name, index);
     if (parameter->verilog != NULL && !glint_is_identifier(parameter->verilog))
         return glint_fail(err, GLINT_BAD_INPUT,
                           "circuit %s: parameter %s: \"%s\" is no name of a Verilog parameter",
@@ -229,11 +238,10 @@ static glint_status check_parameters(const glint_circuit *circuit, glint_error *
 static glint_status check_settings(const glint_circuit *circuit, glint_error *err)
 {
     glint_setting setting = glint_setting_standard(circuit);
-    glint_status status = glint_setting_describes(&setting, err);
-    for (int i = 0; status == GLINT_OK && i < GLINT_CHECKED_SETTINGS_MAX &&
-                    glint_setting_listed(circuit, i, &setting);
-         i++)
-        status = glint_setting_describes(&setting, err);
+    glint_status status = glint_circuit_check_tables(&setting, err);
+    for (int i = 0;
+         status == GLINT_OK && i < SETTINGS_MAX && glint_setting_listed(circuit, i, &setting); i++)
+        status = glint_circuit_check_tables(&setting, err);
     return status;
 }
 

@@ -1,4 +1,4 @@
-#include "circuit/validate_setting.h"
+#include "circuit/validate.h"
 
 #include <ctype.h>
 #include <stdarg.h>
@@ -169,9 +169,7 @@ static bool has_heading(const glint_circuit *circuit, const char *title)
 
 static glint_status check_heading(const described *d, const glint_signal_info *signal)
 {
-    if (signal->heading == NULL)
-        return signal->lane >= 0 ? GLINT_OK : wrong(d, "signal %s has no heading", signal->name);
-    if (!has_heading(d->setting->circuit, signal->heading))
+    if (signal->heading != NULL && !has_heading(d->setting->circuit, signal->heading))
         return wrong(d, "signal %s: its heading \"%s\" is none of the circuit's", signal->name,
                      signal->heading);
     return GLINT_OK;
@@ -254,18 +252,15 @@ static glint_status check_signal(const described *d, int index)
 
 static glint_status check_signals(const described *d)
 {
-    int words = 0, outputs = 0;
+    int words = 0;
     glint_status status = GLINT_OK;
     for (int i = 0; i < d->signal_count && status == GLINT_OK; i++) {
         status = check_signal(d, i);
         words += glint_words_of(glint_signal_width(&d->signals[i]));
-        outputs += d->signals[i].kind == GLINT_SIGNAL_OUTPUT;
     }
     if (status == GLINT_OK && words > GLINT_SIGNAL_WORDS_MAX)
         status = wrong(d, "its signals have %d words of 64 bits, more than %d", words,
                        GLINT_SIGNAL_WORDS_MAX);
-    if (status == GLINT_OK && outputs == 0)
-        status = wrong(d, "none of its signals is an output");
     return status;
 }
 
@@ -304,10 +299,10 @@ static glint_status check_model(const described *d)
 static glint_status check_counts(const described *d)
 {
     const size_t size = d->setting->circuit->pins_size;
-    if (size < 1 || size > GLINT_PINS_SIZE_MAX)
-        return wrong(d, "pins_size, %zu, is not in 1 to %d", size, GLINT_PINS_SIZE_MAX);
-    if (d->pin_count < 1 || d->pin_count > GLINT_PINS_SIZE_MAX)
-        return wrong(d, "%d pins are not 1 to %d", d->pin_count, GLINT_PINS_SIZE_MAX);
+    if (size > GLINT_PINS_SIZE_MAX)
+        return wrong(d, "pins_size is %zu, at most %d are held", size, GLINT_PINS_SIZE_MAX);
+    if (d->pin_count < 0 || d->pin_count > GLINT_PINS_SIZE_MAX)
+        return wrong(d, "%d pins are not 0 to %d", d->pin_count, GLINT_PINS_SIZE_MAX);
     if (d->signal_count < 1 || d->signal_count > GLINT_SIGNAL_WORDS_MAX)
         return wrong(d, "%d signals are not 1 to %d", d->signal_count, GLINT_SIGNAL_WORDS_MAX);
     return GLINT_OK;
@@ -316,7 +311,7 @@ static glint_status check_counts(const described *d)
 static glint_status fill_and_check(described *d)
 {
     const glint_circuit *circuit = d->setting->circuit;
-    d->pins = calloc((size_t)d->pin_count, sizeof *d->pins);
+    d->pins = calloc((size_t)d->pin_count + 1, sizeof *d->pins);
     d->signals = calloc((size_t)d->signal_count, sizeof *d->signals);
     if (d->pins == NULL || d->signals == NULL)
         return glint_fail(d->err, GLINT_NO_MEMORY, "no memory for the tables of a circuit");
@@ -332,7 +327,7 @@ static glint_status fill_and_check(described *d)
     return status == GLINT_OK ? check_model(d) : status;
 }
 
-glint_status glint_setting_describes(const glint_setting *setting, glint_error *err)
+glint_status glint_circuit_check_tables(const glint_setting *setting, glint_error *err)
 {
     described d = {.setting = setting,
                    .pin_count = setting->circuit->pin_count(setting->values),
