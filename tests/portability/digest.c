@@ -64,7 +64,7 @@ static uint64_t take_outputs(const glint_specular_signals *signals, int *left, u
     return digest;
 }
 
-/* Sixteen points a clock, until all are out. */
+/* A point a lane each clock, until all are out. */
 static uint64_t of_device(glint_gate gate, uint32_t n, uint64_t digest)
 {
     const glint_specular_config config = {gate, GLINT_PIPELINE_PIPELINED, GLINT_LANES_MAX};
