@@ -2,10 +2,17 @@
 
 #include <string.h>
 
-static const glint_circuit *const circuits[] = {
-    &glint_circuit_specular,
-    &glint_circuit_divider,
-};
+/* A line each: its description is glint_circuit_NAME, in a file of its own. */
+#define CIRCUITS(X)                                                                                \
+    X(specular)                                                                                    \
+    X(divider)                                                                                     \
+    /* no more */
+
+#define DECLARE(name) extern const glint_circuit glint_circuit_##name;
+#define ADDRESS(name) &glint_circuit_##name,
+
+CIRCUITS(DECLARE)
+static const glint_circuit *const circuits[] = {CIRCUITS(ADDRESS)};
 
 const glint_circuit *glint_circuit_number(int index)
 {

@@ -71,7 +71,7 @@ static void a_fault_is_found_looked_at_and_played_again(void **state)
     forget(&done);
 
     own_only_entry(scratch_path("packets"), packet);
-    static const char *const files[] = {"report.txt", "wave.fst", "wave.gtkw", "failure.json"};
+    static const char *const files[] = {"report.txt", "wave.vcd", "wave.gtkw", "failure.json"};
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
         char path[OWN_PATH + 100];
         (void)snprintf(path, sizeof path, "%s/%s", packet, files[i]);
