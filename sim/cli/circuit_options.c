@@ -169,7 +169,7 @@ int glint_circuit_options_begin(glint_circuit_options *options, const glint_circ
     for (int i = 0; directory == NULL && (circuit = glint_circuit_number(i)) != NULL; i++)
         add_circuit(options, circuit);
     describe_all(options);
-    if (use->takes_all && options->circuit_count > 1)
+    if (use->takes_all && !use->one_circuit && options->circuit_count > 1)
         options->names[options->circuit_count] = all;
     for (int i = 0; options->names[i] != NULL; i++)
         if (strcmp(options->names[i], use->circuit) == 0)
@@ -312,11 +312,11 @@ static int read_values(glint_circuit_options *options, int chosen)
         int *value = &options->value[chosen][i];
         if (text == NULL)
             *value = parameter->standard;
-        else if (!read_value(options, parameter, text, value) && is_given)
-            return refuse_value(options, circuit, parameter, text);
-        else if (!is_given && *value != GLINT_EVERY_VALUE &&
-                 (*value < parameter->min || *value > parameter->max))
-            *value = parameter->standard;
+        else if (!read_value(options, parameter, text, value)) {
+            if (is_given)
+                return refuse_value(options, circuit, parameter, text);
+            *value = parameter->standard; /* the usual one is of other circuits */
+        }
     }
     return GLINT_OPTIONS_RUN;
 }
@@ -358,6 +358,10 @@ int glint_circuit_options_settle(glint_circuit_options *options)
     choose_circuits(options);
     if (options->chosen_count == 0)
         return refuse_together(options);
+    if (options->chosen_count > 1 && options->use.one_circuit)
+        return glint_complain(options->use.command, GLINT_EXIT_TROUBLE,
+                              "--circuit: %s or %s? Both have such options",
+                              options->chosen[0]->name, options->chosen[1]->name);
     for (int c = 0; c < options->chosen_count; c++) {
         const int status = read_values(options, c);
         if (status != GLINT_OPTIONS_RUN)

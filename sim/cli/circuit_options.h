@@ -29,7 +29,8 @@
 typedef struct glint_circuit_use {
     const char *command;
     const char *circuit; /* by its name; "all" */
-    bool takes_all;      /* `--circuit all`, and `all` for the values of a parameter */
+    bool takes_all;      /* `all` for the values of a parameter, and for the circuits, */
+    bool one_circuit;    /* unless there is to be one */
     /* A parameter's value as text, "all" too; NULL: what the circuit has as its standard. */
     const char *(*usual)(const char *parameter);
 } glint_circuit_use;

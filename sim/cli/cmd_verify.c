@@ -9,6 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "cli/circuit_options.h"
 #include "cli/commands.h"
 #include "cli/failure_output.h"
 #include "cli/options.h"
@@ -16,23 +17,17 @@
 #include "cli/verify_reach.h"
 #include "failure/shell.h"
 #include "lockstep/lockstep.h"
+#include "lockstep/mismatch.h"
+#include "rtl/build.h"
 
-#define SETTINGS_MAX 64
+#define SETTINGS_MAX 4096
 #define THREADS_MAX  64
 
-enum { SPECULAR, DIVIDER, ALL_CIRCUITS };
-enum {
-    ALL_GATES = GLINT_GATE_COUNT,
-    ALL_PIPELINES = GLINT_PIPELINE_COUNT,
-    ALL_FORMS = GLINT_DIVIDER_FORM_COUNT,
-};
-
 typedef struct verify_options {
-    int circuit, gate, pipeline, form;
-    int64_t lanes, shifts, clocks, seed, threads;
+    glint_circuit_options circuits;
+    int64_t clocks, seed, threads;
     const char *out;
     bool json;
-    bool of_specular, of_divider; /* an option that only this circuit has was given */
 } verify_options;
 
 /* One setting's run and what came of it. */
@@ -42,24 +37,39 @@ typedef struct task {
     glint_status status;
     glint_error err;
     char packet[FILENAME_MAX]; /* where it is; "": none */
+    bool is_first;             /* of its circuit: its verdict is told before the others are tried */
+    bool is_left_out;          /* not tried, as its circuit's first did not build */
     _Atomic uint64_t done;
+    _Atomic bool has_ended;
 } task;
 
 typedef struct verification {
-    task tasks[SETTINGS_MAX];
+    task *tasks;
     int count;
-    _Atomic int next;     /* the first task that no thread has taken */
+    double start;
+    /* Those that run now: the first ones of each circuit, or the rest. */
+    int *turn;
+    int turns;
+    _Atomic int next;     /* the first of them that no thread has taken */
     _Atomic int finished; /* threads */
 } verification;
 
-static const char *const circuit_choices[] = {"specular", "divider", "all", NULL};
-static const char *const form_choices[] = {"sequential", "pipelined", "all", NULL};
-static const char *const gate_choices[] = {"cosine", "sign", "drawn", "all", NULL};
-static const char *const pipeline_choices[] = {"combinational", "pipelined", "all", NULL};
+static const char *usual(const char *parameter)
+{
+    (void)parameter;
+    return "all";
+}
+
+#define OWN_ROWS 5
 
 static int parse(int argc, char **argv, verify_options *chosen)
 {
-    const glint_option options[] = {
+    const glint_circuit_use use = {
+        .command = "verify", .circuit = "all", .takes_all = true, .usual = usual};
+    const int begun = glint_circuit_options_begin(&chosen->circuits, &use, argc, argv);
+    if (begun != GLINT_OPTIONS_RUN)
+        return begun;
+    glint_option options[OWN_ROWS + GLINT_CIRCUIT_OPTIONS] = {
         {.name = "clocks",
          .help = "how many for each setting: 100000, 1e6, 10M",
          .kind = GLINT_OPTION_INTEGER,
@@ -69,38 +79,9 @@ static int parse(int argc, char **argv, verify_options *chosen)
          .usually = "taken from the time",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->seed, 0, INT64_MAX}},
-        {.name = "circuit",
-         .help = "what to verify; an option that only one circuit has leaves the other out",
-         .kind = GLINT_OPTION_CHOICE,
-         .choice = {&chosen->circuit, circuit_choices}},
-        {.name = "gate",
-         .given = &chosen->of_specular,
-         .help = "what bounds the highlight",
-         .kind = GLINT_OPTION_CHOICE,
-         .choice = {&chosen->gate, gate_choices}},
-        {.name = "pipeline",
-         .given = &chosen->of_specular,
-         .help = "where the registers are",
-         .kind = GLINT_OPTION_CHOICE,
-         .choice = {&chosen->pipeline, pipeline_choices}},
-        {.name = "lanes",
-         .given = &chosen->of_specular,
-         .help = "cosines a clock: 1, 2, 4, 8 or 16; 0: each of them",
-         .kind = GLINT_OPTION_INTEGER,
-         .integer = {&chosen->lanes, 0, GLINT_LANES_MAX}},
-        {.name = "form",
-         .given = &chosen->of_divider,
-         .help = "of the divider",
-         .kind = GLINT_OPTION_CHOICE,
-         .choice = {&chosen->form, form_choices}},
-        {.name = "shifts",
-         .given = &chosen->of_divider,
-         .help = "of the divider, 6 to 16; 0: each of them",
-         .kind = GLINT_OPTION_INTEGER,
-         .integer = {&chosen->shifts, 0, GLINT_DIVIDER_SHIFTS_MAX}},
         {.name = "threads",
          .usually = "one a processor",
-         .help = "settings verified at a time",
+         .help = "settings built and verified at a time",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, THREADS_MAX}},
         {.name = "out",
@@ -113,60 +94,35 @@ static int parse(int argc, char **argv, verify_options *chosen)
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
+    const size_t count =
+        OWN_ROWS + glint_circuit_options_add(&chosen->circuits, options + OWN_ROWS);
     static const glint_example examples[] = {
         {"every setting, a million clocks each", "glint verify --clocks 1M"},
         {"one setting again, with the inputs of a seed",
          "glint verify --gate sign --lanes 4 --clocks 1e5 --seed 7"},
+        {"one's own edited copy of the Verilog", "glint verify --rtl my-rtl --circuit specular"},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "verify",
-        .summary = "Drives the C model and the Verilog with the same random inputs and compares "
-                   "every register and every named internal value after every clock. A mismatch "
-                   "leaves a packet: a report, a waveform of both, and what glint replay needs. "
-                   "Says how deep it got: 100000 clocks hold 65536 enabled ones without a reset, "
-                   "1200000 hold 1048576.",
-        .details = "With --exhaustive: every n and every cosine code instead of random ones; see\n"
-                   "glint verify --exhaustive --help.",
+        .summary =
+            "Drives the C model and the Verilog with the same random inputs and compares "
+            "every register and every named internal value after every clock. Each circuit's "
+            "default setting comes first, with a verdict of its own, then the others. A "
+            "mismatch leaves a packet: a report, a waveform of both, and what glint replay "
+            "needs. "
+            "Says how deep it got: 100000 clocks hold 65536 enabled ones without a reset, "
+            "1200000 hold 1048576.",
+        .details = "With --exhaustive: every input of a circuit that has not too many, instead of "
+                   "random\nones; see glint verify --exhaustive --help.",
         .done = "no mismatch",
         .different = "a mismatch was found, whatever else went wrong",
         .examples = examples,
         .options = options,
-        .option_count = sizeof options / sizeof options[0],
+        .option_count = count,
     };
-    int status = glint_options_parse(&line, argc, argv);
-    if (status != GLINT_OPTIONS_RUN)
-        return status;
-    /* Refused whatever the circuit: with all of them the others would be verified and pass. */
-    if ((chosen->lanes & (chosen->lanes - 1)) != 0)
-        return glint_complain("verify", GLINT_EXIT_TROUBLE,
-                              "--lanes: %d is not 1, 2, 4, 8, 16 or 0", (int)chosen->lanes);
-    if (chosen->shifts != 0 && chosen->shifts < GLINT_DIVIDER_SHIFTS_MIN)
-        return glint_complain("verify", GLINT_EXIT_TROUBLE, "--shifts: %d is not 6 to 16 or 0",
-                              (int)chosen->shifts);
-    return GLINT_OPTIONS_RUN;
-}
-
-/* An option that only one circuit has leaves the other one out, and makes no sense for it. */
-static int narrow_circuit(verify_options *chosen)
-{
-    if ((chosen->of_specular && (chosen->of_divider || chosen->circuit == DIVIDER)) ||
-        (chosen->of_divider && chosen->circuit == SPECULAR))
-        return glint_complain("verify", GLINT_EXIT_TROUBLE,
-                              "--gate, --pipeline, --lanes are for the specular device, --form, "
-                              "--shifts for the divider");
-    if (chosen->circuit == ALL_CIRCUITS && chosen->of_specular)
-        chosen->circuit = SPECULAR;
-    if (chosen->circuit == ALL_CIRCUITS && chosen->of_divider)
-        chosen->circuit = DIVIDER;
-    return GLINT_OPTIONS_RUN;
-}
-
-static bool is_chosen(const verify_options *chosen, const glint_specular_config *config)
-{
-    return (chosen->gate == ALL_GATES || chosen->gate == (int)config->gate) &&
-           (chosen->pipeline == ALL_PIPELINES || chosen->pipeline == (int)config->pipeline) &&
-           (chosen->lanes == 0 || chosen->lanes == config->lanes);
+    const int status = glint_options_parse(&line, argc, argv);
+    return status == GLINT_OPTIONS_RUN ? glint_circuit_options_settle(&chosen->circuits) : status;
 }
 
 static void count_done(void *context, uint64_t done, uint64_t total)
@@ -175,11 +131,8 @@ static void count_done(void *context, uint64_t done, uint64_t total)
     *(_Atomic uint64_t *)context = done;
 }
 
-static void add_task(const verify_options *chosen, verification *all, const glint_setting *setting)
+static void fill_task(const verify_options *chosen, task *task, const glint_setting *setting)
 {
-    if (all->count == SETTINGS_MAX)
-        return;
-    task *task = &all->tasks[all->count++];
     task->options = (glint_lockstep_options){.setting = *setting,
                                              .clocks = (uint64_t)chosen->clocks,
                                              .seed = (uint64_t)chosen->seed,
@@ -188,72 +141,209 @@ static void add_task(const verify_options *chosen, verification *all, const glin
                                              .progress_context = &task->done};
 }
 
-static void choose_specular(const verify_options *chosen, verification *all)
+/* Of each circuit the standard setting, else the first that there is. */
+static void mark_first(const verify_options *chosen, verification *all)
 {
-    const glint_specular_config *config;
-    for (int i = 0; (config = glint_rtl_built(i)) != NULL; i++)
-        if (is_chosen(chosen, config))
-            add_task(chosen, all, &(glint_setting){.specular = *config});
+    for (int c = 0; c < chosen->circuits.chosen_count; c++) {
+        const glint_setting first = glint_circuit_options_first(&chosen->circuits, c);
+        int found = -1;
+        for (int i = all->count - 1; i >= 0; i--)
+            if (all->tasks[i].options.setting.circuit == first.circuit &&
+                (found < 0 || !glint_setting_equal(&all->tasks[found].options.setting, &first)))
+                found = i;
+        if (found >= 0)
+            all->tasks[found].is_first = true;
+    }
 }
 
-static void choose_divider(const verify_options *chosen, verification *all, glint_divider_form form)
+static int count_settings(const verify_options *chosen)
 {
-    for (int shifts = GLINT_DIVIDER_SHIFTS_MIN; shifts <= GLINT_DIVIDER_SHIFTS_MAX; shifts++)
-        if (chosen->shifts == 0 || chosen->shifts == shifts)
-            add_task(chosen, all,
-                     &(glint_setting){.is_divider = true, .form = form, .shifts = shifts});
+    glint_setting setting;
+    int count = 0;
+    while (count <= SETTINGS_MAX &&
+           glint_circuit_options_setting(&chosen->circuits, count, &setting))
+        count++;
+    return count;
 }
 
-static void choose_settings(const verify_options *chosen, verification *all)
+static void free_all(verification *all)
 {
-    if (chosen->circuit != DIVIDER)
-        choose_specular(chosen, all);
-    for (int f = 0; f < GLINT_DIVIDER_FORM_COUNT && chosen->circuit != SPECULAR; f++)
-        if (chosen->form == ALL_FORMS || chosen->form == f)
-            choose_divider(chosen, all, (glint_divider_form)f);
+    if (all != NULL) {
+        free(all->tasks);
+        free(all->turn);
+    }
+    free(all);
+}
+
+/* Returns NULL after saying why. */
+static verification *choose_settings(const verify_options *chosen)
+{
+    const int count = count_settings(chosen);
+    glint_setting setting;
+    if (count > SETTINGS_MAX) {
+        (void)glint_complain(
+            "verify", GLINT_EXIT_TROUBLE,
+            "more than %d settings: choose values by the options, or list fewer in "
+            "the description",
+            SETTINGS_MAX);
+        return NULL;
+    }
+    verification *all = calloc(1, sizeof *all);
+    if (all != NULL) {
+        all->tasks = calloc((size_t)count, sizeof *all->tasks);
+        all->turn = calloc((size_t)count, sizeof *all->turn);
+    }
+    if (all == NULL || all->tasks == NULL || all->turn == NULL) {
+        (void)glint_complain("verify", GLINT_EXIT_TROUBLE, "out of memory");
+        free_all(all);
+        return NULL;
+    }
+    for (; all->count < count; all->count++) {
+        (void)glint_circuit_options_setting(&chosen->circuits, all->count, &setting);
+        fill_task(chosen, &all->tasks[all->count], &setting);
+    }
+    mark_first(chosen, all);
+    return all;
 }
 
 static void *verify_settings(void *context)
 {
     verification *all = context;
     int i;
-    while ((i = all->next++) < all->count) {
-        task *task = &all->tasks[i];
+    while ((i = all->next++) < all->turns) {
+        task *task = &all->tasks[all->turn[i]];
         task->status = glint_lockstep_run(&task->options, &task->result, &task->err);
         task->done = task->result.clocks;
+        task->has_ended = true;
     }
     all->finished++;
     return NULL;
 }
 
-static void show_progress(const verification *all, int threads, uint64_t clocks_each)
+/* Told once it is there, while others still run: which, what, and what is still to come. */
+static void print_first(const verify_options *chosen, const verification *all, const task *task,
+                        int told)
+{
+    FILE *out = chosen->json ? stderr : stdout;
+    char setting[GLINT_SETTING_TEXT];
+    const int left = all->count - told;
+    if (task->result.comparisons == 0)
+        return;
+    glint_setting_describe(&task->options.setting, setting);
+    fprintf(out, "first verdict: %s: ", setting);
+    glint_print_verdict(out, task->result.mismatches == 0, "%" PRIu64 " mismatches",
+                        task->result.mismatches);
+    fprintf(out, " of %" PRIu64 " comparisons, %.1f s; still to try: %d setting%s\n",
+            task->result.comparisons, glint_seconds() - all->start, left, left == 1 ? "" : "s");
+    fflush(out);
+}
+
+/* Watches the threads until all have finished. first: tells the verdicts as they come. */
+static void watch(const verification *all, int threads, const verify_options *chosen, bool first)
 {
     glint_progress progress;
+    int told = 0;
     glint_progress_begin(&progress, "verify", "clocks");
-    while (all->finished < threads) {
+    for (bool last = false; !last;) {
+        last = all->finished == threads;
         uint64_t done = 0;
-        for (int i = 0; i < all->count; i++)
-            done += all->tasks[i].done;
-        glint_progress_update(&progress, done, clocks_each * (uint64_t)all->count);
-        nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
+        for (int i = 0; i < all->turns; i++)
+            done += all->tasks[all->turn[i]].done;
+        while (first && told < all->turns && all->tasks[all->turn[told]].has_ended) {
+            glint_progress_end(&progress);
+            told++;
+            print_first(chosen, all, &all->tasks[all->turn[told - 1]], told);
+        }
+        if (done != 0) /* else it builds, and tells of that */
+            glint_progress_update(&progress, done, (uint64_t)chosen->clocks * (uint64_t)all->turns);
+        if (!last)
+            nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
     }
     glint_progress_end(&progress);
 }
 
-/* Runs all settings on the threads asked for; with none to be had, on this one. */
-static void run_all(verification *all, const verify_options *chosen)
+/* Runs those whose turn it is on the threads asked for; with none to be had, on this one. */
+static void run_turn(verification *all, const verify_options *chosen, bool first)
 {
     pthread_t threads[THREADS_MAX];
     int started = 0;
-    while (started < chosen->threads && started < all->count &&
+    all->next = 0;
+    all->finished = 0;
+    while (started < chosen->threads && started < all->turns &&
            pthread_create(&threads[started], NULL, verify_settings, all) == 0)
         started++;
     if (started == 0)
         (void)verify_settings(all);
-    else
-        show_progress(all, started, (uint64_t)chosen->clocks);
+    watch(all, started != 0 ? started : 1, chosen, first);
     for (int i = 0; i < started; i++)
         pthread_join(threads[i], NULL);
+}
+
+/* What the first of a circuit did not build of, none of its others will: told once. */
+static bool first_has_failed(const verification *all, const glint_circuit *circuit)
+{
+    for (int i = 0; i < all->count; i++) {
+        const task *task = &all->tasks[i];
+        if (task->is_first && task->options.setting.circuit == circuit && task->has_ended)
+            return task->status != GLINT_OK && task->status != GLINT_INTERRUPTED &&
+                   task->result.clocks == 0;
+    }
+    return false;
+}
+
+static void choose_turn(verification *all, bool first)
+{
+    all->turns = 0;
+    for (int i = 0; i < all->count; i++) {
+        task *task = &all->tasks[i];
+        if (task->is_first != first)
+            continue;
+        task->is_left_out = !first && first_has_failed(all, task->options.setting.circuit);
+        if (!task->is_left_out)
+            all->turn[all->turns++] = i;
+    }
+}
+
+static void show_built(void *context, int done, int count)
+{
+    glint_progress_update(context, (uint64_t)done, (uint64_t)count);
+}
+
+/* Builds what is not in the cache, before any of it runs. What does not build says so when its turn
+ * comes. */
+static void build_turn(const verification *all, const verify_options *chosen)
+{
+    glint_progress progress;
+    glint_error err;
+    glint_setting *settings = calloc((size_t)all->turns + 1, sizeof *settings);
+    if (settings == NULL)
+        return;
+    for (int i = 0; i < all->turns; i++)
+        settings[i] = all->tasks[all->turn[i]].options.setting;
+    const glint_build_options options = {.settings = settings,
+                                         .count = all->turns,
+                                         .kind = GLINT_RTL_OBSERVED,
+                                         .jobs = (int)chosen->threads,
+                                         .stop = glint_stop_flag(),
+                                         .progress = show_built,
+                                         .progress_context = &progress};
+    glint_progress_begin(&progress, "verify", "circuits built");
+    (void)glint_rtl_build_all(&options, &err);
+    glint_progress_end(&progress);
+    free(settings);
+}
+
+/* The first of each circuit, then the others; one alone, or one of each circuit, is its own
+ * verdict. */
+static void run_all(verification *all, const verify_options *chosen)
+{
+    choose_turn(all, true);
+    run_turn(all, chosen, all->turns < all->count);
+    choose_turn(all, false);
+    if (all->turns == 0)
+        return;
+    build_turn(all, chosen);
+    run_turn(all, chosen, false);
 }
 
 typedef struct sums {
@@ -290,6 +380,7 @@ static void write_command(const verify_options *chosen, const glint_setting *set
     const size_t used = strlen(text);
     (void)snprintf(text + used, size - used, " verify %s --seed %" PRId64 " --clocks %" PRId64,
                    options, chosen->seed, chosen->clocks);
+    glint_circuit_options_append(&chosen->circuits, text, size);
 }
 
 /* The packet of a setting that failed, and what it says. */
@@ -336,16 +427,28 @@ static int report_all(const verify_options *chosen, verification *all, FILE *out
 
 static void describe(cJSON *entry, const glint_setting *setting)
 {
-    const glint_specular_config *config = &setting->specular;
-    cJSON_AddStringToObject(entry, "circuit", setting->is_divider ? "divider" : "specular");
-    if (setting->is_divider) {
-        cJSON_AddStringToObject(entry, "form", glint_divider_form_name(setting->form));
-        cJSON_AddNumberToObject(entry, "shifts", setting->shifts);
+    const glint_circuit *circuit = setting->circuit;
+    cJSON_AddStringToObject(entry, "circuit", circuit->name);
+    for (int i = 0; i < circuit->parameter_count; i++) {
+        const glint_parameter *parameter = &circuit->parameters[i];
+        if (parameter->choices != NULL)
+            cJSON_AddStringToObject(entry, parameter->name, parameter->choices[setting->values[i]]);
+        else
+            cJSON_AddNumberToObject(entry, parameter->name, setting->values[i]);
+    }
+}
+
+/* A JSON number has no more than 53 bits. */
+static void add_value(cJSON *entry, const char *name, const glint_signal_info *signal,
+                      const uint64_t *words)
+{
+    char text[GLINT_VALUE_TEXT];
+    if (glint_signal_width(signal) <= 53) {
+        cJSON_AddNumberToObject(entry, name, (double)words[0]);
         return;
     }
-    cJSON_AddStringToObject(entry, "gate", glint_gate_name(config->gate));
-    cJSON_AddStringToObject(entry, "pipeline", glint_pipeline_name(config->pipeline));
-    cJSON_AddNumberToObject(entry, "lanes", config->lanes);
+    glint_mismatch_bits(signal, words, text);
+    cJSON_AddStringToObject(entry, name, text);
 }
 
 /* What a setting that failed can say of it. */
@@ -363,8 +466,8 @@ static void add_failure(cJSON *entry, const task *task)
         cJSON_AddStringToObject(mismatch, "signal", m->signal.name);
         cJSON_AddNumberToObject(mismatch, "block", m->signal.block);
         cJSON_AddNumberToObject(mismatch, "lane", m->signal.lane);
-        cJSON_AddNumberToObject(mismatch, "model", (double)m->model);
-        cJSON_AddNumberToObject(mismatch, "rtl", (double)m->rtl);
+        add_value(mismatch, "model", &m->signal, m->model);
+        add_value(mismatch, "rtl", &m->signal, m->rtl);
         cJSON_AddItemToArray(list, mismatch);
     }
 }
@@ -401,27 +504,20 @@ static void print_text(const verify_options *chosen, const sums *sums, double se
 {
     glint_print_verdict(stdout, sums->mismatches == 0, "%" PRIu64 " mismatches", sums->mismatches);
     printf(" of %" PRIu64 " comparisons: every register and named value, "
-           "%" PRIu64 " clocks, %d settings, seed %" PRId64 ", %.1f s%s\n",
-           sums->comparisons, sums->clocks, sums->settings, chosen->seed, seconds,
-           sums->interrupted ? " (interrupted)" : "");
+           "%" PRIu64 " clocks, %d setting%s, seed %" PRId64 ", %.1f s%s\n",
+           sums->comparisons, sums->clocks, sums->settings, sums->settings == 1 ? "" : "s",
+           chosen->seed, seconds, sums->interrupted ? " (interrupted)" : "");
     glint_reach_sum_print(&sums->reach);
 }
 
 static int verify(const verify_options *chosen)
 {
-    verification *all = calloc(1, sizeof *all);
+    verification *all = choose_settings(chosen);
     if (all == NULL)
-        return glint_complain("verify", GLINT_EXIT_TROUBLE, "out of memory");
-    choose_settings(chosen, all);
-    if (all->count == 0) {
-        free(all);
-        return glint_complain("verify", GLINT_EXIT_TROUBLE,
-                              "no such circuit: --lanes is 1, 2, 4, 8, 16 or 0, "
-                              "--shifts is 6 to 16 or 0");
-    }
-    double start = glint_seconds();
+        return GLINT_EXIT_TROUBLE;
+    all->start = glint_seconds();
     run_all(all, chosen);
-    double seconds = glint_seconds() - start;
+    const double seconds = glint_seconds() - all->start;
     sums sums = add_up(all);
     /* The report of a failure is for people; with --json it must not mix with the result. */
     int status = report_all(chosen, all, chosen->json ? stderr : stdout);
@@ -431,7 +527,7 @@ static int verify(const verify_options *chosen)
         status = glint_complain("verify", GLINT_EXIT_TROUBLE, "out of memory");
     if (sums.mismatches == 0 && (sums.interrupted || sums.comparisons == 0))
         status = GLINT_EXIT_TROUBLE;
-    free(all);
+    free_all(all);
     return status;
 }
 
@@ -447,12 +543,7 @@ int glint_cmd_verify(int argc, char **argv)
 {
     if (is_exhaustive(argc, argv))
         return glint_cmd_verify_exhaustive(argc, argv);
-    verify_options chosen = {.circuit = ALL_CIRCUITS,
-                             .form = ALL_FORMS,
-                             .gate = ALL_GATES,
-                             .pipeline = ALL_PIPELINES,
-                             .lanes = 0,
-                             .clocks = 100000,
+    verify_options chosen = {.clocks = 100000,
                              .seed = (int64_t)time(NULL),
                              .threads = sysconf(_SC_NPROCESSORS_ONLN),
                              .out = "glint-failure",
@@ -461,10 +552,7 @@ int glint_cmd_verify(int argc, char **argv)
         chosen.threads = 1;
     if (chosen.threads > THREADS_MAX)
         chosen.threads = THREADS_MAX;
-    int status = parse(argc, argv, &chosen);
-    if (status != GLINT_OPTIONS_RUN)
-        return status;
-    status = narrow_circuit(&chosen);
+    const int status = parse(argc, argv, &chosen);
     if (status != GLINT_OPTIONS_RUN)
         return status;
     return glint_output_finish("verify", verify(&chosen));

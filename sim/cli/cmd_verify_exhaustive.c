@@ -1,30 +1,15 @@
 /* `glint verify --exhaustive`: the Verilog against the C model over the whole domain. */
-#define _POSIX_C_SOURCE 200809L
-
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
-#include <unistd.h>
 
+#include "circuit/circuits.h"
 #include "cli/commands.h"
+#include "cli/exhaustive_options.h"
 #include "cli/failure_output.h"
-#include "cli/options.h"
 #include "cli/output.h"
-#include "cli/parse.h"
 #include "failure/shell.h"
 #include "lockstep/exhaustive.h"
-
-typedef struct exhaustive_options {
-    bool exhaustive, json, every_lane, seed_given, threads_given, out_given;
-    int gate, pipeline;
-    int64_t lanes, from, stride, seed, threads;
-    const char *shard, *out;
-    int64_t shard_number, shard_count;
-} exhaustive_options;
-
-/* Said wherever a result stands: what is equal here may still differ there. */
-#define NOT_REACHED "material changes in flight, lanes valid one by one, stalls, resets, registers"
 
 /* One run and what the progress line needs. */
 typedef struct run {
@@ -38,145 +23,21 @@ typedef struct run {
     char packet[FILENAME_MAX]; /* where it is; "": none */
 } run;
 
-static const char *const gate_choices[] = {"cosine", "sign", "drawn", "all", NULL};
-static const char *const pipeline_choices[] = {"combinational", "pipelined", "all", NULL};
-
-static int refuse_shard(const char *text)
+/* A value that `all` was said of: all that are listed, but of the lanes the most. */
+static void choose_configs(const glint_exhaustive_choice *chosen, glint_exhaustive_options *options)
 {
-    glint_quoted quoted;
-    return glint_complain("verify", GLINT_EXIT_TROUBLE,
-                          "--shard: %s is not I/N with I from 1 to N and N from 1 to %u",
-                          glint_quote(text, &quoted), GLINT_N_COUNT);
-}
-
-static int parse_shard(exhaustive_options *chosen)
-{
-    char number[16];
-    const char *slash = strchr(chosen->shard, '/');
-    if (slash == NULL || slash - chosen->shard >= (ptrdiff_t)sizeof number)
-        return refuse_shard(chosen->shard);
-    (void)snprintf(number, sizeof number, "%.*s", (int)(slash - chosen->shard), chosen->shard);
-    if (!glint_parse_integer(slash + 1, 1, GLINT_N_COUNT, &chosen->shard_count) ||
-        !glint_parse_integer(number, 1, chosen->shard_count, &chosen->shard_number))
-        return refuse_shard(chosen->shard);
-    return GLINT_OPTIONS_RUN;
-}
-
-static int check(exhaustive_options *chosen)
-{
-    if ((chosen->lanes & (chosen->lanes - 1)) != 0)
-        return glint_complain("verify", GLINT_EXIT_TROUBLE,
-                              "--lanes: %d is not 1, 2, 4, 8, 16 or 0", (int)chosen->lanes);
-    if (chosen->seed_given && chosen->stride == 1)
-        return glint_complain("verify", GLINT_EXIT_TROUBLE,
-                              "--seed says where --stride begins; without it, nothing is random");
-    return parse_shard(chosen);
-}
-
-static int parse(int argc, char **argv, exhaustive_options *chosen)
-{
-    const glint_option options[] = {
-        {.name = "exhaustive",
-         .help = "this, instead of random inputs",
-         .kind = GLINT_OPTION_FLAG,
-         .flag = &chosen->exhaustive},
-        {.name = "gate",
-         .help = "what bounds the highlight",
-         .kind = GLINT_OPTION_CHOICE,
-         .choice = {&chosen->gate, gate_choices}},
-        {.name = "pipeline",
-         .help = "where the registers are",
-         .kind = GLINT_OPTION_CHOICE,
-         .choice = {&chosen->pipeline, pipeline_choices}},
-        {.name = "lanes",
-         .help = "cosines a clock: 1, 2, 4, 8 or 16; 0: the most that were built",
-         .kind = GLINT_OPTION_INTEGER,
-         .integer = {&chosen->lanes, 0, GLINT_LANES_MAX}},
-        {.name = "every-lane",
-         .help = "every code through every lane, with every n: 16 lanes take 16 times as long",
-         .kind = GLINT_OPTION_FLAG,
-         .flag = &chosen->every_lane},
-        {.name = "shard",
-         .placeholder = "I/N",
-         .help = "only those n with n mod N = I-1",
-         .kind = GLINT_OPTION_STRING,
-         .string = &chosen->shard},
-        {.name = "from",
-         .help = "the first n: what an interrupted run says to go on with",
-         .kind = GLINT_OPTION_INTEGER,
-         .integer = {&chosen->from, 0, GLINT_N_MAX}},
-        {.name = "stride",
-         .help = "only every N-th code, from a random one on",
-         .kind = GLINT_OPTION_INTEGER,
-         .integer = {&chosen->stride, 1, GLINT_EXHAUSTIVE_CODES}},
-        {.name = "seed",
-         .given = &chosen->seed_given,
-         .help = "of where the stride begins",
-         .usually = "taken from the time",
-         .kind = GLINT_OPTION_INTEGER,
-         .integer = {&chosen->seed, 0, INT64_MAX}},
-        {.name = "threads",
-         .usually = "one a processor",
-         .given = &chosen->threads_given,
-         .help = "each with circuits of its own",
-         .kind = GLINT_OPTION_INTEGER,
-         .integer = {&chosen->threads, 1, GLINT_EXHAUSTIVE_THREADS_MAX}},
-        {.name = "out",
-         .given = &chosen->out_given,
-         .placeholder = "DIR",
-         .help = "where the packet of the first mismatch goes, for glint replay; made if needed",
-         .kind = GLINT_OPTION_STRING,
-         .string = &chosen->out},
-        {.name = "json",
-         .help = "the result as JSON",
-         .kind = GLINT_OPTION_FLAG,
-         .flag = &chosen->json},
-    };
-    static const glint_example examples[] = {
-        {"the default circuit, all of it", "glint verify --exhaustive"},
-        {"every 64th code only, every gate", "glint verify --exhaustive --stride 64 --gate all"},
-        {"the first of eight parts", "glint verify --exhaustive --shard 1/8"},
-        {NULL, NULL},
-    };
-    const glint_command_line line = {
-        .command = "verify",
-        .summary = "Compares the Verilog's W and colours with the C model's for every n and every "
-                   "cosine code, and for every W code that occurs with every colour.",
-        .details = "Each code goes through one lane with an n, through the next with the next n.\n"
-                   "Not reached, but by glint verify and make formal:\n" NOT_REACHED ".\n",
-        .done = "no mismatch",
-        .different = "a mismatch was found, or a circuit kept an answer back",
-        .examples = examples,
-        .options = options,
-        .option_count = sizeof options / sizeof options[0],
-    };
-    const int status = glint_options_parse(&line, argc, argv);
-    return status == GLINT_OPTIONS_RUN ? check(chosen) : status;
-}
-
-/* The most lanes built for these settings; 16 when there are none, which is then refused. */
-static int most_lanes(glint_gate gate, glint_pipeline pipeline)
-{
-    const glint_specular_config *built;
-    int lanes = 0;
-    for (int i = 0; (built = glint_rtl_built(i)) != NULL; i++)
-        if (built->gate == gate && built->pipeline == pipeline && built->lanes > lanes)
-            lanes = built->lanes;
-    return lanes != 0 ? lanes : GLINT_LANES_MAX;
-}
-
-static void choose_circuits(const exhaustive_options *chosen, glint_exhaustive_options *options)
-{
+    static const int all_lanes = 16;
+    const int *value = chosen->circuits.value[0];
     for (int g = 0; g < GLINT_GATE_COUNT; g++)
         for (int p = 0; p < GLINT_PIPELINE_COUNT; p++) {
-            const glint_gate gate = (glint_gate)g;
-            const glint_pipeline pipeline = (glint_pipeline)p;
-            if ((chosen->gate != GLINT_GATE_COUNT && chosen->gate != g) ||
-                (chosen->pipeline != GLINT_PIPELINE_COUNT && chosen->pipeline != p))
+            const int lanes = value[GLINT_SPECULAR_LANES];
+            if ((value[GLINT_SPECULAR_GATE] != GLINT_EVERY_VALUE &&
+                 value[GLINT_SPECULAR_GATE] != g) ||
+                (value[GLINT_SPECULAR_PIPELINE] != GLINT_EVERY_VALUE &&
+                 value[GLINT_SPECULAR_PIPELINE] != p))
                 continue;
             options->config[options->configs++] = (glint_specular_config){
-                gate, pipeline,
-                chosen->lanes != 0 ? (int)chosen->lanes : most_lanes(gate, pipeline)};
+                (glint_gate)g, (glint_pipeline)p, lanes != GLINT_EVERY_VALUE ? lanes : all_lanes};
         }
 }
 
@@ -207,7 +68,7 @@ static glint_exhaustive_circuit sum_of(const run *run)
 
 /* " --every-lane --stride N --seed N", each where it was chosen. */
 #define POINTS_TEXT 96
-static void points_options(const exhaustive_options *chosen, char text[POINTS_TEXT])
+static void points_options(const glint_exhaustive_choice *chosen, char text[POINTS_TEXT])
 {
     const char *lanes = chosen->every_lane ? " --every-lane" : "";
     if (chosen->stride != 1)
@@ -217,8 +78,22 @@ static void points_options(const exhaustive_options *chosen, char text[POINTS_TE
         (void)snprintf(text, POINTS_TEXT, "%s", lanes);
 }
 
+/* "cosine" or "all"; "16" or "0". */
+static const char *choice_name(const glint_exhaustive_choice *chosen, int parameter,
+                               const char *const *names)
+{
+    const int value = chosen->circuits.value[0][parameter];
+    return value == GLINT_EVERY_VALUE ? "all" : names[value];
+}
+
+static int lanes_option(const glint_exhaustive_choice *chosen)
+{
+    const int value = chosen->circuits.value[0][GLINT_SPECULAR_LANES];
+    return value == GLINT_EVERY_VALUE ? 0 : value;
+}
+
 /* All that was chosen and matters for what is compared, from an n on. */
-static void write_command_from(const exhaustive_options *chosen, uint32_t from, char *text,
+static void write_command_from(const glint_exhaustive_choice *chosen, uint32_t from, char *text,
                                size_t size)
 {
     char points[POINTS_TEXT];
@@ -227,15 +102,17 @@ static void write_command_from(const exhaustive_options *chosen, uint32_t from, 
     glint_shell_append(text, size, glint_failure_program());
     const size_t used = strlen(text);
     (void)snprintf(text + used, size - used,
-                   " verify --exhaustive --gate %s --pipeline %s --lanes %" PRId64
-                   " --shard %s --from %" PRIu32 "%s",
-                   gate_choices[chosen->gate], pipeline_choices[chosen->pipeline], chosen->lanes,
-                   chosen->shard, from, points);
+                   " verify --exhaustive --gate %s --pipeline %s --lanes %d --shard %s --from "
+                   "%" PRIu32 "%s",
+                   choice_name(chosen, GLINT_SPECULAR_GATE, glint_gate_names),
+                   choice_name(chosen, GLINT_SPECULAR_PIPELINE, glint_pipeline_names),
+                   lanes_option(chosen), chosen->shard, from, points);
+    glint_circuit_options_append(&chosen->circuits, text, size);
 }
 
 /* All that was tried with this n. */
-static void write_command(const exhaustive_options *chosen, const glint_exhaustive_mismatch *first,
-                          char *text, size_t size)
+static void write_command(const glint_exhaustive_choice *chosen,
+                          const glint_exhaustive_mismatch *first, char *text, size_t size)
 {
     char points[POINTS_TEXT];
     points_options(chosen, points);
@@ -247,6 +124,7 @@ static void write_command(const exhaustive_options *chosen, const glint_exhausti
                    "%" PRIu32 "/%u%s",
                    glint_gate_name(first->config.gate), glint_pipeline_name(first->config.pipeline),
                    first->config.lanes, first->n + 1, GLINT_N_COUNT, points);
+    glint_circuit_options_append(&chosen->circuits, text, size);
 }
 
 static void print_mismatch(const glint_exhaustive_mismatch *m, FILE *out)
@@ -260,13 +138,22 @@ static void print_mismatch(const glint_exhaustive_mismatch *m, FILE *out)
             glint_answer_value_name(answer->value), answer->model, answer->rtl);
 }
 
+/* That of the first mismatch, or of the circuit that kept an answer back. */
+static glint_setting setting_of(const glint_exhaustive_choice *chosen, const run *run)
+{
+    if (run->result.kept == 0)
+        return *glint_history_setting(run->result.history);
+    glint_setting setting = glint_setting_specular(&run->result.mismatch[0].config);
+    setting.verilog = chosen->circuits.verilog;
+    return setting;
+}
+
 /* The packet of the first mismatch, or of a circuit that kept an answer back, and what it says. */
-static void report_failure(const exhaustive_options *chosen, run *run, FILE *out)
+static void report_failure(const glint_exhaustive_choice *chosen, run *run, FILE *out)
 {
     char name[GLINT_SETTING_TEXT], directory[FILENAME_MAX];
     const glint_exhaustive_mismatch *first = run->result.kept != 0 ? run->result.mismatch : NULL;
-    const glint_setting setting = first != NULL ? (glint_setting){.specular = first->config}
-                                                : *glint_history_setting(run->result.history);
+    const glint_setting setting = setting_of(chosen, run);
     glint_failure *failure;
     glint_error err;
     if (glint_failure_of_history(GLINT_FAILURE_EXHAUSTIVE, &setting,
@@ -289,7 +176,7 @@ static void report_failure(const exhaustive_options *chosen, run *run, FILE *out
     glint_failure_destroy(failure);
 }
 
-static void print_mismatches(const exhaustive_options *chosen, run *run, FILE *out)
+static void print_mismatches(const glint_exhaustive_choice *chosen, run *run, FILE *out)
 {
     if (run->result.kept != 0)
         fprintf(out, "the first mismatches:\n");
@@ -299,33 +186,17 @@ static void print_mismatches(const exhaustive_options *chosen, run *run, FILE *o
         report_failure(chosen, run, out);
 }
 
-/* What was chosen of how it is done and told. */
-static void append_way(const exhaustive_options *chosen, char *text, size_t size)
-{
-    size_t used = strlen(text);
-    if (chosen->threads_given)
-        (void)snprintf(text + used, size - used, " --threads %" PRId64, chosen->threads);
-    used = strlen(text);
-    if (chosen->out_given) {
-        (void)snprintf(text + used, size - used, " --out ");
-        glint_shell_append(text, size, chosen->out);
-    }
-    used = strlen(text);
-    if (chosen->json)
-        (void)snprintf(text + used, size - used, " --json");
-}
-
-static void print_resume(const exhaustive_options *chosen, const run *run, FILE *out)
+static void print_resume(const glint_exhaustive_choice *chosen, const run *run, FILE *out)
 {
     char command[GLINT_FAILURE_COMMAND];
     if (run->status != GLINT_INTERRUPTED)
         return;
     write_command_from(chosen, run->result.next, command, sizeof command);
-    append_way(chosen, command, sizeof command);
+    glint_exhaustive_options_append(chosen, command, sizeof command);
     fprintf(out, "resume: %s\n", command);
 }
 
-static void print_circuits(const exhaustive_options *chosen, const run *run)
+static void print_circuits(const glint_exhaustive_choice *chosen, const run *run)
 {
     for (int c = 0; c < run->options.configs; c++) {
         const glint_specular_config *config = &run->options.config[c];
@@ -340,7 +211,7 @@ static void print_circuits(const exhaustive_options *chosen, const run *run)
 }
 
 /* Of the points, which; and what no run of this kind reaches. */
-static void print_reach(const exhaustive_options *chosen, const run *run)
+static void print_reach(const glint_exhaustive_choice *chosen, const run *run)
 {
     int lanes = 1;
     for (int c = 0; c < run->options.configs; c++)
@@ -356,7 +227,7 @@ static void print_reach(const exhaustive_options *chosen, const run *run)
         printf("all\n");
     else
         printf("1 in %d, turning from n to n\n", lanes);
-    printf("not reached: %s\n", NOT_REACHED);
+    printf("not reached: %s\n", GLINT_NOT_REACHED);
 }
 
 /* After the seconds: why this is not the whole. */
@@ -367,7 +238,7 @@ static const char *ending(const run *run)
                                               : " (broken off)";
 }
 
-static void print_text(const exhaustive_options *chosen, run *run)
+static void print_text(const glint_exhaustive_choice *chosen, run *run)
 {
     const glint_exhaustive_circuit sum = sum_of(run);
     print_mismatches(chosen, run, stdout);
@@ -425,7 +296,7 @@ static void add_mismatches(cJSON *json, const run *run)
     }
 }
 
-static bool print_json(const exhaustive_options *chosen, const run *run)
+static bool print_json(const glint_exhaustive_choice *chosen, const run *run)
 {
     char seed[32]; /* a JSON number would lose the low bits of a large seed */
     const glint_exhaustive_circuit sum = sum_of(run);
@@ -441,7 +312,7 @@ static bool print_json(const exhaustive_options *chosen, const run *run)
     if (chosen->stride != 1)
         cJSON_AddStringToObject(json, "seed", seed);
     cJSON_AddBoolToObject(json, "every_lane", chosen->every_lane);
-    cJSON_AddStringToObject(json, "not_reached", NOT_REACHED);
+    cJSON_AddStringToObject(json, "not_reached", GLINT_NOT_REACHED);
     cJSON_AddBoolToObject(json, "interrupted", run->status == GLINT_INTERRUPTED);
     cJSON_AddNumberToObject(json, "seconds", run->seconds);
     if (run->status != GLINT_OK && run->status != GLINT_INTERRUPTED)
@@ -454,7 +325,7 @@ static bool print_json(const exhaustive_options *chosen, const run *run)
 }
 
 /* The mismatches are for people; with --json they must not mix with the result. */
-static int report(const exhaustive_options *chosen, run *run)
+static int report(const glint_exhaustive_choice *chosen, run *run)
 {
     const glint_exhaustive_circuit sum = sum_of(run);
     if (!chosen->json) {
@@ -480,15 +351,16 @@ static int report(const exhaustive_options *chosen, run *run)
 
 /* What was found before a failure is still told; of options that fit nothing there is nothing to
  * tell. */
-static int end(const exhaustive_options *chosen, run *run)
+static int end(const glint_exhaustive_choice *chosen, run *run)
 {
     return run->status == GLINT_BAD_ARGUMENT ? glint_complain_error("verify", &run->err)
                                              : report(chosen, run);
 }
 
-static int verify(const exhaustive_options *chosen)
+static int verify(const glint_exhaustive_choice *chosen)
 {
-    run run = {.options = {.from = (uint32_t)chosen->from,
+    run run = {.options = {.verilog = chosen->circuits.verilog,
+                           .from = (uint32_t)chosen->from,
                            .shard = (uint32_t)chosen->shard_number,
                            .shards = (uint32_t)chosen->shard_count,
                            .stride = (uint32_t)chosen->stride,
@@ -499,7 +371,7 @@ static int verify(const exhaustive_options *chosen)
                            .progress = show_progress,
                            .progress_context = &run,
                            .keep_history = true}};
-    choose_circuits(chosen, &run.options);
+    choose_configs(chosen, &run.options);
     glint_progress_begin(&run.progress, "verify", run.unit);
     run.start = glint_seconds();
     run.status = glint_exhaustive_run(&run.options, &run.result, &run.err);
@@ -510,23 +382,13 @@ static int verify(const exhaustive_options *chosen)
     return status;
 }
 
-static int64_t processors(void)
-{
-    const int64_t online = sysconf(_SC_NPROCESSORS_ONLN);
-    if (online < 1)
-        return 1;
-    return online < GLINT_EXHAUSTIVE_THREADS_MAX ? online : GLINT_EXHAUSTIVE_THREADS_MAX;
-}
-
 int glint_cmd_verify_exhaustive(int argc, char **argv)
 {
-    exhaustive_options chosen = {.gate = GLINT_GATE_COSINE,
-                                 .pipeline = GLINT_PIPELINE_PIPELINED,
-                                 .shard = "1/1",
-                                 .stride = 1,
-                                 .seed = (int64_t)time(NULL),
-                                 .threads = processors(),
-                                 .out = "glint-failure"};
-    const int status = parse(argc, argv, &chosen);
-    return status == GLINT_OPTIONS_RUN ? glint_output_finish("verify", verify(&chosen)) : status;
+    glint_exhaustive_choice chosen;
+    const int status = glint_exhaustive_options_parse(argc, argv, &chosen);
+    if (status != GLINT_OPTIONS_RUN)
+        return status;
+    return glint_output_finish("verify", chosen.circuits.chosen[0] == &glint_circuit_specular
+                                             ? verify(&chosen)
+                                             : glint_verify_domain(&chosen));
 }

@@ -1,0 +1,202 @@
+/* What `glint verify --exhaustive` is asked for; see exhaustive_options.h. */
+#define _POSIX_C_SOURCE 200809L
+
+#include "cli/exhaustive_options.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "circuit/circuits.h"
+#include "cli/output.h"
+#include "cli/parse.h"
+#include "failure/shell.h"
+#include "lockstep/domain.h"
+#include "lockstep/exhaustive.h"
+
+/* Of any circuit; the specular device counts values of n. */
+#define PARTS_MAX INT64_C(1000000000000)
+
+_Static_assert(GLINT_DOMAIN_THREADS_MAX == GLINT_EXHAUSTIVE_THREADS_MAX, "one option for both");
+
+static bool is_specular(const glint_exhaustive_choice *chosen)
+{
+    return chosen->circuits.chosen[0] == &glint_circuit_specular;
+}
+
+static int refuse_shard(const char *text, int64_t most)
+{
+    glint_quoted quoted;
+    return glint_complain("verify", GLINT_EXIT_TROUBLE,
+                          "--shard: %s is not I/N with I from 1 to N and N from 1 to %" PRId64,
+                          glint_quote(text, &quoted), most);
+}
+
+static int parse_shard(glint_exhaustive_choice *chosen)
+{
+    char number[32];
+    const int64_t most = is_specular(chosen) ? GLINT_N_COUNT : PARTS_MAX;
+    const char *slash = strchr(chosen->shard, '/');
+    if (slash == NULL || slash - chosen->shard >= (ptrdiff_t)sizeof number)
+        return refuse_shard(chosen->shard, most);
+    (void)snprintf(number, sizeof number, "%.*s", (int)(slash - chosen->shard), chosen->shard);
+    if (!glint_parse_integer(slash + 1, 1, most, &chosen->shard_count) ||
+        !glint_parse_integer(number, 1, chosen->shard_count, &chosen->shard_number))
+        return refuse_shard(chosen->shard, most);
+    return GLINT_OPTIONS_RUN;
+}
+
+/* What the options' own ranges leave open, as they are for every circuit. */
+static int check_specular(const glint_exhaustive_choice *chosen)
+{
+    if (chosen->from > GLINT_N_MAX)
+        return glint_complain("verify", GLINT_EXIT_TROUBLE,
+                              "--from: \"%" PRId64 "\" is not an integer from 0 to %u",
+                              chosen->from, GLINT_N_MAX);
+    if (chosen->stride > GLINT_EXHAUSTIVE_CODES)
+        return glint_complain("verify", GLINT_EXIT_TROUBLE,
+                              "--stride: \"%" PRId64 "\" is not an integer from 1 to %u",
+                              chosen->stride, GLINT_EXHAUSTIVE_CODES);
+    return GLINT_OPTIONS_RUN;
+}
+
+static int check(glint_exhaustive_choice *chosen)
+{
+    int status = glint_circuit_options_settle(&chosen->circuits);
+    if (status == GLINT_OPTIONS_RUN && is_specular(chosen))
+        status = check_specular(chosen);
+    if (status != GLINT_OPTIONS_RUN)
+        return status;
+    if (chosen->every_lane && !is_specular(chosen))
+        return glint_complain("verify", GLINT_EXIT_TROUBLE,
+                              "--every-lane is for the circuit specular");
+    if (chosen->seed_given && chosen->stride == 1)
+        return glint_complain("verify", GLINT_EXIT_TROUBLE,
+                              "--seed says where --stride begins; without it, nothing is random");
+    return parse_shard(chosen);
+}
+
+/* The specular device is the faster, the more lanes it has. */
+static const char *usual(const char *parameter)
+{
+    return strcmp(parameter, "lanes") == 0 ? "16" : NULL;
+}
+
+#define OWN_ROWS 9
+
+static int parse(int argc, char **argv, glint_exhaustive_choice *chosen)
+{
+    const glint_circuit_use use = {.command = "verify",
+                                   .circuit = "specular",
+                                   .takes_all = true,
+                                   .one_circuit = true,
+                                   .usual = usual};
+    const int begun = glint_circuit_options_begin(&chosen->circuits, &use, argc, argv);
+    if (begun != GLINT_OPTIONS_RUN)
+        return begun;
+    glint_option options[OWN_ROWS + GLINT_CIRCUIT_OPTIONS] = {
+        {.name = "exhaustive",
+         .help = "this, instead of random inputs",
+         .kind = GLINT_OPTION_FLAG,
+         .flag = &chosen->exhaustive},
+        {.name = "every-lane",
+         .help = "every code through every lane, with every n: 16 lanes take 16 times as long",
+         .kind = GLINT_OPTION_FLAG,
+         .flag = &chosen->every_lane},
+        {.name = "shard",
+         .placeholder = "I/N",
+         .help = "only those n, or points, with n mod N = I-1",
+         .kind = GLINT_OPTION_STRING,
+         .string = &chosen->shard},
+        {.name = "from",
+         .help = "the first n, or point: what an interrupted run says to go on with",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->from, 0, INT64_MAX}},
+        {.name = "stride",
+         .help = "only every N-th code, or point, from a random one on",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->stride, 1, PARTS_MAX}},
+        {.name = "seed",
+         .given = &chosen->seed_given,
+         .help = "of where the stride begins",
+         .usually = "taken from the time",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->seed, 0, INT64_MAX}},
+        {.name = "threads",
+         .usually = "one a processor",
+         .given = &chosen->threads_given,
+         .help = "each with circuits of its own",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&chosen->threads, 1, GLINT_EXHAUSTIVE_THREADS_MAX}},
+        {.name = "out",
+         .given = &chosen->out_given,
+         .placeholder = "DIR",
+         .help = "where the packet of the first mismatch goes, for glint replay; made if needed",
+         .kind = GLINT_OPTION_STRING,
+         .string = &chosen->out},
+        {.name = "json",
+         .help = "the result as JSON",
+         .kind = GLINT_OPTION_FLAG,
+         .flag = &chosen->json},
+    };
+    const size_t count =
+        OWN_ROWS + glint_circuit_options_add(&chosen->circuits, options + OWN_ROWS);
+    static const glint_example examples[] = {
+        {"the default circuit, all of it", "glint verify --exhaustive"},
+        {"every 64th code only, every gate", "glint verify --exhaustive --stride 64 --gate all"},
+        {"the first of eight parts", "glint verify --exhaustive --shard 1/8"},
+        {"the divider", "glint verify --exhaustive --circuit divider"},
+        {NULL, NULL},
+    };
+    const glint_command_line line = {
+        .command = "verify",
+        .summary = "Compares the Verilog with the C model for every input. Of the specular device: "
+                   "W and colours for every n and every cosine code, and for every W code that "
+                   "occurs with every colour. Of another circuit: every output after every clock, "
+                   "for every point of the domain that its description names.",
+        .details = "Each code goes through one lane with an n, through the next with the next n.\n"
+                   "Not reached, but by glint verify and make formal:\n" GLINT_NOT_REACHED ".\n",
+        .done = "no mismatch",
+        .different = "a mismatch was found, or a circuit kept an answer back",
+        .examples = examples,
+        .options = options,
+        .option_count = count,
+    };
+    const int status = glint_options_parse(&line, argc, argv);
+    return status == GLINT_OPTIONS_RUN ? check(chosen) : status;
+}
+
+static int64_t processors(void)
+{
+    const int64_t online = sysconf(_SC_NPROCESSORS_ONLN);
+    if (online < 1)
+        return 1;
+    return online < GLINT_EXHAUSTIVE_THREADS_MAX ? online : GLINT_EXHAUSTIVE_THREADS_MAX;
+}
+
+int glint_exhaustive_options_parse(int argc, char **argv, glint_exhaustive_choice *chosen)
+{
+    *chosen = (glint_exhaustive_choice){.shard = "1/1",
+                                        .stride = 1,
+                                        .seed = (int64_t)time(NULL),
+                                        .threads = processors(),
+                                        .out = "glint-failure"};
+    return parse(argc, argv, chosen);
+}
+
+void glint_exhaustive_options_append(const glint_exhaustive_choice *chosen, char *text, size_t size)
+{
+    size_t used = strlen(text);
+    if (chosen->threads_given)
+        (void)snprintf(text + used, size - used, " --threads %" PRId64, chosen->threads);
+    used = strlen(text);
+    if (chosen->out_given) {
+        (void)snprintf(text + used, size - used, " --out ");
+        glint_shell_append(text, size, chosen->out);
+    }
+    used = strlen(text);
+    if (chosen->json)
+        (void)snprintf(text + used, size - used, " --json");
+}
