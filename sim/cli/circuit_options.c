@@ -200,12 +200,7 @@ size_t glint_circuit_options_add(glint_circuit_options *options, glint_option *r
                            .string = &parameter->text};
     }
     rows[count++] = (glint_option)GLINT_RTL_OPTION(&options->verilog);
-    rows[count++] = (glint_option){.name = "circuit-dir",
-                                   .placeholder = "DIR",
-                                   .help = "a circuit of one's own: its description and C model "
-                                           "(*.c) and its Verilog",
-                                   .kind = GLINT_OPTION_STRING,
-                                   .string = &options->directory};
+    rows[count++] = (glint_option)GLINT_CIRCUIT_DIR_OPTION(&options->directory);
     return count;
 }
 
@@ -258,12 +253,23 @@ static void choose_circuits(glint_circuit_options *options)
             options->chosen[options->chosen_count++] = options->circuit[c];
 }
 
+/* 0, of a number that it is none of: all of them, or the usual one. */
+static bool is_zero(const glint_parameter *parameter, const char *text)
+{
+    return parameter->choices == NULL && parameter->min > 0 && strcmp(text, "0") == 0;
+}
+
+static bool means_usual(const glint_circuit_options *options, const glint_parameter *parameter,
+                        const char *text)
+{
+    return !options->use.takes_all && is_zero(parameter, text);
+}
+
 static bool read_value(const glint_circuit_options *options, const glint_parameter *parameter,
                        const char *text, int *value)
 {
     int64_t number;
-    const bool is_zero = parameter->choices == NULL && parameter->min > 0 && strcmp(text, "0") == 0;
-    if (is_zero || (options->use.takes_all && strcmp(text, all) == 0)) {
+    if (options->use.takes_all && (is_zero(parameter, text) || strcmp(text, all) == 0)) {
         *value = GLINT_EVERY_VALUE;
         return true;
     }
@@ -308,12 +314,14 @@ static int read_values(glint_circuit_options *options, int chosen)
         const glint_parameter *parameter = &circuit->parameters[i];
         const glint_parameter_option *row = row_of(options, parameter->name);
         const bool is_given = row != NULL && row->text != NULL;
-        const char *text = is_given ? row->text : options->use.usual(parameter->name);
+        const char *usual = options->use.usual(parameter->name);
+        const char *text =
+            !is_given || means_usual(options, parameter, row->text) ? usual : row->text;
         int *value = &options->value[chosen][i];
         if (text == NULL)
             *value = parameter->standard;
         else if (!read_value(options, parameter, text, value)) {
-            if (is_given)
+            if (text != usual)
                 return refuse_value(options, circuit, parameter, text);
             *value = parameter->standard; /* the usual one is of other circuits */
         }
@@ -340,6 +348,14 @@ int glint_rtl_option_check(const char *command, const glint_setting *setting)
                               "--rtl: %s has no %s.v, the top of the circuit %s", setting->verilog,
                               top, setting->circuit->name);
     return GLINT_OPTIONS_RUN;
+}
+
+int glint_rtl_option_settle(const char *command, const glint_setting *setting, bool is_used)
+{
+    if (setting->verilog != NULL && !is_used)
+        return glint_complain(command, GLINT_EXIT_TROUBLE,
+                              "--rtl is the Verilog's directory: it goes with --backend rtl");
+    return glint_rtl_option_check(command, setting);
 }
 
 static int check_verilog(const glint_circuit_options *options)

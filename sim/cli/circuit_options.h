@@ -91,8 +91,8 @@ bool glint_circuit_options_given(const glint_circuit_options *options, const cha
  * command that has the rest. */
 void glint_circuit_options_append(const glint_circuit_options *options, char *text, size_t size);
 
-/* The row of --rtl for a command without the others, and its check for a setting that it is used
- * with. */
+/* The row of --rtl for a command without the others, and its check: for a setting whose verilog it
+ * is; and where it is of no use but with the Verilog (is_used). Each returns as above. */
 #define GLINT_RTL_OPTION(directory)                                                                \
     {                                                                                              \
         .name = "rtl", .placeholder = "DIR",                                                       \
@@ -100,6 +100,13 @@ void glint_circuit_options_append(const glint_circuit_options *options, char *te
                 "Glint's own",                                                                     \
         .kind = GLINT_OPTION_STRING, .string = (directory)                                         \
     }
+#define GLINT_CIRCUIT_DIR_OPTION(directory)                                                        \
+    {                                                                                              \
+        .name = "circuit-dir", .placeholder = "DIR",                                               \
+        .help = "a circuit of one's own: its description and C model (*.c) and its Verilog",       \
+        .kind = GLINT_OPTION_STRING, .string = (directory)                                         \
+    }
 int glint_rtl_option_check(const char *command, const glint_setting *setting);
+int glint_rtl_option_settle(const char *command, const glint_setting *setting, bool is_used);
 
 #endif

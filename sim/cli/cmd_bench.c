@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include "bench/bench.h"
+#include "circuit/circuits.h"
+#include "cli/circuit_options.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -14,6 +16,7 @@
 typedef struct bench_options {
     double seconds;
     int64_t threads;
+    const char *verilog;
     bool json;
 } bench_options;
 
@@ -37,6 +40,7 @@ static int parse(int argc, char **argv, bench_options *chosen)
          .help = "for the frames; the kernels run on one",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, GLINT_THREADS_MAX}},
+        GLINT_RTL_OPTION(&chosen->verilog),
         {.name = "json",
          .help = "the figures as JSON",
          .kind = GLINT_OPTION_FLAG,
@@ -221,7 +225,8 @@ static glint_status measure(const bench_options *chosen, bench_results *results,
 {
     const volatile bool *stop = glint_stop_flag();
     const int threads = (int)chosen->threads;
-    glint_status status = glint_bench_kernels(NULL, chosen->seconds, stop, &results->points, err);
+    glint_status status =
+        glint_bench_kernels(chosen->verilog, chosen->seconds, stop, &results->points, err);
     if (status == GLINT_OK && !chosen->json) {
         print_kernels(&results->points);
         fflush(stdout);
@@ -233,15 +238,34 @@ static glint_status measure(const bench_options *chosen, bench_results *results,
         fflush(stdout);
     }
     if (status == GLINT_OK)
-        status = glint_bench_dividers(NULL, chosen->seconds, stop, &results->dividers, err);
+        status =
+            glint_bench_dividers(chosen->verilog, chosen->seconds, stop, &results->dividers, err);
     if (status == GLINT_OK && !chosen->json) {
         print_dividers(&results->dividers);
         fflush(stdout);
     }
     if (status == GLINT_OK)
-        status = glint_bench_frames(NULL, threads, chosen->seconds, stop, results->frames, err);
+        status = glint_bench_frames(chosen->verilog, threads, chosen->seconds, stop,
+                                    results->frames, err);
     if (status == GLINT_OK && !chosen->json)
         print_frames(results->frames, threads);
+    return status;
+}
+
+/* Both circuits are measured, the divider in both forms. */
+static int check_verilog(const bench_options *chosen)
+{
+    glint_setting settings[] = {
+        glint_setting_standard(&glint_circuit_specular),
+        glint_setting_divider(GLINT_DIVIDER_SEQUENTIAL, GLINT_BENCH_SHIFTS),
+        glint_setting_divider(GLINT_DIVIDER_PIPELINED, GLINT_BENCH_SHIFTS),
+    };
+    int status = GLINT_OPTIONS_RUN;
+    for (size_t i = 0; i < sizeof settings / sizeof settings[0] && status == GLINT_OPTIONS_RUN;
+         i++) {
+        settings[i].verilog = chosen->verilog;
+        status = glint_rtl_option_check("bench", &settings[i]);
+    }
     return status;
 }
 
@@ -264,6 +288,8 @@ int glint_cmd_bench(int argc, char **argv)
     if (chosen.threads > GLINT_THREADS_MAX)
         chosen.threads = GLINT_THREADS_MAX;
     int status = parse(argc, argv, &chosen);
+    if (status == GLINT_OPTIONS_RUN)
+        status = check_verilog(&chosen);
     if (status != GLINT_OPTIONS_RUN)
         return status;
     return glint_output_finish("bench", bench(&chosen));

@@ -7,8 +7,10 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "backend/divider_backend.h"
+#include "circuit/circuits.h"
+#include "cli/circuit_options.h"
 #include "cli/commands.h"
+#include "cli/divide.h"
 #include "cli/input.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -19,6 +21,7 @@
 typedef struct divide_options {
     int backend, form;
     int64_t shifts;
+    const char *verilog;
     bool json;
 } divide_options;
 
@@ -42,6 +45,7 @@ typedef struct numbers {
 
 /* Rows that are divided together. Neighbours of one k are components of one division. */
 typedef struct run {
+    const char *command;
     glint_divider_backend *backend;
     int shifts;
     bool json, printed;
@@ -69,6 +73,7 @@ static int parse(int argc, char **argv, divide_options *chosen)
          .help = "of the Verilog; both give the same quotients",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->form, glint_divider_form_names}},
+        GLINT_RTL_OPTION(&chosen->verilog),
         {.name = "json",
          .help = "a JSON array of objects instead of CSV",
          .kind = GLINT_OPTION_FLAG,
@@ -85,17 +90,7 @@ static int parse(int argc, char **argv, divide_options *chosen)
         .command = "divide",
         .summary = "Reads divisions from standard input, one a line, and prints what the "
                    "shift-accumulate divider answers for each, in order.",
-        .details =
-            "A line is: difference k, with a blank or a comma between. difference is -255 to\n"
-            "255; k, the length of the span, is 1 to 16, what the circuit's table holds: a k\n"
-            "that the circuit flags as outside its table ends the run with exit status 2.\n"
-            "Blank lines and lines that begin with # are skipped. The first line may be a\n"
-            "header, as of what was printed: the columns difference and k are taken by name,\n"
-            "others passed over.\n"
-            "\n"
-            "The columns printed are difference,k,shifts,quotient_code,quotient,exact,error:\n"
-            "quotient is quotient_code/2^shifts, exact is difference/k, error is their\n"
-            "difference, each with the fewest decimals that read back as the same number.",
+        .details = GLINT_DIVIDE_DETAILS,
         .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
@@ -158,10 +153,10 @@ static void print_row(run *all, const row *r)
 }
 
 /* The circuit has flagged this row's k. */
-static int refuse_row(const row *r)
+static int refuse_row(const run *all, const row *r)
 {
     fflush(stdout);
-    return glint_complain("divide", GLINT_EXIT_TROUBLE,
+    return glint_complain(all->command, GLINT_EXIT_TROUBLE,
                           "line %" PRIu64 ": k = %" PRId32 " is not in the table (1 to %d)",
                           r->line, r->k, GLINT_DIVIDER_K_MAX);
 }
@@ -170,7 +165,7 @@ static int print_rows(run *all)
 {
     for (size_t i = 0; i < all->row_count; i++) {
         if (all->quotients[all->rows[i].division].out_of_table)
-            return refuse_row(&all->rows[i]);
+            return refuse_row(all, &all->rows[i]);
         print_row(all, &all->rows[i]);
         all->printed = true;
     }
@@ -183,7 +178,7 @@ static int flush_run(run *all)
     glint_error err;
     if (glint_divider_backend_divide(all->backend, all->divisions, all->division_count,
                                      all->quotients, &err) != GLINT_OK)
-        return glint_complain_error("divide", &err);
+        return glint_complain_error(all->command, &err);
     const int status = print_rows(all);
     all->row_count = 0;
     all->division_count = 0;
@@ -191,7 +186,7 @@ static int flush_run(run *all)
         return status;
     if (all->limit == 1)
         fflush(stdout);
-    return ferror(stdout) ? glint_output_finish("divide", GLINT_EXIT_TROUBLE) : GLINT_EXIT_OK;
+    return ferror(stdout) ? glint_output_finish(all->command, GLINT_EXIT_TROUBLE) : GLINT_EXIT_OK;
 }
 
 /* Whether the row can be one more component of the division of the row before it. */
@@ -254,19 +249,39 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
     if (status != GLINT_EXIT_OK)
         return status;
     fflush(stdout);
-    return glint_complain("divide", GLINT_EXIT_TROUBLE, "line %" PRIu64 ": %s", number, err.text);
+    return glint_complain(all->command, GLINT_EXIT_TROUBLE, "line %" PRIu64 ": %s", number,
+                          err.text);
 }
 
 static int divide(run *all)
 {
     fputs(all->json ? "[" : "difference,k,shifts,quotient_code,quotient,exact,error\n", stdout);
     const int status = glint_input_lines(
-        "divide", "divisions, one a line: difference k, such as 255 7", take_line, all);
+        all->command, "divisions, one a line: difference k, such as 255 7", take_line, all);
     if (status != GLINT_EXIT_OK && ferror(stdout)) /* which has been said */
         return status;
     if (all->json) /* closed whatever ended it: the rows before that are valid */
         fputs("\n]\n", stdout);
-    return glint_output_finish("divide", status);
+    return glint_output_finish(all->command, status);
+}
+
+int glint_divide_lines(const char *command, const glint_divider_config *config, bool json)
+{
+    run *all = calloc(1, sizeof *all);
+    if (all == NULL)
+        return glint_complain(command, GLINT_EXIT_TROUBLE, "no memory");
+    /* Whoever types the divisions wants each answer at once. */
+    all->limit = isatty(STDIN_FILENO) == 1 ? 1 : RUN_MAX;
+    all->command = command;
+    all->json = json;
+    all->shifts = config->shifts;
+    glint_error err;
+    const int status = glint_divider_backend_create(config, &all->backend, &err) == GLINT_OK
+                           ? divide(all)
+                           : glint_complain_error(command, &err);
+    glint_divider_backend_destroy(all->backend);
+    free(all);
+    return status;
 }
 
 int glint_cmd_divide(int argc, char **argv)
@@ -274,24 +289,16 @@ int glint_cmd_divide(int argc, char **argv)
     divide_options chosen = {.backend = GLINT_BACKEND_C,
                              .form = GLINT_DIVIDER_PIPELINED,
                              .shifts = GLINT_DIVIDER_SHIFTS_DEFAULT};
-    const int parsed = parse(argc, argv, &chosen);
-    if (parsed != GLINT_OPTIONS_RUN)
-        return parsed;
+    int status = parse(argc, argv, &chosen);
+    if (status != GLINT_OPTIONS_RUN)
+        return status;
     const glint_divider_config config = {.kind = (glint_backend_kind)chosen.backend,
                                          .form = (glint_divider_form)chosen.form,
-                                         .shifts = (int)chosen.shifts};
-    run *all = calloc(1, sizeof *all);
-    if (all == NULL)
-        return glint_complain("divide", GLINT_EXIT_TROUBLE, "no memory");
-    /* Whoever types the divisions wants each answer at once. */
-    all->limit = isatty(STDIN_FILENO) == 1 ? 1 : RUN_MAX;
-    all->json = chosen.json;
-    all->shifts = config.shifts;
-    glint_error err;
-    const int status = glint_divider_backend_create(&config, &all->backend, &err) == GLINT_OK
-                           ? divide(all)
-                           : glint_complain_error("divide", &err);
-    glint_divider_backend_destroy(all->backend);
-    free(all);
-    return status;
+                                         .shifts = (int)chosen.shifts,
+                                         .verilog = chosen.verilog};
+    glint_setting setting = glint_setting_divider(config.form, config.shifts);
+    setting.verilog = chosen.verilog;
+    status = glint_rtl_option_settle("divide", &setting, config.kind == GLINT_BACKEND_RTL);
+    return status == GLINT_OPTIONS_RUN ? glint_divide_lines("divide", &config, chosen.json)
+                                       : status;
 }

@@ -3,10 +3,15 @@
 
 #include <inttypes.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "backend/backend.h"
+#include "circuit/circuits.h"
+#include "cli/circuit_options.h"
 #include "cli/commands.h"
+#include "cli/divide.h"
+#include "cli/eval_circuit.h"
 #include "cli/eval_line.h"
 #include "cli/input.h"
 #include "cli/options.h"
@@ -15,8 +20,8 @@
 #define RUN_MAX 4096
 
 typedef struct eval_options {
-    int backend, gate, pipeline;
-    int64_t lanes;
+    glint_circuit_options circuits;
+    int backend;
     bool json;
 } eval_options;
 
@@ -34,30 +39,51 @@ typedef struct run {
     uint8_t r[RUN_MAX], g[RUN_MAX], b[RUN_MAX];
 } run;
 
+/* The specular device is the faster, the more lanes it has. */
+static const char *usual(const char *parameter)
+{
+    return strcmp(parameter, "lanes") == 0 ? "16" : NULL;
+}
+
+static const char details[] =
+    "A line is: n cos r g b, with blanks or commas between. n is 0 to 1023; cos is a\n"
+    "number from 0 to 1, or a code of register 1, 0x0 to 0x7ffff or code:0 to\n"
+    "code:524287 (above 0x40000, code:262144, which is 1.0, it saturates); r, g, b are\n"
+    "0 to 255. Blank lines and lines that begin with # are skipped.\n"
+    "\n"
+    "The first line may be a header, as of what was printed: the columns n, r, g, b and\n"
+    "cos, or cos_code with codes in decimal, are taken by name, others passed over.\n"
+    "\n"
+    "The columns printed are n,cos_code,w_code,r,g,b: cos_code is what register 1\n"
+    "holds and w_code the output of the key block, both in units of 2^-18.\n"
+    "\n"
+    "--circuit divider reads divisions and prints quotients as glint divide does; of a\n"
+    "circuit of one's own, glint --circuit-dir DIR eval --help names what it reads.";
+
+#define OWN_ROWS 2
+
 static int parse(int argc, char **argv, eval_options *chosen)
 {
-    const glint_option options[] = {
+    static char own_details[4096];
+    const glint_circuit_use use = {
+        .command = "eval", .circuit = "specular", .one_circuit = true, .usual = usual};
+    const int begun = glint_circuit_options_begin(&chosen->circuits, &use, argc, argv);
+    if (begun != GLINT_OPTIONS_RUN)
+        return begun;
+    glint_option options[OWN_ROWS + GLINT_CIRCUIT_OPTIONS] = {
         {.name = "backend",
          .help = "who computes: the C model, the Verilog, or the formula in floating point",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->backend, glint_backend_names}},
-        {.name = "gate",
-         .help = "what decides that a point lies outside the highlight",
-         .kind = GLINT_OPTION_CHOICE,
-         .choice = {&chosen->gate, glint_gate_names}},
-        {.name = "pipeline",
-         .help = "where the Verilog's registers are",
-         .kind = GLINT_OPTION_CHOICE,
-         .choice = {&chosen->pipeline, glint_pipeline_names}},
-        {.name = "lanes",
-         .help = "cosines a clock in the Verilog: 1, 2, 4, 8 or 16; 0: the fastest",
-         .kind = GLINT_OPTION_INTEGER,
-         .integer = {&chosen->lanes, 0, GLINT_LANES_MAX}},
         {.name = "json",
          .help = "a JSON array of objects instead of CSV",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
+    const size_t count =
+        OWN_ROWS + glint_circuit_options_add(&chosen->circuits, options + OWN_ROWS);
+    const glint_setting first = glint_setting_standard(chosen->circuits.circuit[0]);
+    glint_eval_circuit_details(&first, own_details, sizeof own_details);
     static const glint_example examples[] = {
         {"one point by the Verilog", "echo '80 0.99 255 190 110' | glint eval --backend rtl"},
         {"a code of register 1, as eval prints it",
@@ -68,27 +94,13 @@ static int parse(int argc, char **argv, eval_options *chosen)
         .command = "eval",
         .summary = "Reads points from standard input, one a line, and prints what the device "
                    "answers for each, in order.",
-        .details =
-            "A line is: n cos r g b, with blanks or commas between. n is 0 to 1023; cos is a\n"
-            "number from 0 to 1, or a code of register 1, 0x0 to 0x7ffff or code:0 to\n"
-            "code:524287 (above 0x40000, code:262144, which is 1.0, it saturates); r, g, b are\n"
-            "0 to 255. Blank lines and lines that begin with # are skipped.\n"
-            "\n"
-            "The first line may be a header, as of what was printed: the columns n, r, g, b and\n"
-            "cos, or cos_code with codes in decimal, are taken by name, others passed over.\n"
-            "\n"
-            "The columns printed are n,cos_code,w_code,r,g,b: cos_code is what register 1\n"
-            "holds and w_code the output of the key block, both in units of 2^-18.",
+        .details = first.circuit == &glint_circuit_specular ? details : own_details,
         .examples = examples,
         .options = options,
-        .option_count = sizeof options / sizeof options[0],
+        .option_count = count,
     };
     const int status = glint_options_parse(&line, argc, argv);
-    if (status == GLINT_OPTIONS_RUN && (chosen->lanes & (chosen->lanes - 1)) != 0) {
-        return glint_complain("eval", GLINT_EXIT_TROUBLE, "--lanes: %d is not 1, 2, 4, 8, 16 or 0",
-                              (int)chosen->lanes);
-    }
-    return status;
+    return status == GLINT_OPTIONS_RUN ? glint_circuit_options_settle(&chosen->circuits) : status;
 }
 
 static void print_row(const run *points, size_t i)
@@ -114,8 +126,13 @@ static int flush_run(run *points)
         return GLINT_EXIT_OK;
     }
     glint_error err;
-    if (glint_backend_shade(points->backend, &points->material, points->cos_code, points->count,
-                            points->w_code, points->r, points->g, points->b, &err) != GLINT_OK) {
+    const glint_points shaded = {.cos = points->cos_code,
+                                 .count = points->count,
+                                 .w = points->w_code,
+                                 .r = points->r,
+                                 .g = points->g,
+                                 .b = points->b};
+    if (glint_backend_shade(points->backend, &points->material, &shaded, &err) != GLINT_OK) {
         return glint_complain_error("eval", &err);
     }
     for (size_t i = 0; i < points->count; i++) {
@@ -185,19 +202,14 @@ static int eval(run *points)
     return glint_output_finish("eval", status);
 }
 
-int glint_cmd_eval(int argc, char **argv)
+static int eval_points(const eval_options *chosen, const glint_setting *setting)
 {
-    eval_options chosen = {.backend = GLINT_BACKEND_C,
-                           .gate = GLINT_GATE_COSINE,
-                           .pipeline = GLINT_PIPELINE_PIPELINED};
-    const int parsed = parse(argc, argv, &chosen);
-    if (parsed != GLINT_OPTIONS_RUN) {
-        return parsed;
-    }
-    const glint_backend_config config = {.kind = (glint_backend_kind)chosen.backend,
-                                         .gate = (glint_gate)chosen.gate,
-                                         .pipeline = (glint_pipeline)chosen.pipeline,
-                                         .lanes = (int)chosen.lanes};
+    const glint_specular_config device = glint_specular_config_of(setting->values);
+    const glint_backend_config config = {.kind = (glint_backend_kind)chosen->backend,
+                                         .gate = device.gate,
+                                         .pipeline = device.pipeline,
+                                         .lanes = device.lanes,
+                                         .verilog = setting->verilog};
     glint_error err;
     run *points = calloc(1, sizeof *points);
     if (points == NULL) {
@@ -205,11 +217,52 @@ int glint_cmd_eval(int argc, char **argv)
     }
     /* Whoever types the points wants each answer at once. */
     points->limit = isatty(STDIN_FILENO) == 1 ? 1 : RUN_MAX;
-    points->json = chosen.json;
+    points->json = chosen->json;
     const int status = glint_backend_create(&config, &points->backend, &err) == GLINT_OK
                            ? eval(points)
                            : glint_complain_error("eval", &err);
     glint_backend_destroy(points->backend);
     free(points);
     return status;
+}
+
+static int eval_divisions(const eval_options *chosen, const glint_setting *setting)
+{
+    const glint_divider_config config = {
+        .kind = (glint_backend_kind)chosen->backend,
+        .form = (glint_divider_form)setting->values[GLINT_DIVIDER_FORM],
+        .shifts = setting->values[GLINT_DIVIDER_SHIFTS],
+        .verilog = setting->verilog};
+    return glint_divide_lines("eval", &config, chosen->json);
+}
+
+static int eval_setting(const eval_options *chosen, const glint_setting *setting)
+{
+    const bool is_rtl = chosen->backend == GLINT_BACKEND_RTL;
+    if (chosen->circuits.verilog != NULL && !is_rtl) {
+        return glint_rtl_option_settle("eval", setting, false);
+    }
+    if (setting->circuit == &glint_circuit_specular) {
+        return eval_points(chosen, setting);
+    }
+    if (setting->circuit == &glint_circuit_divider) {
+        return eval_divisions(chosen, setting);
+    }
+    if (chosen->backend == GLINT_BACKEND_REAL) {
+        return glint_complain("eval", GLINT_EXIT_TROUBLE,
+                              "--backend real: the circuit %s has no formula, c or rtl computes",
+                              setting->circuit->name);
+    }
+    return glint_eval_circuit(setting, is_rtl, chosen->json);
+}
+
+int glint_cmd_eval(int argc, char **argv)
+{
+    eval_options chosen = {.backend = GLINT_BACKEND_C};
+    const int parsed = parse(argc, argv, &chosen);
+    if (parsed != GLINT_OPTIONS_RUN) {
+        return parsed;
+    }
+    const glint_setting setting = glint_circuit_options_first(&chosen.circuits, 0);
+    return eval_setting(&chosen, &setting);
 }

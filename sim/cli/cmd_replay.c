@@ -4,15 +4,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "circuit/own.h"
+#include "cli/circuit_options.h"
 #include "cli/commands.h"
 #include "cli/failure_output.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "failure/report.h"
 #include "file/same.h"
+#include "lockstep/mismatch.h"
 
 typedef struct replay_options {
     const char *directory, *out;
+    const char *verilog;          /* --rtl; NULL: what the packet says */
+    const char *circuit_dir;      /* NULL: none */
+    const glint_circuit *circuit; /* its circuit */
     bool json;
 } replay_options;
 
@@ -41,6 +47,13 @@ static int parse(int argc, char **argv, replay_options *chosen)
          .help = "where they differ, what comes of it as a packet of its own",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
+        {.name = "rtl",
+         .placeholder = "DIR",
+         .help = "the Verilog of this directory",
+         .usually = "that of the packet",
+         .kind = GLINT_OPTION_STRING,
+         .string = &chosen->verilog},
+        GLINT_CIRCUIT_DIR_OPTION(&chosen->circuit_dir),
         {.name = "json",
          .help = "the result as JSON",
          .kind = GLINT_OPTION_FLAG,
@@ -55,7 +68,7 @@ static int parse(int argc, char **argv, replay_options *chosen)
     const glint_command_line line = {
         .command = "replay",
         .summary = "Plays the inputs of a failure packet, which verify and render leave where C "
-                   "and Verilog differ, through the C model and the Verilog of this build.",
+                   "and Verilog differ, through the C model and the Verilog.",
         .details = "To find the change that brought or removed a fault:\n"
                    "\n"
                    "  git bisect run sh -c 'make -j2 build/glint || exit 125\n"
@@ -70,10 +83,14 @@ static int parse(int argc, char **argv, replay_options *chosen)
         .positional_count = 1,
     };
     const int status = glint_options_parse(&line, argc, argv);
+    glint_error err;
     if (status == GLINT_OPTIONS_RUN && chosen->out != NULL &&
         is_same_packet(chosen->directory, chosen->out))
         return glint_complain("replay", GLINT_EXIT_TROUBLE, "--out: %s is the packet itself",
                               chosen->out);
+    if (status == GLINT_OPTIONS_RUN && chosen->circuit_dir != NULL &&
+        glint_circuit_load(chosen->circuit_dir, &chosen->circuit, &err) != GLINT_OK)
+        return glint_complain_error("replay", &err);
     return status;
 }
 
@@ -117,15 +134,15 @@ static cJSON *mismatches_of(const replay *of)
     cJSON *list = cJSON_CreateArray();
     for (int i = 0; i < of->now.count; i++) {
         const glint_mismatch *mismatch = &of->now.mismatch[i];
-        char text[32];
+        char text[GLINT_VALUE_TEXT];
         cJSON *entry = cJSON_CreateObject();
         cJSON_AddStringToObject(entry, "signal", mismatch->signal.name);
         cJSON_AddNumberToObject(entry, glint_setting_lane_name(&of->packet->setting),
                                 mismatch->signal.lane);
         cJSON_AddNumberToObject(entry, "block", mismatch->signal.block);
-        (void)snprintf(text, sizeof text, "0x%" PRIx64, mismatch->model);
+        glint_mismatch_bits(&mismatch->signal, mismatch->model, text);
         cJSON_AddStringToObject(entry, "model", text);
-        (void)snprintf(text, sizeof text, "0x%" PRIx64, mismatch->rtl);
+        glint_mismatch_bits(&mismatch->signal, mismatch->rtl, text);
         cJSON_AddStringToObject(entry, "rtl", text);
         cJSON_AddItemToArray(list, entry);
     }
@@ -154,6 +171,9 @@ static glint_status write_packet(const replay_options *chosen, replay *of, glint
 {
     glint_failure fresh = *of->packet;
     fresh.program = glint_failure_program();
+    if (chosen->verilog != NULL)
+        glint_failure_name_verilog(&fresh);
+    glint_failure_name_circuit(&fresh, chosen->circuit_dir);
     fresh.finding = of->now;
     fresh.capture = of->capture;
     if (has_answers(of)) {
@@ -196,12 +216,28 @@ static glint_status play(replay *of, glint_error *err)
     return status;
 }
 
+/* Where its Verilog is: as the command says, else the circuit's own directory, else where it was.
+ */
+static void choose_verilog(const replay_options *chosen, glint_failure *packet)
+{
+    const char *from_packet = glint_failure_rtl(packet);
+    packet->setting.verilog = chosen->verilog != NULL       ? chosen->verilog
+                              : from_packet[0] != '\0'      ? packet->rtl
+                              : chosen->circuit_dir != NULL ? chosen->circuit_dir
+                                                            : NULL;
+}
+
 static int run(const replay_options *chosen, replay *of)
 {
     glint_error err;
-    glint_status status = glint_packet_read(chosen->directory, &of->packet, &err);
-    if (status == GLINT_OK)
+    glint_status status = glint_packet_read(chosen->directory, chosen->circuit, &of->packet, &err);
+    if (status == GLINT_OK) {
+        choose_verilog(chosen, of->packet);
+        const int found = glint_rtl_option_check("replay", &of->packet->setting);
+        if (found != GLINT_OPTIONS_RUN)
+            return found;
         status = play(of, &err);
+    }
     if (status != GLINT_OK)
         return glint_complain("replay", GLINT_EXIT_TROUBLE, "%s", err.text);
     of->same = glint_failure_same(&of->now, &of->packet->finding);

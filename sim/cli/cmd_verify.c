@@ -304,9 +304,10 @@ static void choose_turn(verification *all, bool first)
     }
 }
 
-static void show_built(void *context, int done, int count)
+static void show_build(void *context, int index, int count, const glint_setting *setting)
 {
-    glint_progress_update(context, (uint64_t)done, (uint64_t)count);
+    (void)setting;
+    glint_progress_update(context, (uint64_t)index, (uint64_t)count);
 }
 
 /* Builds what is not in the cache, before any of it runs. What does not build says so when its turn
@@ -315,20 +316,17 @@ static void build_turn(const verification *all, const verify_options *chosen)
 {
     glint_progress progress;
     glint_error err;
-    glint_setting *settings = calloc((size_t)all->turns + 1, sizeof *settings);
+    glint_setting *settings = calloc((size_t)all->turns, sizeof *settings);
     if (settings == NULL)
         return;
     for (int i = 0; i < all->turns; i++)
         settings[i] = all->tasks[all->turn[i]].options.setting;
-    const glint_build_options options = {.settings = settings,
-                                         .count = all->turns,
-                                         .kind = GLINT_RTL_OBSERVED,
-                                         .jobs = (int)chosen->threads,
-                                         .stop = glint_stop_flag(),
-                                         .progress = show_built,
-                                         .progress_context = &progress};
+    const glint_rtl_build_control control = {.threads = (int)chosen->threads,
+                                             .stop = glint_stop_flag(),
+                                             .show = show_build,
+                                             .context = &progress};
     glint_progress_begin(&progress, "verify", "circuits built");
-    (void)glint_rtl_build_all(&options, &err);
+    (void)glint_rtl_build_all(settings, all->turns, GLINT_RTL_OBSERVED, &control, &err);
     glint_progress_end(&progress);
     free(settings);
 }
@@ -395,6 +393,7 @@ static void report_failure(const verify_options *chosen, task *task, glint_failu
         return;
     }
     failure->program = glint_failure_program();
+    glint_failure_name_circuit(failure, chosen->circuits.directory);
     write_command(chosen, &failure->setting, failure->command, sizeof failure->command);
     glint_setting_name(&failure->setting, name);
     (void)snprintf(directory, sizeof directory, "%s/%s", chosen->out, name);

@@ -61,6 +61,12 @@ bool glint_failure_output(const char *command, const glint_failure *failure,
     return written;
 }
 
+void glint_failure_name_circuit(glint_failure *failure, const char *directory)
+{
+    (void)snprintf(failure->circuit_dir, sizeof failure->circuit_dir, "%s",
+                   directory != NULL ? directory : "");
+}
+
 /* As argv[0] of the process: it is found again from the same directory, or on the path. */
 const char *glint_failure_program(void)
 {

@@ -25,6 +25,9 @@ bool glint_failure_output(const char *command, const glint_failure *failure,
                           const glint_packet_frames *frames, const char *directory,
                           glint_failure_detail detail, FILE *out);
 
+/* Says in the packet which --circuit-dir has the circuit; NULL: it is one of Glint's own. */
+void glint_failure_name_circuit(glint_failure *failure, const char *directory);
+
 /* The name that this program was called by. */
 const char *glint_failure_program(void);
 

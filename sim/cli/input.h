@@ -23,7 +23,7 @@ typedef struct glint_column {
  * header, which a letter begins: then each further line has a value for each of its names, and
  * those that are not asked for are passed over. So what a command has printed as CSV is read
  * again. Without a header the values are those asked for, in their order. */
-#define GLINT_COLUMNS_MAX 16
+#define GLINT_COLUMNS_MAX 128
 typedef struct glint_columns {
     bool begun;
     int width; /* values a line; 0: no header */

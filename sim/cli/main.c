@@ -44,6 +44,8 @@ static int print_help(void)
     printf("\n"
            "glint SUBCOMMAND --help   its options, their defaults, examples;\n"
            "                          also: glint help SUBCOMMAND\n"
+           "glint --circuit-dir DIR SUBCOMMAND ...   a circuit of one's own (verify, eval,\n"
+           "                          wave, replay, info)\n"
            "glint --version, -V       the version\n"
            "\n"
            "Exit status:\n"
@@ -68,12 +70,13 @@ static int print_version(void)
 
 static int refuse(const char *word)
 {
-    const char *names[SUBCOMMAND_COUNT + 3] = {NULL};
+    const char *names[SUBCOMMAND_COUNT + 4] = {NULL};
     const bool is_option = word[0] == '-';
     size_t count = 0;
     if (is_option) {
         names[count++] = "--help";
         names[count++] = "--version";
+        names[count++] = "--circuit-dir";
     }
     for (size_t i = 0; i < SUBCOMMAND_COUNT && !is_option; i++) {
         names[count++] = subcommands[i].name;
@@ -109,11 +112,33 @@ static int help_on(int argc, char **argv)
     return run(argc, argv);
 }
 
+/* `--circuit-dir DIR SUBCOMMAND …` is `SUBCOMMAND --circuit-dir DIR …`. Returns how many arguments
+ * stood before the subcommand. */
+static int move_circuit_dir(int argc, char **argv)
+{
+    static const char option[] = "--circuit-dir";
+    const bool is_joined =
+        strncmp(argv[1], option, sizeof option - 1) == 0 && argv[1][sizeof option - 1] == '=';
+    const int moved = is_joined ? 1 : strcmp(argv[1], option) == 0 ? 2 : 0;
+    if (moved == 0 || argc < moved + 2) {
+        return moved;
+    }
+    char *const subcommand = argv[1 + moved];
+    memmove(argv + 2, argv + 1, (size_t)moved * sizeof *argv);
+    argv[1] = subcommand;
+    return moved;
+}
+
 int main(int argc, char **argv)
 {
     glint_output_init();
     if (argc < 2) {
         return glint_complain(NULL, GLINT_EXIT_TROUBLE, "no subcommand (see glint --help)");
+    }
+    const int moved = move_circuit_dir(argc, argv);
+    if (moved != 0 && argc < moved + 2) {
+        return glint_complain(NULL, GLINT_EXIT_TROUBLE,
+                              "--circuit-dir DIR stands before a subcommand (see glint --help)");
     }
     const bool is_help = strcmp(argv[1], "help") == 0;
     if (is_help && argc > 2 && argv[2][0] != '-') {

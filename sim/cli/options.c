@@ -83,6 +83,16 @@ static bool store_choice(const glint_option *option, const char *text)
     return false;
 }
 
+static bool store_count_or(const glint_option *option, const char *text)
+{
+    if (strcmp(text, option->count_or.word) == 0) {
+        *option->count_or.value = option->count_or.meant;
+        return true;
+    }
+    return glint_parse_count(text, option->count_or.min, option->count_or.max,
+                             option->count_or.value);
+}
+
 static bool store_string(const glint_option *option, const char *text)
 {
     if (*text == '\0') {
@@ -101,6 +111,8 @@ static bool store(const glint_option *option, const char *text)
     case GLINT_OPTION_INTEGER:
         return glint_parse_count(text, option->integer.min, option->integer.max,
                                  option->integer.value);
+    case GLINT_OPTION_COUNT_OR:
+        return store_count_or(option, text);
     case GLINT_OPTION_REAL:
         return glint_parse_real(text, option->real.min, option->real.max, option->real.value);
     case GLINT_OPTION_CHOICE:

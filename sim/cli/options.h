@@ -34,6 +34,7 @@
 typedef enum glint_option_kind {
     GLINT_OPTION_FLAG,
     GLINT_OPTION_INTEGER,
+    GLINT_OPTION_COUNT_OR, /* the same, or a word */
     GLINT_OPTION_REAL,
     GLINT_OPTION_CHOICE,
     GLINT_OPTION_STRING,
@@ -56,6 +57,12 @@ typedef struct glint_option {
             int64_t *value;
             int64_t min, max;
         } integer;
+        struct {
+            int64_t *value;
+            int64_t min, max;
+            const char *word; /* stands for meant, which is not in min…max */
+            int64_t meant;
+        } count_or;
         struct {
             double *value;
             double min, max; /* both finite */

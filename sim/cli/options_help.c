@@ -33,6 +33,10 @@ void glint_option_expectation(const glint_option *option, char *text, size_t siz
         snprintf(text, size, "an integer from %" PRId64 " to %" PRId64, option->integer.min,
                  option->integer.max);
         break;
+    case GLINT_OPTION_COUNT_OR:
+        snprintf(text, size, "%s or an integer from %" PRId64 " to %" PRId64, option->count_or.word,
+                 option->count_or.min, option->count_or.max);
+        break;
     case GLINT_OPTION_REAL:
         snprintf(text, size, "a number from %g to %g", option->real.min, option->real.max);
         break;
@@ -60,9 +64,11 @@ void glint_option_expectation(const glint_option *option, char *text, size_t siz
 static void placeholder(const glint_option *option, char *text, size_t size)
 {
     static const char *const usual[] = {
-        [GLINT_OPTION_FLAG] = "",       [GLINT_OPTION_INTEGER] = "N",   [GLINT_OPTION_REAL] = "X",
-        [GLINT_OPTION_CHOICE] = "",     [GLINT_OPTION_STRING] = "TEXT", [GLINT_OPTION_SIZE] = "WxH",
+        [GLINT_OPTION_FLAG] = "",       [GLINT_OPTION_INTEGER] = "N",
+        [GLINT_OPTION_REAL] = "X",      [GLINT_OPTION_CHOICE] = "",
+        [GLINT_OPTION_STRING] = "TEXT", [GLINT_OPTION_SIZE] = "WxH",
         [GLINT_OPTION_REALS] = "X,Y,Z", [GLINT_OPTION_COLOR] = "COLOR",
+        [GLINT_OPTION_COUNT_OR] = "N",
     };
     if (option->placeholder != NULL) {
         snprintf(text, size, "%s", option->placeholder);
@@ -82,6 +88,13 @@ static void current_value(const glint_option *option, char *text, size_t size)
         break;
     case GLINT_OPTION_INTEGER:
         snprintf(text, size, "%" PRId64, *option->integer.value);
+        break;
+    case GLINT_OPTION_COUNT_OR:
+        if (*option->count_or.value == option->count_or.meant) {
+            snprintf(text, size, "%s", option->count_or.word);
+        } else {
+            snprintf(text, size, "%" PRId64, *option->count_or.value);
+        }
         break;
     case GLINT_OPTION_REAL:
         snprintf(text, size, "%g", *option->real.value);

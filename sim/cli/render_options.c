@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "circuit/circuits.h"
+#include "cli/circuit_options.h"
 #include "cli/model_names.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -12,9 +14,9 @@
 /* What the option table fills, beside the scene. */
 typedef struct raw_options {
     glint_scene_options scene;
-    const char *out, *specular;
-    int64_t n, shifts;
-    int shading, backend, gate, pipeline, lanes;
+    const char *out, *specular, *verilog;
+    int64_t n, shifts, lanes;
+    int shading, backend, gate, pipeline;
     bool json, force;
 } raw_options;
 
@@ -22,9 +24,6 @@ static const char *const backend_names[] = {"c", "rtl", "real", "both", NULL};
 static const glint_backend_kind backend_kinds[] = {GLINT_BACKEND_C, GLINT_BACKEND_RTL,
                                                    GLINT_BACKEND_REAL};
 #define BACKEND_BOTH 3
-
-static const char *const lane_names[] = {"auto", "1", "2", "4", "8", "16", NULL};
-static const int lane_counts[] = {0, 1, 2, 4, 8, 16};
 
 static raw_options defaults(void)
 {
@@ -55,7 +54,7 @@ static const char details[] =
     "is the frame of rtl, FILE-c.png that of c, FILE-diff.png shows the difference,\n"
     "FILE-failure is a packet for glint replay.";
 
-#define OWN_ROWS   11
+#define OWN_ROWS   12
 #define TABLE_ROWS (OWN_ROWS + GLINT_SCENE_OPTIONS)
 
 static void fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
@@ -98,9 +97,11 @@ static void fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&raw->pipeline, glint_pipeline_names}},
         {.name = "lanes",
-         .help = "cosines a clock in the Verilog",
-         .kind = GLINT_OPTION_CHOICE,
-         .choice = {&raw->lanes, lane_names}},
+         .placeholder = "auto|N",
+         .help = "cosines a clock in the Verilog, 1 to 32",
+         .kind = GLINT_OPTION_COUNT_OR,
+         .count_or = {&raw->lanes, 1, GLINT_LANES_MAX, "auto", 0}},
+        GLINT_RTL_OPTION(&raw->verilog),
         GLINT_FORCE_OPTION(&raw->force),
         {.name = "json",
          .help = "the figures as JSON",
@@ -159,6 +160,20 @@ static int choose_specular(const raw_options *raw, glint_render_options *chosen)
     return GLINT_OPTIONS_RUN;
 }
 
+/* Of the specular device, and with Gouraud's shading of the divider. */
+static int check_verilog(const glint_render_options *chosen)
+{
+    const bool is_used = chosen->backend.kind == GLINT_BACKEND_RTL;
+    const glint_setting device = glint_backend_setting(&chosen->backend);
+    glint_setting divider = glint_setting_divider(GLINT_DIVIDER_PIPELINED, chosen->scene.shifts);
+    int status = glint_rtl_option_settle("render", &device, is_used);
+    divider.verilog = chosen->backend.verilog;
+    if (status == GLINT_OPTIONS_RUN && chosen->scene.shading == GLINT_SHADING_GOURAUD) {
+        status = glint_rtl_option_settle("render", &divider, is_used);
+    }
+    return status;
+}
+
 int glint_render_options_parse(int argc, char **argv, glint_render_options *chosen)
 {
     raw_options raw = defaults();
@@ -182,7 +197,8 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
         .backend = {.kind = both ? GLINT_BACKEND_RTL : backend_kinds[raw.backend],
                     .gate = (glint_gate)raw.gate,
                     .pipeline = (glint_pipeline)raw.pipeline,
-                    .lanes = lane_counts[raw.lanes]},
+                    .lanes = (int)raw.lanes,
+                    .verilog = raw.verilog},
         .scene = glint_scene_options_scene(&raw.scene),
         .out = raw.out,
         .force = raw.force,
@@ -191,5 +207,6 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
     chosen->scene.n = (uint16_t)raw.n;
     chosen->scene.shading = (glint_shading)raw.shading;
     chosen->scene.shifts = (int)raw.shifts;
-    return choose_specular(&raw, chosen);
+    status = choose_specular(&raw, chosen);
+    return status == GLINT_OPTIONS_RUN ? check_verilog(chosen) : status;
 }

@@ -91,6 +91,7 @@ static void report_failure(const glint_exhaustive_choice *chosen, run *run, FILE
         return;
     }
     failure->program = glint_failure_program();
+    glint_failure_name_circuit(failure, chosen->circuits.directory);
     write_command(chosen, run, (uint64_t)chosen->from, failure->command, sizeof failure->command);
     glint_setting_name(&run->options.setting, name);
     (void)snprintf(directory, sizeof directory, "%s/%s_exhaustive", chosen->out, name);

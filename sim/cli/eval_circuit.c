@@ -1,0 +1,332 @@
+/* Numbers on standard input, a circuit's outputs on standard output; see eval_circuit.h. */
+#define _POSIX_C_SOURCE 200809L
+
+#include "cli/eval_circuit.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "circuit/words.h"
+#include "cli/input.h"
+#include "cli/output.h"
+#include "lockstep/signals.h"
+#include "rtl/rtl.h"
+
+#define NAME_TEXT 128
+
+/* A data pin or an output, as a column. */
+typedef struct column {
+    char name[NAME_TEXT];
+    int index; /* of the pin, or of the signal */
+} column;
+
+typedef struct evaluation {
+    const glint_setting *setting;
+    bool json, at_once;
+    uint64_t printed;
+    glint_columns columns;
+    int pins, outputs;
+    column pin[GLINT_COLUMNS_MAX];
+    glint_column field[GLINT_COLUMNS_MAX];
+    char values[64]; /* "the 3 values a b c", as far as it has room */
+    column output[GLINT_SIGNAL_WORDS_MAX];
+    void *model;    /* the C model, or */
+    glint_rtl *rtl; /* the Verilog */
+    glint_signals signals;
+    glint_pins rest, asking;
+    uint64_t words[GLINT_SIGNAL_WORDS_MAX];
+} evaluation;
+
+/* ---- Columns -----------------------------------------------------------------------------------
+ */
+
+/* "sum", or of a lane "sum[3]". */
+static void name_column(column *column, int index, const char *name, int lane)
+{
+    column->index = index;
+    if (lane >= 0)
+        (void)snprintf(column->name, sizeof column->name, "%s[%d]", name, lane);
+    else
+        (void)snprintf(column->name, sizeof column->name, "%s", name);
+}
+
+/* Returns how many there are, those included that have no room. */
+static int find_pins(const glint_setting *setting, column *pin)
+{
+    int count = 0;
+    for (int i = 0; i < glint_setting_pin_count(setting); i++) {
+        const glint_pin_info info = glint_setting_pin(setting, i);
+        if (info.role != GLINT_PIN_DATA)
+            continue;
+        if (count < GLINT_COLUMNS_MAX)
+            name_column(&pin[count], i, info.name, info.lane);
+        count++;
+    }
+    return count;
+}
+
+static int find_outputs(const glint_setting *setting, column *output)
+{
+    int count = 0;
+    for (int i = 0; i < glint_setting_signal_count(setting); i++) {
+        const glint_signal_info info = glint_setting_signal(setting, i);
+        if (info.kind == GLINT_SIGNAL_OUTPUT && count < GLINT_SIGNAL_WORDS_MAX)
+            name_column(&output[count++], i, info.name, info.lane);
+    }
+    return count;
+}
+
+static int find_columns(evaluation *e)
+{
+    e->pins = find_pins(e->setting, e->pin);
+    e->outputs = find_outputs(e->setting, e->output);
+    if (e->pins == 0)
+        return glint_complain("eval", GLINT_EXIT_TROUBLE,
+                              "the circuit %s has no data pins: there is nothing to read",
+                              e->setting->circuit->name);
+    if (e->pins > GLINT_COLUMNS_MAX)
+        return glint_complain("eval", GLINT_EXIT_TROUBLE,
+                              "the circuit %s has %d data pins: %d at most",
+                              e->setting->circuit->name, e->pins, GLINT_COLUMNS_MAX);
+    for (int i = 0; i < e->pins; i++)
+        e->field[i] = (glint_column){e->pin[i].name, NULL};
+    (void)snprintf(e->values, sizeof e->values, "the %d value%s of the data pins", e->pins,
+                   e->pins == 1 ? "" : "s");
+    return GLINT_EXIT_OK;
+}
+
+static void append(char *text, size_t size, const char *before, const char *what)
+{
+    const size_t used = strlen(text);
+    (void)snprintf(text + used, size - used, "%s%s", before, what);
+}
+
+void glint_eval_circuit_details(const glint_setting *setting, char *text, size_t size)
+{
+    static column columns[GLINT_SIGNAL_WORDS_MAX];
+    const int found = find_pins(setting, columns);
+    const int pins = found < GLINT_COLUMNS_MAX ? found : GLINT_COLUMNS_MAX;
+    text[0] = '\0';
+    append(text, size, "A line is:", "");
+    for (int i = 0; i < pins; i++)
+        append(text, size, " ", columns[i].name);
+    append(text, size, pins == 0 ? " nothing, as the circuit has no data pins" : "",
+           ", with blanks or commas between: integers,\n"
+           "codes where there is a point, in decimal or 0x. Blank lines and lines that begin\n"
+           "with # are skipped. The first line may be a header, as of what was printed:\n"
+           "columns are taken by name, others passed over.\n"
+           "\n"
+           "Each line is taken by one clock, one after the other and with no reset between;\n"
+           "valid pins are 1 then, enables 1, other controls 0. What is printed is those\n"
+           "values and, after the circuit's latency, its outputs:");
+    const int outputs = find_outputs(setting, columns);
+    for (int i = 0; i < outputs; i++)
+        append(text, size, " ", columns[i].name);
+    append(text, size, ".\n", "Values of more than 64 bits are printed in hex.");
+}
+
+/* ---- The circuit -------------------------------------------------------------------------------
+ */
+
+static void put(const glint_pin_info *pin, glint_pins *pins, bool all_ones)
+{
+    uint64_t words[GLINT_VALUE_WORDS];
+    for (int i = 0; i < GLINT_VALUE_WORDS; i++)
+        words[i] = all_ones ? UINT64_MAX : 0;
+    glint_pin_set(pin, pins, words);
+}
+
+/* Nothing is taken; and what takes a line, but for its values. */
+static void make_pins(evaluation *e)
+{
+    for (int i = 0; i < glint_setting_pin_count(e->setting); i++) {
+        const glint_pin_info pin = glint_setting_pin(e->setting, i);
+        const bool is_on = pin.role == GLINT_PIN_ENABLE || pin.role == GLINT_PIN_RESET_LOW;
+        put(&pin, &e->rest, is_on);
+        put(&pin, &e->asking, is_on || pin.role == GLINT_PIN_VALID);
+    }
+}
+
+static glint_status create(evaluation *e, bool is_rtl, glint_error *err)
+{
+    glint_status status = glint_signals_find(e->setting, &e->signals, err);
+    if (status != GLINT_OK)
+        return status;
+    make_pins(e);
+    if (is_rtl)
+        return glint_rtl_open(e->setting, GLINT_RTL_OBSERVED, &e->rtl, err);
+    status = e->setting->circuit->create(e->setting->values, &e->model);
+    return status == GLINT_OK ? status : glint_fail(err, status, "the C model cannot be created");
+}
+
+static void destroy(evaluation *e)
+{
+    glint_rtl_destroy(e->rtl);
+    if (e->model != NULL)
+        e->setting->circuit->destroy(e->model);
+}
+
+static void clock_with(evaluation *e, const glint_pins *pins)
+{
+    if (e->rtl != NULL)
+        glint_rtl_clock(e->rtl, pins);
+    else
+        e->setting->circuit->clock(e->model, pins);
+}
+
+static void read_signals(evaluation *e)
+{
+    if (e->rtl != NULL)
+        glint_rtl_read(e->rtl, e->words);
+    else
+        glint_signals_read(&e->signals, e->setting->circuit->signals(e->model), e->words);
+}
+
+/* The line's clock and those until its result is out; then those until the next may come. */
+static void ask(evaluation *e, const glint_pins *pins)
+{
+    const int latency = glint_setting_latency(e->setting);
+    const int pace = glint_setting_pace(e->setting);
+    clock_with(e, pins);
+    for (int i = 1; i < latency; i++)
+        clock_with(e, &e->rest);
+    read_signals(e);
+    for (int i = latency > 1 ? latency : 1; i < pace; i++)
+        clock_with(e, &e->rest);
+}
+
+/* ---- Lines -------------------------------------------------------------------------------------
+ */
+
+static void print_value(const evaluation *e, int width, bool is_signed, const uint64_t *words)
+{
+    char text[GLINT_VALUE_TEXT];
+    if (width > 64)
+        glint_words_hex(words, width, text);
+    else
+        glint_words_decimal(words, width, is_signed, text);
+    const bool is_text = e->json && width > 53; /* a JSON number would lose bits */
+    printf(is_text ? "\"%s\"" : "%s", text);
+}
+
+static void print_name(const evaluation *e, int number, const char *name)
+{
+    if (number != 0)
+        putchar(',');
+    if (e->json)
+        printf("\"%s\":", name);
+}
+
+static void print_row(const evaluation *e, const glint_pins *pins)
+{
+    uint64_t words[GLINT_VALUE_WORDS];
+    if (e->json)
+        printf("%s\n{", e->printed != 0 ? "," : "");
+    for (int i = 0; i < e->pins; i++) {
+        const glint_pin_info pin = glint_setting_pin(e->setting, e->pin[i].index);
+        glint_pin_get(&pin, pins, words);
+        print_name(e, i, e->pin[i].name);
+        print_value(e, glint_pin_width(&pin), pin.is_signed, words);
+    }
+    for (int i = 0; i < e->outputs; i++) {
+        const glint_signal_info *signal = &e->signals.info[e->output[i].index];
+        print_name(e, 1, e->output[i].name);
+        print_value(e, glint_signal_width(signal), signal->is_signed,
+                    e->words + e->signals.place[e->output[i].index]);
+    }
+    fputs(e->json ? "}" : "\n", stdout);
+}
+
+static glint_line_kind read_values(evaluation *e, char **value, glint_pins *pins, glint_error *err)
+{
+    uint64_t words[GLINT_VALUE_WORDS];
+    char expected[64];
+    for (int i = 0; i < e->pins; i++) {
+        const glint_pin_info pin = glint_setting_pin(e->setting, e->pin[i].index);
+        const int width = glint_pin_width(&pin);
+        (void)snprintf(expected, sizeof expected, "an integer of %d bit%s%s, decimal or 0x", width,
+                       width == 1 ? "" : "s", pin.is_signed ? " with the sign" : "");
+        if (!glint_words_parse(value[i], width, pin.is_signed, words))
+            return glint_line_refuse(e->pin[i].name, value[i], expected, err);
+        glint_pin_set(&pin, pins, words);
+    }
+    return GLINT_LINE_VALUES;
+}
+
+static glint_line_kind read_line(evaluation *e, char *line, size_t length, glint_pins *pins,
+                                 glint_error *err)
+{
+    const glint_line_form form = {e->field, e->pins, e->values};
+    char *value[GLINT_COLUMNS_MAX];
+    const glint_line_kind kind = glint_line_cut(&form, &e->columns, line, length, value, err);
+    *pins = e->asking;
+    return kind == GLINT_LINE_VALUES ? read_values(e, value, pins, err) : kind;
+}
+
+static int take_line(void *context, uint64_t number, char *line, size_t length)
+{
+    evaluation *e = context;
+    glint_pins pins;
+    glint_error err;
+    if (line == NULL)
+        return GLINT_EXIT_OK;
+    switch (read_line(e, line, length, &pins, &err)) {
+    case GLINT_LINE_NOTHING:
+        return GLINT_EXIT_OK;
+    case GLINT_LINE_VALUES:
+        ask(e, &pins);
+        print_row(e, &pins);
+        e->printed++;
+        if (e->at_once)
+            fflush(stdout);
+        return ferror(stdout) ? glint_output_finish("eval", GLINT_EXIT_TROUBLE) : GLINT_EXIT_OK;
+    case GLINT_LINE_MALFORMED:
+        break;
+    }
+    fflush(stdout);
+    return glint_complain("eval", GLINT_EXIT_TROUBLE, "line %" PRIu64 ": %s", number, err.text);
+}
+
+static void print_header(const evaluation *e)
+{
+    for (int i = 0; i < e->pins; i++)
+        printf("%s%s", i > 0 ? "," : "", e->pin[i].name);
+    for (int i = 0; i < e->outputs; i++)
+        printf(",%s", e->output[i].name);
+    putchar('\n');
+}
+
+static int evaluate(evaluation *e)
+{
+    if (e->json)
+        putchar('[');
+    else
+        print_header(e);
+    const int status = glint_input_lines("eval", e->values, take_line, e);
+    if (status != GLINT_EXIT_OK && ferror(stdout)) /* which has been said */
+        return status;
+    if (e->json) /* closed whatever ended it: the rows before that are valid */
+        fputs("\n]\n", stdout);
+    return glint_output_finish("eval", status);
+}
+
+int glint_eval_circuit(const glint_setting *setting, bool is_rtl, bool json)
+{
+    glint_error err;
+    evaluation *e = calloc(1, sizeof *e);
+    if (e == NULL)
+        return glint_complain("eval", GLINT_EXIT_TROUBLE, "no memory");
+    e->setting = setting;
+    e->json = json;
+    e->at_once = isatty(STDIN_FILENO) == 1; /* whoever types wants each answer at once */
+    int status = find_columns(e);
+    if (status == GLINT_EXIT_OK)
+        status =
+            create(e, is_rtl, &err) == GLINT_OK ? evaluate(e) : glint_complain_error("eval", &err);
+    destroy(e);
+    free(e);
+    return status;
+}
