@@ -1,0 +1,289 @@
+#define _GNU_SOURCE /* asprintf */
+
+#include "rtl/build.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rtl/cache.h"
+#include "rtl/diagnosis.h"
+#include "rtl/product.h"
+#include "rtl/runtime.h"
+
+#define CLASS  "Vcircuit"
+#define OBJECT "circuit.so"
+#define UNITY  "circuit.cpp"
+
+/* A product while it is made, in a work directory that holds its sources. */
+typedef struct build {
+    const glint_product *product;
+    const char *work;
+    glint_runtime runtime;
+    char *unity; /* includes everything that is compiled */
+    size_t unity_size;
+} build;
+
+/* A number for Verilator's option: -GLANES=4. */
+typedef char parameter_text[160];
+
+static glint_status no_memory(glint_error *err)
+{
+    return glint_fail(err, GLINT_NO_MEMORY, "no memory for building a circuit");
+}
+
+/* Runs Verilator over the probe or the top, and judges what it says. */
+static glint_status run_verilator(const build *b, const char *const *arguments, glint_error *err)
+{
+    const glint_product *p = b->product;
+    bool success;
+    char *said;
+    glint_status status = glint_command_run(arguments, b->work, &success, &said, err);
+    if (status == GLINT_OK)
+        status = glint_diagnose_verilator(said, p->setting, &p->ports, &p->probe, p->verilog, err);
+    if (status == GLINT_OK && !success)
+        status = glint_fail(err, GLINT_DEVICE_FAULT, "Verilator fails: %.*s",
+                            (int)strcspn(said, "\n"), said);
+    free(said);
+    return status;
+}
+
+/* Registers that nothing resets begin with 0, as the C models do. */
+#define VERILATOR_OPTIONS                                                                          \
+    "-O3", "--x-assign", "0", "--x-initial", "0", "--noassert", "--no-timing", "-Wno-fatal", "-I."
+
+static glint_status lint_probe(const build *b, glint_error *err)
+{
+    const char *arguments[] = {b->product->tools.verilator, "--lint-only", VERILATOR_OPTIONS,
+                               "--top", GLINT_PROBE_MODULE, GLINT_PROBE_FILE, NULL};
+    return run_verilator(b, arguments, err);
+}
+
+static glint_status verilate_probe(const build *b, glint_error *err)
+{
+    const char *arguments[] = {b->product->tools.verilator, "--cc", "--prefix", CLASS, "--Mdir",
+                               ".", VERILATOR_OPTIONS, "--top", GLINT_PROBE_MODULE,
+                               GLINT_PROBE_FILE, NULL};
+    return run_verilator(b, arguments, err);
+}
+
+static glint_status verilate_top(const build *b, glint_error *err)
+{
+    const glint_setting *setting = b->product->setting;
+    const glint_circuit *circuit = setting->circuit;
+    const char *top = circuit->top(setting->values);
+    const char *arguments[32 + GLINT_PARAMETERS_MAX] = {
+        b->product->tools.verilator, "--cc", "--trace-fst", "--prefix", CLASS, "--Mdir", ".",
+        VERILATOR_OPTIONS, "--top", top};
+    parameter_text parameter[GLINT_PARAMETERS_MAX];
+    char file[300];
+    int count = 0;
+    while (arguments[count] != NULL)
+        count++;
+    for (int i = 0; i < circuit->parameter_count; i++)
+        if (circuit->parameters[i].verilog != NULL) {
+            (void)snprintf(parameter[i], sizeof parameter[i], "-G%s=%d",
+                           circuit->parameters[i].verilog, setting->values[i]);
+            arguments[count++] = parameter[i];
+        }
+    (void)snprintf(file, sizeof file, "%s.v", top);
+    arguments[count] = file;
+    glint_status status = lint_probe(b, err);
+    return status == GLINT_OK ? run_verilator(b, arguments, err) : status;
+}
+
+/* The words that a makefile's `variable += \` continues with, each told to `add`. */
+static glint_status each_word(const char *makefile, const char *variable,
+                              glint_status (*add)(build *b, const char *word, glint_error *err),
+                              build *b, glint_error *err)
+{
+    char start[64];
+    glint_status status = GLINT_OK;
+    (void)snprintf(start, sizeof start, "\n%s += \\\n", variable);
+    const char *line = strstr(makefile, start);
+    if (line == NULL)
+        return GLINT_OK;
+    line += strlen(start);
+    while (status == GLINT_OK && (*line == ' ' || *line == '\t')) {
+        char word[256];
+        if (sscanf(line, " %255[^ \t\n\\]", word) == 1)
+            status = add(b, word, err);
+        line += strcspn(line, "\n");
+        line += *line == '\n';
+    }
+    return status;
+}
+
+static glint_status add_class(build *b, const char *word, glint_error *err)
+{
+    char *grown;
+    const int size = asprintf(&grown, "%s#include \"%s.cpp\"\n", b->unity != NULL ? b->unity : "",
+                              word);
+    if (size < 0)
+        return no_memory(err);
+    free(b->unity);
+    b->unity = grown;
+    b->unity_size = (size_t)size;
+    return GLINT_OK;
+}
+
+static glint_status add_runtime(build *b, const char *word, glint_error *err)
+{
+    return glint_runtime_add(&b->runtime, word, err);
+}
+
+/* What Verilator wrote, by its list of it: everything in one file for the compiler, with the shim
+ * behind. */
+static glint_status list_classes(build *b, glint_error *err)
+{
+    static const char *const classes[] = {"VM_CLASSES_FAST", "VM_CLASSES_SLOW", "VM_SUPPORT_FAST",
+                                          "VM_SUPPORT_SLOW"};
+    static const char *const globals[] = {"VM_GLOBAL_FAST", "VM_GLOBAL_SLOW"};
+    glint_sources list = {0};
+    glint_status status = glint_sources_read_file(&list, b->work, CLASS "_classes.mk", err);
+    for (size_t i = 0; status == GLINT_OK && i < sizeof globals / sizeof globals[0]; i++)
+        status = each_word(list.file[0].text, globals[i], add_runtime, b, err);
+    for (size_t i = 0; status == GLINT_OK && i < sizeof classes / sizeof classes[0]; i++)
+        status = each_word(list.file[0].text, classes[i], add_class, b, err);
+    glint_sources_free(&list);
+    if (status == GLINT_OK)
+        status = add_class(b, "shim", err);
+    return status;
+}
+
+static glint_status write_unity(build *b, glint_error *err)
+{
+    glint_sources unity = {0};
+    glint_status status = glint_sources_add(&unity, UNITY, b->unity, b->unity_size, err);
+    if (status == GLINT_OK)
+        status = glint_sources_write(&unity, b->work, err);
+    glint_sources_free(&unity);
+    return status;
+}
+
+static glint_status run_compiler(const build *b, const glint_compilation *line, glint_error *err)
+{
+    bool success;
+    char *said;
+    glint_status status = glint_command_run(line->argument, b->work, &success, &said, err);
+    if (status == GLINT_OK && !success)
+        status = glint_diagnose_compiler(said, err);
+    free(said);
+    return status;
+}
+
+static glint_status compile(const build *b, glint_error *err)
+{
+    glint_compilation line;
+    glint_compilation_begin(&line, &b->product->tools, b->product->kind);
+    static const char *const head[] = {"-c", UNITY, "-o", "circuit.o", "-I.", "-include"};
+    for (size_t i = 0; i < sizeof head / sizeof head[0]; i++)
+        glint_compilation_add(&line, head[i]);
+    glint_compilation_add(&line, b->runtime.header);
+    glint_compilation_add(&line, "-isystem");
+    glint_compilation_add(&line, b->runtime.include);
+    glint_compilation_add(&line, "-isystem");
+    glint_compilation_add(&line, b->runtime.standard_include);
+    return run_compiler(b, &line, err);
+}
+
+/* Whether the runtime's writer of waveforms wants lz4: that of 5.04 and newer does. */
+static bool wants_lz4(const build *b)
+{
+    glint_sources rules = {0};
+    const bool wants =
+        glint_sources_read_file(&rules, b->runtime.include, "verilated.mk", NULL) == GLINT_OK &&
+        strstr(rules.file[0].text, "-llz4") != NULL;
+    glint_sources_free(&rules);
+    return wants;
+}
+
+/* It stays loaded to the end of the process: Verilator's threads leave destructors in it. */
+static glint_status link_object(const build *b, glint_error *err)
+{
+    static const char *const head[] = {"-shared", "-Wl,-z,nodelete", "-o", OBJECT, "circuit.o"};
+    glint_compilation line;
+    glint_compilation_begin(&line, &b->product->tools, b->product->kind);
+    for (size_t i = 0; i < sizeof head / sizeof head[0]; i++)
+        glint_compilation_add(&line, head[i]);
+    for (int i = 1; i < b->runtime.count; i++)
+        glint_compilation_add(&line, b->runtime.file[i].path);
+    glint_compilation_add(&line, "-pthread");
+    if (b->product->kind == GLINT_RTL_FAST) {
+        if (wants_lz4(b))
+            glint_compilation_add(&line, "-llz4");
+        glint_compilation_add(&line, "-lz");
+    }
+    return run_compiler(b, &line, err);
+}
+
+/* The runtime is made while Verilator works. */
+static glint_status make(build *b, glint_error *err)
+{
+    const glint_product *p = b->product;
+    glint_status status = glint_sources_write(&p->sources, b->work, err);
+    if (status == GLINT_OK)
+        status = glint_runtime_begin(&b->runtime, p->cache, &p->tools, p->kind, err);
+    if (status == GLINT_OK)
+        status = p->kind == GLINT_RTL_FAST ? verilate_top(b, err) : verilate_probe(b, err);
+    if (status == GLINT_OK)
+        status = list_classes(b, err);
+    if (status == GLINT_OK)
+        status = write_unity(b, err);
+    if (status == GLINT_OK)
+        status = glint_runtime_wait(&b->runtime, err);
+    if (status == GLINT_OK)
+        status = compile(b, err);
+    return status == GLINT_OK ? link_object(b, err) : status;
+}
+
+static glint_status make_entry(const glint_product *product, glint_cache_entry *entry,
+                               glint_error *err)
+{
+    build b = {.product = product, .work = entry->work, .runtime.lock = -1};
+    glint_status status = make(&b, err);
+    glint_runtime_end(&b.runtime);
+    free(b.unity);
+    return status == GLINT_OK ? glint_cache_commit(entry, OBJECT, err) : status;
+}
+
+static glint_status build_product(const glint_product *product, char **path, glint_error *err)
+{
+    glint_cache_entry entry;
+    if (product->tools_status != GLINT_OK)
+        return glint_fail(err, product->tools_status, "%s", product->tools_error.text);
+    glint_status status = glint_cache_open(product->cache, product->file, &entry, err);
+    if (status != GLINT_OK)
+        return status;
+    if (entry.work != NULL)
+        status = make_entry(product, &entry, err);
+    if (status == GLINT_OK && (*path = strdup(entry.path)) == NULL)
+        status = no_memory(err);
+    glint_cache_close(&entry);
+    return status;
+}
+
+glint_status glint_rtl_build(const glint_setting *setting, glint_rtl_kind kind, char **path,
+                             glint_error *err)
+{
+    glint_product product;
+    *path = NULL;
+    glint_status status = glint_product_begin(&product, setting, kind, err);
+    if (status == GLINT_OK && (*path = glint_product_find(&product)) == NULL)
+        status = build_product(&product, path, err);
+    glint_product_end(&product);
+    return status;
+}
+
+glint_status glint_rtl_is_built(const glint_setting *setting, glint_rtl_kind kind, bool *built,
+                                glint_error *err)
+{
+    glint_product product;
+    glint_status status = glint_product_begin(&product, setting, kind, err);
+    char *path = status == GLINT_OK ? glint_product_find(&product) : NULL;
+    *built = path != NULL;
+    free(path);
+    glint_product_end(&product);
+    return status;
+}

@@ -1,0 +1,35 @@
+/* A directory of things that are built once: each is one file, made in a work directory beside and
+ * renamed when it is whole; whoever wants it meanwhile, thread or process, waits for its builder.
+ * What a killed builder left is removed by the next one. */
+#ifndef GLINT_SIM_CACHE_H
+#define GLINT_SIM_CACHE_H
+
+#include "glint_status.h"
+
+typedef struct glint_cache_entry {
+    char *path; /* of the file */
+    char *work; /* the work directory, absolute; NULL: the file is there */
+    char *lock_path;
+    int lock;
+} glint_cache_entry;
+
+/* The file `name` of the cache directory: where it is not there, this caller is the one to make it,
+ * in entry->work, and then to commit or discard. */
+glint_status glint_cache_open(const char *cache, const char *name, glint_cache_entry *entry,
+                              glint_error *err);
+
+/* Takes the file `made` of the work directory as the entry's. */
+glint_status glint_cache_commit(glint_cache_entry *entry, const char *made, glint_error *err);
+
+/* Removes the work directory, if one is left, and frees; after a commit, too. */
+void glint_cache_close(glint_cache_entry *entry);
+
+/* An exclusive lock by the name of a file, which goes with it; −1 with errno. */
+int glint_cache_lock(const char *path);
+void glint_cache_unlock(const char *path, int lock);
+
+/* The newest file of the directory whose name begins and ends so; NULL: there is none. To be
+ * freed. */
+char *glint_cache_newest(const char *cache, const char *begin, const char *end);
+
+#endif

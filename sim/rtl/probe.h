@@ -1,0 +1,41 @@
+/* The Verilog module that a setting is looked at through: `glint_probe` instantiates the top as
+ * `dut` and has a port for each of its ports and for each signal below it. So Verilator's ports are
+ * all that is needed of it, and Verilator itself checks that the Verilog has the description's
+ * pins and signals, and their widths: what it says of a line of the probe is said of one of them. */
+#ifndef GLINT_SIM_PROBE_H
+#define GLINT_SIM_PROBE_H
+
+#include "rtl/ports.h"
+
+#define GLINT_PROBE_MODULE "glint_probe"
+#define GLINT_PROBE_FILE   GLINT_PROBE_MODULE ".v"
+#define GLINT_PROBE_CLOCK  "glint_clock"
+
+/* What a line of the probe is about. */
+typedef enum glint_probe_part {
+    GLINT_PROBE_OTHER,
+    GLINT_PROBE_TOP,       /* the instance */
+    GLINT_PROBE_PARAMETER, /* index: of the circuit */
+    GLINT_PROBE_CLOCK_PIN,
+    GLINT_PROBE_PORT,   /* index: of glint_ports */
+    GLINT_PROBE_SIGNAL, /* index: of the circuit */
+} glint_probe_part;
+
+typedef struct glint_probe_line {
+    glint_probe_part part;
+    int index;
+} glint_probe_line;
+
+typedef struct glint_probe {
+    char *text;
+    size_t size;
+    glint_probe_line *line; /* of line number i + 1 */
+    int lines;
+} glint_probe;
+
+/* Of the ports: glint_p<index>; of a signal that is no output: glint_s<index>. */
+glint_status glint_probe_make(const glint_setting *setting, const glint_ports *ports,
+                              glint_probe *probe, glint_error *err);
+void glint_probe_free(glint_probe *probe);
+
+#endif

@@ -1,0 +1,34 @@
+/* One shared object to be made: everything it is made of, and its name in the cache. */
+#ifndef GLINT_SIM_PRODUCT_H
+#define GLINT_SIM_PRODUCT_H
+
+#include "rtl/ports.h"
+#include "rtl/probe.h"
+#include "rtl/rtl.h"
+#include "rtl/sources.h"
+#include "rtl/tools.h"
+
+typedef struct glint_product {
+    const glint_setting *setting;
+    glint_rtl_kind kind;
+    char *cache;
+    char *verilog; /* the directory, as it is called in messages */
+    glint_ports ports;
+    glint_probe probe;
+    glint_sources sources; /* Verilog, probe, shim, the table of ports */
+    char *stem;            /* NAME-KIND-SOURCES */
+    glint_tools tools;
+    glint_status tools_status; /* not GLINT_OK: there are no tools … */
+    glint_error tools_error;   /* … for this reason */
+    char *file;                /* its name in the cache; NULL: not known without tools */
+} glint_product;
+
+/* To be ended, whatever it returns. */
+glint_status glint_product_begin(glint_product *product, const glint_setting *setting,
+                                 glint_rtl_kind kind, glint_error *err);
+void glint_product_end(glint_product *product);
+
+/* The path in the cache when it is there, else NULL. To be freed. */
+char *glint_product_find(const glint_product *product);
+
+#endif

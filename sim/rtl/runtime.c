@@ -1,0 +1,281 @@
+#define _GNU_SOURCE /* asprintf */
+
+#include "rtl/runtime.h"
+
+#include <errno.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "file/directory.h"
+#include "file/temporary.h"
+#include "rtl/cache.h"
+#include "rtl/diagnosis.h"
+#include "rtl/sources.h"
+
+/* The runtime has no part in a circuit's speed. Verilator's code is nobody's to mend: no warnings.
+ */
+static const char *const common_flags[] = {
+    "-std=gnu++17", "-fPIC",           "-fvisibility=hidden", "-w",         "-DVM_COVERAGE=0",
+    "-DVM_SC=0",    "-DVM_TRACE=1",    "-DVM_TRACE_FST=1",    "-DVM_TRACE_VCD=0", NULL,
+};
+static const char *const runtime_flags[] = {"-O1", NULL};
+/* An observed circuit is there for a first answer soon, a fast one for billions of clocks on this
+ * machine. */
+static const char *const observed_flags[] = {"-O1", NULL};
+static const char *const fast_flags[] = {"-O3", "-march=native", NULL};
+
+void glint_compilation_add(glint_compilation *line, const char *argument)
+{
+    if (line->count < GLINT_COMPILER_ARGUMENTS_MAX - 1)
+        line->argument[line->count++] = argument;
+    line->argument[line->count] = NULL;
+}
+
+static void add_all(glint_compilation *line, const char *const *arguments)
+{
+    for (; *arguments != NULL; arguments++)
+        glint_compilation_add(line, *arguments);
+}
+
+static void begin_with(glint_compilation *line, const glint_tools *tools, const char *const *flags)
+{
+    *line = (glint_compilation){.count = 0};
+    add_all(line, tools->compiler);
+    add_all(line, common_flags);
+    add_all(line, flags);
+}
+
+void glint_compilation_begin(glint_compilation *line, const glint_tools *tools, glint_rtl_kind kind)
+{
+    begin_with(line, tools, kind == GLINT_RTL_FAST ? fast_flags : observed_flags);
+}
+
+/* The arguments, and who they are told to. */
+static char *text_of(const glint_compilation *line, const glint_tools *tools)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (out == NULL)
+        return NULL;
+    fprintf(out, "%s\n%s\n%s\n", tools->version, tools->root, tools->compiler_version);
+    for (int i = 0; i < line->count; i++)
+        fprintf(out, "%s\n", line->argument[i]);
+    if (fclose(out) != 0) {
+        free(text);
+        return NULL;
+    }
+    return text;
+}
+
+char *glint_compilation_text(const glint_tools *tools, glint_rtl_kind kind)
+{
+    glint_compilation line;
+    glint_compilation_begin(&line, tools, kind);
+    return text_of(&line, tools);
+}
+
+static glint_status no_memory(glint_error *err)
+{
+    return glint_fail(err, GLINT_NO_MEMORY, "no memory for building a circuit");
+}
+
+/* cache/runtime-HASH, with what it is of in the hash. */
+static glint_status make_directory(glint_runtime *runtime, const char *cache, glint_error *err)
+{
+    char hash[GLINT_HASH_TEXT];
+    glint_compilation line;
+    begin_with(&line, runtime->tools, runtime_flags);
+    char *text = text_of(&line, runtime->tools);
+    if (text == NULL)
+        return no_memory(err);
+    glint_hash_bytes(text, strlen(text), hash);
+    free(text);
+    if (asprintf(&runtime->directory, "%s/runtime-%s", cache, hash) < 0) {
+        runtime->directory = NULL;
+        return no_memory(err);
+    }
+    return glint_directory_make(runtime->directory, err);
+}
+
+static glint_status take_lock(glint_runtime *runtime, glint_error *err)
+{
+    if (runtime->lock >= 0)
+        return GLINT_OK;
+    runtime->lock = glint_cache_lock(runtime->lock_path);
+    if (runtime->lock < 0)
+        return glint_fail(err, GLINT_IO_ERROR, "%s: %s", runtime->lock_path, strerror(errno));
+    glint_temporary_sweep(runtime->file[0].path);
+    return GLINT_OK;
+}
+
+/* Runs the compiler over `source` for the file; the header is precompiled, all else compiled. */
+static glint_status start(glint_runtime *runtime, glint_runtime_file *file, bool is_header,
+                          glint_error *err)
+{
+    glint_compilation line;
+    const int number = (int)(file - runtime->file);
+    glint_status status = take_lock(runtime, err);
+    if (status != GLINT_OK || access(file->path, R_OK) == 0)
+        return status;
+    file->temporary = glint_temporary_name(file->path, GLINT_TEMPORARY_FILES + 100 + number);
+    if (file->temporary == NULL)
+        return no_memory(err);
+    if (is_header)
+        glint_compilation_begin(&line, runtime->tools, runtime->kind);
+    else
+        begin_with(&line, runtime->tools, runtime_flags);
+    glint_compilation_add(&line, "-isystem");
+    glint_compilation_add(&line, runtime->include);
+    glint_compilation_add(&line, "-isystem");
+    glint_compilation_add(&line, runtime->standard_include);
+    if (is_header) {
+        glint_compilation_add(&line, "-x");
+        glint_compilation_add(&line, "c++-header");
+    } else {
+        glint_compilation_add(&line, "-c");
+    }
+    glint_compilation_add(&line, file->source);
+    glint_compilation_add(&line, "-o");
+    glint_compilation_add(&line, file->temporary);
+    return glint_command_start(line.argument, NULL, &file->command, err);
+}
+
+/* A file of the runtime's directory that is made from `source`, if it is not there. */
+static glint_status add_file(glint_runtime *runtime, const char *name, const char *ending,
+                             char *source, bool is_header, glint_error *err)
+{
+    glint_runtime_file *file = &runtime->file[runtime->count];
+    if (runtime->count == GLINT_RUNTIME_FILES_MAX || source == NULL) {
+        free(source);
+        return source == NULL ? no_memory(err)
+                              : glint_fail(err, GLINT_DEVICE_FAULT,
+                                           "Verilator's runtime has more files than are expected");
+    }
+    *file = (glint_runtime_file){.source = source, .command = {0, -1}};
+    runtime->count++;
+    if (asprintf(&file->path, "%s/%s%s", runtime->directory, name, ending) < 0) {
+        file->path = NULL;
+        return no_memory(err);
+    }
+    return access(file->path, R_OK) == 0 ? GLINT_OK : start(runtime, file, is_header, err);
+}
+
+glint_status glint_runtime_add(glint_runtime *runtime, const char *name, glint_error *err)
+{
+    char *source;
+    for (int i = 1; i < runtime->count; i++) {
+        const char *known = strrchr(runtime->file[i].path, '/') + 1;
+        if (strncmp(known, name, strlen(name)) == 0 && strcmp(known + strlen(name), ".o") == 0)
+            return GLINT_OK;
+    }
+    if (asprintf(&source, "%s/%s.cpp", runtime->include, name) < 0)
+        source = NULL;
+    return add_file(runtime, name, ".o", source, false, err);
+}
+
+/* The text of the header: what a model and the shim include. */
+static glint_status write_header(const glint_runtime *runtime, glint_error *err)
+{
+    if (access(runtime->header, R_OK) == 0)
+        return GLINT_OK;
+    char *beside;
+    if (asprintf(&beside, "%s.%ld", runtime->header, (long)gettid()) < 0)
+        return no_memory(err);
+    FILE *out = fopen(beside, "w");
+    if (out != NULL) {
+        fprintf(out, "#include <exception>\n#include <memory>\n#include <verilated.h>\n%s",
+                runtime->kind == GLINT_RTL_FAST ? "#include <verilated_fst_c.h>\n" : "");
+    }
+    glint_status status = GLINT_OK;
+    if (out == NULL || fclose(out) != 0 || rename(beside, runtime->header) != 0)
+        status = glint_fail(err, GLINT_IO_ERROR, "%s: %s", runtime->header, strerror(errno));
+    free(beside);
+    return status;
+}
+
+static bool name_paths(glint_runtime *runtime)
+{
+    const char *kind = runtime->kind == GLINT_RTL_FAST ? "fast" : "observed";
+    if (asprintf(&runtime->include, "%s/include", runtime->tools->root) < 0)
+        runtime->include = NULL;
+    if (asprintf(&runtime->standard_include, "%s/include/vltstd", runtime->tools->root) < 0)
+        runtime->standard_include = NULL;
+    if (asprintf(&runtime->header, "%s/%s.h", runtime->directory, kind) < 0)
+        runtime->header = NULL;
+    if (asprintf(&runtime->lock_path, "%s.lock", runtime->directory) < 0)
+        runtime->lock_path = NULL;
+    return runtime->include != NULL && runtime->standard_include != NULL &&
+           runtime->header != NULL && runtime->lock_path != NULL;
+}
+
+glint_status glint_runtime_begin(glint_runtime *runtime, const char *cache,
+                                 const glint_tools *tools, glint_rtl_kind kind, glint_error *err)
+{
+    *runtime = (glint_runtime){.tools = tools, .kind = kind, .lock = -1};
+    glint_status status = make_directory(runtime, cache, err);
+    if (status == GLINT_OK && !name_paths(runtime))
+        status = no_memory(err);
+    if (status == GLINT_OK)
+        status = write_header(runtime, err);
+    if (status == GLINT_OK)
+        status = add_file(runtime, strrchr(runtime->header, '/') + 1, ".gch",
+                          strdup(runtime->header), true, err);
+    if (status == GLINT_OK)
+        status = glint_runtime_add(runtime, "verilated", err);
+    return status;
+}
+
+static glint_status finish(glint_runtime_file *file, glint_error *err)
+{
+    bool success;
+    char *said;
+    glint_status status = glint_command_wait(&file->command, &success, &said, err);
+    if (status == GLINT_OK && !success)
+        status = glint_diagnose_compiler(said, err);
+    if (status == GLINT_OK && rename(file->temporary, file->path) != 0)
+        status = glint_fail(err, GLINT_IO_ERROR, "%s: %s", file->path, strerror(errno));
+    free(said);
+    if (status != GLINT_OK)
+        (void)unlink(file->temporary);
+    free(file->temporary);
+    file->temporary = NULL;
+    return status;
+}
+
+glint_status glint_runtime_wait(glint_runtime *runtime, glint_error *err)
+{
+    glint_status status = GLINT_OK;
+    for (int i = 0; status == GLINT_OK && i < runtime->count; i++)
+        if (runtime->file[i].temporary != NULL)
+            status = finish(&runtime->file[i], err);
+    if (status == GLINT_OK) {
+        glint_cache_unlock(runtime->lock_path, runtime->lock);
+        runtime->lock = -1;
+    }
+    return status;
+}
+
+void glint_runtime_end(glint_runtime *runtime)
+{
+    for (int i = 0; i < runtime->count; i++) {
+        glint_runtime_file *file = &runtime->file[i];
+        glint_command_kill(&file->command);
+        if (file->temporary != NULL)
+            (void)unlink(file->temporary);
+        free(file->temporary);
+        free(file->path);
+        free(file->source);
+    }
+    if (runtime->lock_path != NULL)
+        glint_cache_unlock(runtime->lock_path, runtime->lock);
+    free(runtime->directory);
+    free(runtime->include);
+    free(runtime->standard_include);
+    free(runtime->header);
+    free(runtime->lock_path);
+    *runtime = (glint_runtime){.lock = -1};
+}

@@ -1,0 +1,57 @@
+/* What every circuit is linked with, Verilator's own runtime, and its headers precompiled: made once
+ * for each Verilator and compiler, and kept in the cache. */
+#ifndef GLINT_SIM_RUNTIME_H
+#define GLINT_SIM_RUNTIME_H
+
+#include "rtl/command.h"
+#include "rtl/rtl.h"
+#include "rtl/tools.h"
+
+#define GLINT_RUNTIME_FILES_MAX 16
+#define GLINT_COMPILER_ARGUMENTS_MAX 64
+
+/* A compiler's command line, to be added to. */
+typedef struct glint_compilation {
+    const char *argument[GLINT_COMPILER_ARGUMENTS_MAX];
+    int count;
+} glint_compilation;
+
+/* The compiler and the flags that a kind's circuit and its precompiled headers must share. */
+void glint_compilation_begin(glint_compilation *line, const glint_tools *tools, glint_rtl_kind kind);
+void glint_compilation_add(glint_compilation *line, const char *argument);
+
+/* Those flags as a text, for a hash. To be freed; NULL without memory. */
+char *glint_compilation_text(const glint_tools *tools, glint_rtl_kind kind);
+
+typedef struct glint_runtime_file {
+    char *path, *temporary; /* temporary: it is being made */
+    char *source;
+    glint_command command;
+} glint_runtime_file;
+
+typedef struct glint_runtime {
+    const glint_tools *tools;
+    glint_rtl_kind kind;
+    char *directory, *include, *standard_include;
+    char *header; /* to be included first: precompiled, for this kind */
+    glint_runtime_file file[GLINT_RUNTIME_FILES_MAX]; /* the header's, then objects to link with */
+    int count;
+    char *lock_path;
+    int lock;
+} glint_runtime;
+
+/* Starts to make what every circuit of this kind needs, where it is not there. To be ended,
+ * whatever it returns. */
+glint_status glint_runtime_begin(glint_runtime *runtime, const char *cache,
+                                 const glint_tools *tools, glint_rtl_kind kind, glint_error *err);
+
+/* The same for one file of Verilator's runtime: "verilated_threads". */
+glint_status glint_runtime_add(glint_runtime *runtime, const char *name, glint_error *err);
+
+/* Waits until everything is there. GLINT_DEVICE_FAULT, with the compiler's words, when one is not.
+ */
+glint_status glint_runtime_wait(glint_runtime *runtime, glint_error *err);
+
+void glint_runtime_end(glint_runtime *runtime);
+
+#endif

@@ -1,0 +1,201 @@
+// The shim over a Verilated circuit, whatever the circuit: an instance with a context of its own,
+// its clock, its ports and its waveform. The only C++ of the project.
+//
+// build.c compiles it with the circuit, behind a generated glint_ports.h:
+//     GLINT_PORTS(X)   X("name", member) for each port of the class Vcircuit but the clock
+//     GLINT_CLOCK      the member that is the clock; not defined: a circuit without one
+//     GLINT_TRACED     defined: built with --trace-fst
+#include "glint_ports.h"
+#include "shim.h"
+
+#include "Vcircuit.h"
+
+#include <exception>
+#include <memory>
+#include <verilated.h>
+#ifdef GLINT_TRACED
+#include <verilated_fst_c.h>
+#endif
+
+namespace
+{
+// Verilator keeps a pointer to the context that a thread used last, and takes signals' scopes out of
+// that one when a model goes. Declared first, so that it goes last and leaves no dangling pointer.
+struct ThreadContextGuard {
+    ~ThreadContextGuard()
+    {
+        Verilated::threadContextp(Verilated::defaultContextp());
+    }
+};
+
+// Verilator would start a thread for each further processor of the machine with every context, and
+// they would do nothing: the circuits are built without --threads.
+struct OneThreadContext : VerilatedContext {
+    OneThreadContext()
+    {
+        threads(1);
+    }
+};
+
+struct Instance {
+    static constexpr uint64_t HALF_PERIOD = 5; // ns, in a waveform
+
+    ThreadContextGuard guard;
+    // The model keeps a pointer to its context, so the context is declared (and outlives it) first.
+    OneThreadContext context;
+    Vcircuit model{&context, "TOP"};
+    uint64_t edges = 0;
+#ifdef GLINT_TRACED
+    std::unique_ptr<VerilatedFstC> trace;
+#endif
+
+    Instance()
+    {
+#ifdef GLINT_TRACED
+        context.traceEverOn(true);
+#endif
+    }
+
+    ~Instance()
+    {
+        trace_close();
+        // Whichever circuit and thread came last: this model's scopes are in this context.
+        Verilated::threadContextp(&context);
+        model.final();
+    }
+
+    // The pins must stand before the rising edge; in a waveform they change with the falling one.
+    void edge()
+    {
+#ifdef GLINT_CLOCK
+        model.GLINT_CLOCK = 0;
+        model.eval();
+        dump(2 * HALF_PERIOD * edges + HALF_PERIOD);
+        edges++;
+        model.GLINT_CLOCK = 1;
+        model.eval();
+        dump(2 * HALF_PERIOD * edges);
+#else
+        model.eval();
+        edges++;
+        dump(2 * HALF_PERIOD * edges);
+#endif
+    }
+
+#ifdef GLINT_TRACED
+    bool trace_open(const char *path)
+    {
+        trace_close();
+        trace.reset(new VerilatedFstC);
+        trace->set_time_unit("1ns");
+        trace->set_time_resolution("1ns");
+        model.trace(trace.get(), 99);
+        trace->open(path);
+        if (!trace->isOpen())
+            trace.reset();
+        return trace != nullptr;
+    }
+
+    void trace_close()
+    {
+        if (!trace)
+            return;
+        // Half a clock more, so that what the last edge brought is seen.
+        dump(2 * HALF_PERIOD * edges + HALF_PERIOD);
+        trace->close();
+        trace.reset();
+    }
+
+  private:
+    void dump(uint64_t time)
+    {
+        if (trace)
+            trace->dump(time);
+    }
+#else
+    void trace_close()
+    {
+    }
+
+  private:
+    void dump(uint64_t)
+    {
+    }
+#endif
+};
+
+Instance &as_instance(void *instance)
+{
+    return *static_cast<Instance *>(instance);
+}
+
+// nullptr when there is not enough of what a circuit needs: C callers catch nothing.
+void *create()
+{
+    try {
+        return new Instance;
+    } catch (const std::exception &) {
+        return nullptr;
+    }
+}
+
+void destroy(void *instance)
+{
+    delete &as_instance(instance);
+}
+
+void edge(void *instance)
+{
+    as_instance(instance).edge();
+}
+
+uint64_t edges(const void *instance)
+{
+    return static_cast<const Instance *>(instance)->edges;
+}
+
+template <typename Integer> void *memory(Integer &port)
+{
+    return &port;
+}
+template <std::size_t WORDS> void *memory(VlWide<WORDS> &port)
+{
+    return port.data();
+}
+
+#define GLINT_COUNT(name, member) +1
+int port_count()
+{
+    return 0 GLINT_PORTS(GLINT_COUNT);
+}
+
+#define GLINT_FIND(name, member)                                                                   \
+    if (index-- == 0)                                                                              \
+        return {name, memory(model.member), sizeof model.member};
+glint_shim_port port(void *instance, int index)
+{
+    Vcircuit &model = as_instance(instance).model;
+    GLINT_PORTS(GLINT_FIND)
+    return {nullptr, &model, 0};
+}
+
+#ifdef GLINT_TRACED
+bool trace_open(void *instance, const char *path)
+{
+    return as_instance(instance).trace_open(path);
+}
+
+void trace_close(void *instance)
+{
+    as_instance(instance).trace_close();
+}
+#else
+constexpr bool (*trace_open)(void *, const char *) = nullptr;
+constexpr void (*trace_close)(void *) = nullptr;
+#endif
+} // namespace
+
+extern "C" __attribute__((visibility("default"))) const glint_shim GLINT_SHIM_SYMBOL;
+const glint_shim GLINT_SHIM_SYMBOL = {
+    create, destroy, port_count, port, edge, edges, trace_open, trace_close,
+};

@@ -1,0 +1,175 @@
+#define _GNU_SOURCE /* asprintf */
+
+#include "rtl/sources.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <nettle/sha2.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Room for one more, with copies of the name and of nothing else. */
+static glint_status add_name(glint_sources *sources, const char *name, glint_source **added,
+                             glint_error *err)
+{
+    const size_t count = (size_t)sources->count;
+    glint_source *grown = realloc(sources->file, (count + 1) * sizeof *grown);
+    if (grown != NULL)
+        sources->file = grown;
+    char *copy = grown != NULL ? strdup(name) : NULL;
+    if (copy == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit's sources");
+    *added = &sources->file[sources->count++];
+    **added = (glint_source){copy, NULL, 0};
+    return GLINT_OK;
+}
+
+glint_status glint_sources_add(glint_sources *sources, const char *name, const char *text,
+                               size_t size, glint_error *err)
+{
+    glint_source *added;
+    glint_status status = add_name(sources, name, &added, err);
+    if (status != GLINT_OK)
+        return status;
+    added->text = malloc(size + 1);
+    if (added->text == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit's sources");
+    memcpy(added->text, text, size);
+    added->text[size] = '\0';
+    added->size = size;
+    return GLINT_OK;
+}
+
+/* The rest of a stream; false with errno. */
+static bool read_stream(FILE *in, char **text, size_t *size)
+{
+    char piece[16384];
+    FILE *out = open_memstream(text, size);
+    size_t got;
+    if (out == NULL)
+        return false;
+    while ((got = fread(piece, 1, sizeof piece, in)) > 0)
+        (void)fwrite(piece, 1, got, out);
+    const bool failed = ferror(in) != 0 || ferror(out) != 0;
+    return fclose(out) == 0 && !failed;
+}
+
+glint_status glint_sources_read_file(glint_sources *sources, const char *directory,
+                                     const char *name, glint_error *err)
+{
+    glint_source *added;
+    char *path;
+    if (asprintf(&path, "%s/%s", directory, name) < 0)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+    glint_status status = add_name(sources, name, &added, err);
+    FILE *in = status == GLINT_OK ? fopen(path, "rb") : NULL;
+    if (status == GLINT_OK && (in == NULL || !read_stream(in, &added->text, &added->size)))
+        status = glint_fail(err, GLINT_IO_ERROR, "%s: %s", path, strerror(errno));
+    if (in != NULL)
+        (void)fclose(in);
+    free(path);
+    return status;
+}
+
+static bool ends_so(const char *name, const char *const *endings)
+{
+    const size_t length = strlen(name);
+    for (; *endings != NULL; endings++) {
+        const size_t end = strlen(*endings);
+        if (length > end && name[0] != '.' && strcmp(name + length - end, *endings) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* Not alphasort(): the same order in every language. */
+static int by_name(const struct dirent **a, const struct dirent **b)
+{
+    return strcmp((*a)->d_name, (*b)->d_name);
+}
+
+glint_status glint_sources_read(glint_sources *sources, const char *directory,
+                                const char *const *endings, glint_error *err)
+{
+    struct dirent **entry = NULL;
+    glint_status status = GLINT_OK;
+    const int before = sources->count;
+    const int count = scandir(directory, &entry, NULL, by_name);
+    if (count < 0)
+        return glint_fail(err, GLINT_IO_ERROR, "%s: %s", directory, strerror(errno));
+    for (int i = 0; i < count; i++) {
+        if (status == GLINT_OK && ends_so(entry[i]->d_name, endings))
+            status = glint_sources_read_file(sources, directory, entry[i]->d_name, err);
+        free(entry[i]);
+    }
+    free(entry);
+    if (status == GLINT_OK && sources->count == before)
+        return glint_fail(err, GLINT_IO_ERROR, "%s: no %s file is in this directory", directory,
+                          endings[0]);
+    return status;
+}
+
+static glint_status write_one(const glint_source *source, const char *directory, glint_error *err)
+{
+    char *path;
+    if (asprintf(&path, "%s/%s", directory, source->name) < 0)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+    FILE *out = fopen(path, "wb");
+    bool good = out != NULL && fwrite(source->text, 1, source->size, out) == source->size;
+    good = (out == NULL || fclose(out) == 0) && good;
+    const glint_status status =
+        good ? GLINT_OK : glint_fail(err, GLINT_IO_ERROR, "%s: %s", path, strerror(errno));
+    free(path);
+    return status;
+}
+
+glint_status glint_sources_write(const glint_sources *sources, const char *directory,
+                                 glint_error *err)
+{
+    glint_status status = GLINT_OK;
+    for (int i = 0; status == GLINT_OK && i < sources->count; i++)
+        status = write_one(&sources->file[i], directory, err);
+    return status;
+}
+
+void glint_sources_free(glint_sources *sources)
+{
+    for (int i = 0; i < sources->count; i++) {
+        free(sources->file[i].name);
+        free(sources->file[i].text);
+    }
+    free(sources->file);
+    *sources = (glint_sources){0};
+}
+
+static void finish(struct sha256_ctx *hash, char text[GLINT_HASH_TEXT])
+{
+    uint8_t digest[(GLINT_HASH_TEXT - 1) / 2];
+    sha256_digest(hash, sizeof digest, digest);
+    for (size_t i = 0; i < sizeof digest; i++)
+        (void)snprintf(text + 2 * i, 3, "%02x", digest[i]);
+}
+
+void glint_sources_hash(const glint_sources *sources, char text[GLINT_HASH_TEXT])
+{
+    struct sha256_ctx hash;
+    sha256_init(&hash);
+    for (int i = 0; i < sources->count; i++) {
+        const glint_source *source = &sources->file[i];
+        const uint64_t size = source->size;
+        sha256_update(&hash, strlen(source->name) + 1, (const uint8_t *)source->name);
+        sha256_update(&hash, sizeof size, (const uint8_t *)&size);
+        sha256_update(&hash, source->size, (const uint8_t *)source->text);
+    }
+    finish(&hash, text);
+}
+
+void glint_hash_bytes(const void *what, size_t size, char text[GLINT_HASH_TEXT])
+{
+    struct sha256_ctx hash;
+    sha256_init(&hash);
+    sha256_update(&hash, size, what);
+    finish(&hash, text);
+}

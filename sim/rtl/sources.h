@@ -1,0 +1,43 @@
+/* What a circuit is built from, as it was read: so what is hashed is what is built, whatever an
+ * editor does meanwhile. */
+#ifndef GLINT_SIM_SOURCES_H
+#define GLINT_SIM_SOURCES_H
+
+#include <stddef.h>
+
+#include "glint_status.h"
+
+typedef struct glint_source {
+    char *name; /* without directory */
+    char *text;
+    size_t size;
+} glint_source;
+
+typedef struct glint_sources {
+    glint_source *file;
+    int count;
+} glint_sources;
+
+/* Adds every file of a directory whose name has one of these endings (".v", …; the last NULL), by
+ * name. GLINT_IO_ERROR, naming it, when there is none or one cannot be read. */
+glint_status glint_sources_read(glint_sources *sources, const char *directory,
+                                const char *const *endings, glint_error *err);
+
+/* Adds one file; one of one's own making. */
+glint_status glint_sources_read_file(glint_sources *sources, const char *directory,
+                                     const char *name, glint_error *err);
+glint_status glint_sources_add(glint_sources *sources, const char *name, const char *text,
+                               size_t size, glint_error *err);
+
+/* Writes them into a directory. */
+glint_status glint_sources_write(const glint_sources *sources, const char *directory,
+                                 glint_error *err);
+
+void glint_sources_free(glint_sources *sources);
+
+/* A hash over names and texts, and one over bytes: SHA-256, its first 80 bits in hex. */
+#define GLINT_HASH_TEXT 21
+void glint_sources_hash(const glint_sources *sources, char text[GLINT_HASH_TEXT]);
+void glint_hash_bytes(const void *what, size_t size, char text[GLINT_HASH_TEXT]);
+
+#endif
