@@ -9,6 +9,7 @@
 
 #include "rtl/cache.h"
 #include "rtl/diagnosis.h"
+#include "rtl/place.h"
 #include "rtl/product.h"
 #include "rtl/runtime.h"
 
@@ -286,4 +287,21 @@ glint_status glint_rtl_is_built(const glint_setting *setting, glint_rtl_kind kin
     free(path);
     glint_product_end(&product);
     return status;
+}
+
+glint_status glint_rtl_verilator_version(char **version, glint_error *err)
+{
+    char *cache;
+    glint_tools tools;
+    *version = NULL;
+    glint_status status = glint_place_cache(&cache, err);
+    if (status != GLINT_OK)
+        return status;
+    status = glint_tools_find(cache, &tools, err);
+    if (status == GLINT_OK) {
+        *version = strdup(tools.version);
+        glint_tools_free(&tools);
+    }
+    free(cache);
+    return status == GLINT_OK && *version == NULL ? no_memory(err) : status;
 }

@@ -40,6 +40,9 @@ static glint_status place_all(const glint_setting *setting, glint_ports *ports, 
         const glint_pin_info pin = circuit->pin(setting->values, i);
         status = place(ports, pin.name, false, glint_pin_width(&pin), pin.lane, &ports->of_pin[i],
                        &ports->pin_at[i], err);
+        if (status == GLINT_OK && pin.lane > 0 && ports->of_pin[i] != ports->of_pin[i - 1])
+            status = glint_fail(err, GLINT_BAD_ARGUMENT,
+                                "the lanes of pin %s do not stand one behind the other", pin.name);
     }
     for (int i = 0; status == GLINT_OK && i < ports->signals; i++) {
         const glint_signal_info signal = circuit->signal(setting->values, i);

@@ -29,8 +29,8 @@ void glint_rtl_destroy(glint_rtl *rtl); /* closes an open trace; NULL is allowed
 /* One rising edge of the clock with these pins: the circuit's own struct of them. */
 void glint_rtl_clock(glint_rtl *rtl, const void *pins);
 
-/* Every signal's words as the last edge left them, in the places of glint_signal_places(); of an
- * observed circuit. */
+/* Every signal's words as the last edge left them, in the places of glint_signal_places(). Of a fast
+ * circuit those of kind GLINT_SIGNAL_OUTPUT alone; the others' words are left as they are. */
 void glint_rtl_read(const glint_rtl *rtl, uint64_t *words);
 
 /* Rising edges so far, the reset of creation included. */
@@ -40,6 +40,14 @@ uint64_t glint_rtl_clocks(const glint_rtl *rtl);
  * of 1, 2, 4 or 8 bytes, or 32-bit words, the lowest first. And an edge with what is in it. */
 void *glint_rtl_port(glint_rtl *rtl, const char *name, size_t *size);
 void glint_rtl_edge(glint_rtl *rtl);
+
+/* What it was opened with. */
+const glint_setting *glint_rtl_setting(const glint_rtl *rtl);
+
+/* Room for what a fast path has found out about its circuit: zeros at first, aligned for pointers.
+ */
+#define GLINT_RTL_NOTES_SIZE 512
+void *glint_rtl_notes(glint_rtl *rtl);
 
 /* Opens a waveform (FST, or VCD by its kind) that starts with the next clock, at 10 ns a clock: the
  * rising edge of clock k (glint_rtl_clocks() after it) stands at 10·k ns. GLINT_IO_ERROR when path

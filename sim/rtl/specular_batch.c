@@ -1,0 +1,239 @@
+/* Points through the ports of the specular device, for every number of lanes: the usual numbers are
+ * constants to the compiler. */
+#include <string.h>
+
+#include "circuit/circuits.h"
+#include "rtl/batch.h"
+#include "rtl/bits.h"
+
+_Static_assert(GLINT_COLOR_BITS == 8, "colours are copied byte by byte");
+_Static_assert(GLINT_N_BITS > 8 && GLINT_N_BITS <= 16, "n is a port of two bytes");
+_Static_assert(GLINT_COS_BITS <= 32 && GLINT_W_BITS <= 32, "codes are packed as 32-bit values");
+
+/* Where Verilator has the ports. */
+typedef struct device {
+    uint8_t *reset, *en, *n_we, *rgb_we, *r, *g, *b;
+    uint16_t *n;
+    unsigned char *in_valid, *cos;
+    const unsigned char *out_valid, *out_w, *out_r, *out_g, *out_b;
+    int latency;
+} device;
+
+_Static_assert(sizeof(device) <= GLINT_RTL_NOTES_SIZE, "a device fits into a circuit's notes");
+
+/* A port that must be of so many bytes. */
+static void *port(glint_rtl *rtl, const char *name, size_t size, bool *good)
+{
+    size_t found = 0;
+    void *data = glint_rtl_port(rtl, name, &found);
+    *good = *good && data != NULL && found == size;
+    return data;
+}
+
+/* Bytes of a port of so many bits. */
+static inline size_t port_size(int bits)
+{
+    return bits <= 8 ? 1 : bits <= 16 ? 2 : bits <= 32 ? 4 : (size_t)((bits + 31) / 32) * 4;
+}
+
+static bool find_ports(glint_rtl *rtl, int lanes, device *d)
+{
+    bool good = true;
+    d->reset = port(rtl, "reset", 1, &good);
+    d->en = port(rtl, "en", 1, &good);
+    d->n_we = port(rtl, "n_we", 1, &good);
+    d->n = port(rtl, "n", 2, &good);
+    d->rgb_we = port(rtl, "rgb_we", 1, &good);
+    d->r = port(rtl, "r", 1, &good);
+    d->g = port(rtl, "g", 1, &good);
+    d->b = port(rtl, "b", 1, &good);
+    d->in_valid = port(rtl, "in_valid", port_size(lanes), &good);
+    d->cos = port(rtl, "cos", port_size(lanes * GLINT_COS_BITS), &good);
+    d->out_valid = port(rtl, "out_valid", port_size(lanes), &good);
+    d->out_w = port(rtl, "out_w", port_size(lanes * GLINT_W_BITS), &good);
+    d->out_r = port(rtl, "out_r", port_size(lanes * GLINT_COLOR_BITS), &good);
+    d->out_g = port(rtl, "out_g", port_size(lanes * GLINT_COLOR_BITS), &good);
+    d->out_b = port(rtl, "out_b", port_size(lanes * GLINT_COLOR_BITS), &good);
+    return good;
+}
+
+/* The device that a circuit is, looked at once; NULL: it is another's. */
+static const device *device_of(glint_rtl *rtl, int lanes)
+{
+    device *d = glint_rtl_notes(rtl);
+    const glint_setting *setting = glint_rtl_setting(rtl);
+    if (d->latency == 0) {
+        if (setting->circuit != &glint_circuit_specular || !find_ports(rtl, lanes, d))
+            return NULL;
+        d->latency = setting->circuit->latency(setting->values);
+    }
+    return d;
+}
+
+/* Everything below is inlined with a constant number of lanes. */
+#define INLINE static inline __attribute__((always_inline))
+
+INLINE void set_mask(unsigned char *to, uint32_t mask, int lanes)
+{
+    memcpy(to, &mask, port_size(lanes));
+}
+
+INLINE uint32_t get_mask(const unsigned char *from, int lanes)
+{
+    uint32_t mask = 0;
+    memcpy(&mask, from, port_size(lanes));
+    return mask;
+}
+
+/* A port of up to 64 bits is written at once: the model reads it so. */
+INLINE void set_cosines(unsigned char *to, const uint32_t *cos, int lanes)
+{
+    const uint32_t mask = (uint32_t)glint_bits_mask(GLINT_COS_BITS);
+    const size_t size = port_size(lanes * GLINT_COS_BITS);
+    if (lanes * GLINT_COS_BITS <= 64) {
+        uint64_t bits = 0;
+        for (int i = 0; i < lanes; i++)
+            bits |= (uint64_t)(cos[i] & mask) << (i * GLINT_COS_BITS);
+        memcpy(to, &bits, size);
+        return;
+    }
+    glint_bit_writer writer = glint_bits_begin(to);
+    for (int i = 0; i < lanes; i++)
+        glint_bits_put(&writer, cos[i] & mask, GLINT_COS_BITS);
+    glint_bits_end(&writer, to, size);
+}
+
+INLINE uint32_t word_at(const unsigned char *from, int index)
+{
+    uint32_t word;
+    memcpy(&word, from + 4 * index, sizeof word);
+    return word;
+}
+
+/* One lane of out_w; by 32-bit words, as the model writes them. */
+INLINE uint32_t get_w(const unsigned char *from, int lane, int lanes)
+{
+    const uint32_t mask = (uint32_t)glint_bits_mask(GLINT_W_BITS);
+    const int at = lane * GLINT_W_BITS;
+    if (port_size(lanes * GLINT_W_BITS) < 4) {
+        uint16_t narrow;
+        memcpy(&narrow, from, sizeof narrow);
+        return narrow & mask;
+    }
+    uint64_t bits = word_at(from, at / 32);
+    if (at % 32 + GLINT_W_BITS > 32)
+        bits |= (uint64_t)word_at(from, at / 32 + 1) << 32;
+    return (uint32_t)(bits >> (at % 32)) & mask;
+}
+
+/* All lanes valid and room for them: the usual clock. */
+INLINE size_t take_all(const device *d, const glint_points *points, size_t done, int lanes)
+{
+    memcpy(points->r + done, d->out_r, (size_t)lanes);
+    memcpy(points->g + done, d->out_g, (size_t)lanes);
+    memcpy(points->b + done, d->out_b, (size_t)lanes);
+    if (points->w != NULL)
+        for (int i = 0; i < lanes; i++)
+            points->w[done + (size_t)i] = get_w(d->out_w, i, lanes);
+    return done + (size_t)lanes;
+}
+
+/* Takes what left the circuit at the last edge, lane after lane; how many are done then. */
+INLINE size_t take(const device *d, const glint_points *points, size_t done, int lanes)
+{
+    const uint32_t valid = get_mask(d->out_valid, lanes);
+    if (valid == (uint32_t)glint_bits_mask(lanes) && done + (size_t)lanes <= points->count)
+        return take_all(d, points, done, lanes);
+    for (int i = 0; i < lanes; i++) {
+        if ((valid >> i & 1u) == 0 || done == points->count)
+            continue;
+        points->r[done] = d->out_r[i];
+        points->g[done] = d->out_g[i];
+        points->b[done] = d->out_b[i];
+        if (points->w != NULL)
+            points->w[done] = get_w(d->out_w, i, lanes);
+        done++;
+    }
+    return done;
+}
+
+INLINE size_t clock_and_take(glint_rtl *rtl, const device *d, const glint_points *points,
+                             size_t done, int lanes)
+{
+    glint_rtl_edge(rtl);
+    *d->n_we = *d->rgb_we = 0;
+    return take(d, points, done, lanes);
+}
+
+/* The lanes that are left at the end. */
+INLINE size_t feed_rest(glint_rtl *rtl, const device *d, const glint_points *points, size_t fed,
+                        size_t done, int lanes)
+{
+    uint32_t rest[GLINT_LANES_MAX] = {0};
+    memcpy(rest, points->cos + fed, (points->count - fed) * sizeof rest[0]);
+    set_mask(d->in_valid, (UINT32_C(1) << (points->count - fed)) - 1u, lanes);
+    set_cosines(d->cos, rest, lanes);
+    return clock_and_take(rtl, d, points, done, lanes);
+}
+
+INLINE size_t run(glint_rtl *rtl, const device *d, const glint_points *points, int lanes)
+{
+    size_t done = 0, fed = 0;
+    set_mask(d->in_valid, (uint32_t)glint_bits_mask(lanes), lanes);
+    for (; fed + (size_t)lanes <= points->count; fed += (size_t)lanes) {
+        set_cosines(d->cos, points->cos + fed, lanes);
+        done = clock_and_take(rtl, d, points, done, lanes);
+    }
+    if (fed < points->count)
+        done = feed_rest(rtl, d, points, fed, done, lanes);
+    set_mask(d->in_valid, 0, lanes);
+    for (int i = 1; i < d->latency; i++)
+        done = clock_and_take(rtl, d, points, done, lanes);
+    return done;
+}
+
+static size_t run_lanes(glint_rtl *rtl, const device *d, const glint_points *points, int lanes)
+{
+    switch (lanes) {
+    case 1:
+        return run(rtl, d, points, 1);
+    case 2:
+        return run(rtl, d, points, 2);
+    case 4:
+        return run(rtl, d, points, 4);
+    case 8:
+        return run(rtl, d, points, 8);
+    case 16:
+        return run(rtl, d, points, 16);
+    default:
+        return run(rtl, d, points, lanes);
+    }
+}
+
+static void write_material(const device *d, const glint_material *material)
+{
+    *d->reset = 0;
+    *d->en = *d->n_we = *d->rgb_we = 1;
+    *d->n = (uint16_t)material->n;
+    *d->r = material->r;
+    *d->g = material->g;
+    *d->b = material->b;
+}
+
+glint_status glint_rtl_shade(glint_rtl *rtl, const glint_material *material,
+                             const glint_points *points, glint_error *err)
+{
+    const int lanes = glint_rtl_setting(rtl)->values[GLINT_SPECULAR_LANES];
+    const device *d = device_of(rtl, lanes);
+    if (d == NULL)
+        return glint_fail(err, GLINT_DEVICE_FAULT, "the circuit has not the specular device's pins");
+    if (material->n > GLINT_N_MAX)
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "n = %u is not in 0…%u", material->n,
+                          GLINT_N_MAX);
+    write_material(d, material);
+    const size_t done = run_lanes(rtl, d, points, lanes);
+    if (done != points->count)
+        return glint_fail(err, GLINT_DEVICE_FAULT, "the circuit returned %zu of %zu results", done,
+                          points->count);
+    return GLINT_OK;
+}
