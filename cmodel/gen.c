@@ -2,9 +2,7 @@
  *
  *     glint-gen FILE KIND
  *
- * KIND: formats (rtl/glint_formats.vh), sigma-rom, limit-rom, reciprocal-rom (rtl/…_rom.v),
- * signals, divider-signals (the Verilator configurations that make the named signals readable).
- * FILE is written beside, then renamed. */
+ * KIND: formats (rtl/glint_formats.vh), sigma-rom, limit-rom, reciprocal-rom (rtl/…_rom.v). FILE is written beside, then renamed. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -145,38 +143,6 @@ static void write_reciprocal_rom(FILE *out)
     fprintf(out, "        end\n    endgenerate\nendmodule\n\n`default_nettype wire\n");
 }
 
-/* Outputs are ports of the device or, in a lane, of its instance: they are all named here, because
- * a lane's slice of a port has no name of its own at the top. */
-#define PUBLIC_SHARED(name, ...)                                                                   \
-    fprintf(out, "public_flat_rd -module \"specular_device\" -var \"%s\"\n", #name);
-#define PUBLIC_LANE(name, ...)                                                                     \
-    fprintf(out, "public_flat_rd -module \"specular_lane*\" -var \"%s\"\n", #name);
-
-#define PUBLIC_SEQUENTIAL(name, ...)                                                               \
-    fprintf(out, "public_flat_rd -module \"shift_divider*\" -var \"%s\"\n", #name);
-#define PUBLIC_PIPELINED(name, ...)                                                                \
-    fprintf(out, "public_flat_rd -module \"pipelined_divider*\" -var \"%s\"\n", #name);
-#define PUBLIC_STAGE(name, ...)                                                                    \
-    fprintf(out, "public_flat_rd -module \"divider_stage*\" -var \"%s\"\n", #name);
-
-static void write_divider_signals(FILE *out)
-{
-    write_header(out,
-                 "divider_signals.vlt: the signals of the dividers that lockstep reads by name.");
-    fprintf(out, "`verilator_config\n");
-    GLINT_DIVIDER_SEQUENTIAL_SIGNALS(PUBLIC_SEQUENTIAL)
-    GLINT_DIVIDER_PIPELINED_SIGNALS(PUBLIC_PIPELINED)
-    GLINT_DIVIDER_STAGE_SIGNALS(PUBLIC_STAGE)
-}
-
-static void write_signals(FILE *out)
-{
-    write_header(out, "specular_signals.vlt: the signals that lockstep reads by name.");
-    fprintf(out, "`verilator_config\n");
-    GLINT_SPECULAR_SHARED_SIGNALS(PUBLIC_SHARED)
-    GLINT_SPECULAR_LANE_SIGNALS(PUBLIC_LANE)
-}
-
 static writer *find_writer(const char *kind)
 {
     static const struct {
@@ -185,7 +151,6 @@ static writer *find_writer(const char *kind)
     } writers[] = {
         {"formats", write_formats},     {"sigma-rom", write_sigma_rom},
         {"limit-rom", write_limit_rom}, {"reciprocal-rom", write_reciprocal_rom},
-        {"signals", write_signals},     {"divider-signals", write_divider_signals},
     };
     for (size_t i = 0; i < sizeof writers / sizeof writers[0]; i++)
         if (strcmp(writers[i].kind, kind) == 0)
@@ -217,7 +182,7 @@ int main(int argc, char **argv)
     writer *write = argc == 3 ? find_writer(argv[2]) : NULL;
     if (write == NULL) {
         fprintf(stderr, "usage: glint-gen FILE "
-                        "formats|sigma-rom|limit-rom|reciprocal-rom|signals|divider-signals\n");
+                        "formats|sigma-rom|limit-rom|reciprocal-rom\n");
         return 2;
     }
     if (write_file(argv[1], write) != 0) {

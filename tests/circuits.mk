@@ -1,3 +1,28 @@
+# What the longer checks Verilate themselves, beside what a running glint builds: with other options, of
+# netlists, with counters.
+VERILATED    ?= $(BUILD)/verilated
+VERILATOR_ROOT_DIR = $(shell $(VERILATOR) --getenv VERILATOR_ROOT 2>/dev/null)
+GATES        := cosine sign drawn
+PIPELINES    := combinational pipelined
+gate_number      = $(if $(filter cosine,$1),0,$(if $(filter sign,$1),1,2))
+pipeline_number  = $(if $(filter combinational,$1),0,1)
+upper            = $(shell echo $1 | tr a-z A-Z)
+field            = $(word $2,$(subst -, ,$1))
+divider_top      = $(if $(filter sequential,$(call field,$1,1)),shift_divider,pipelined_divider)
+
+SHIM_FLAGS = -std=gnu++17 -O3 -Wall -Wextra -Icmodel -Isim/rtl \
+             -isystem $(VERILATOR_ROOT_DIR)/include -isystem $(VERILATOR_ROOT_DIR)/include/vltstd \
+             -DVM_TRACE=1 -DVM_TRACE_FST=1 -DVM_COVERAGE=0 -DVM_SC=0
+VERILATE_TOP = $(VERILATOR) --cc --trace-fst -O3 --x-assign fast --x-initial fast --noassert
+
+# Rewritten only when the version changes, so that a new Verilator makes all of it anew.
+$(VERILATED)/version: FORCE
+	@mkdir -p $(@D)
+	@version=$$($(VERILATOR) --version) || { echo "no Verilator: make demo installs it" >&2; exit 1; }; \
+	 echo "$$version" | cmp -s - $@ || echo "$$version" > $@
+.PHONY: FORCE
+FORCE:
+
 # Further builds of the circuits, beside those of the Makefile, and programs made of lists of them: for
 # tests/netlist and tests/coverage. A name is BUILD[-FAULT]:CIRCUIT, as tests/circuit.sh has it.
 
