@@ -29,7 +29,7 @@ static glint_status add_name(glint_sources *sources, const char *name, glint_sou
 glint_status glint_sources_add(glint_sources *sources, const char *name, const char *text,
                                size_t size, glint_error *err)
 {
-    glint_source *added;
+    glint_source *added = NULL;
     glint_status status = add_name(sources, name, &added, err);
     if (status != GLINT_OK)
         return status;
@@ -59,7 +59,7 @@ static bool read_stream(FILE *in, char **text, size_t *size)
 glint_status glint_sources_read_file(glint_sources *sources, const char *directory,
                                      const char *name, glint_error *err)
 {
-    glint_source *added;
+    glint_source *added = NULL;
     char *path;
     if (asprintf(&path, "%s/%s", directory, name) < 0)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
