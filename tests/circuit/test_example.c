@@ -47,11 +47,17 @@ static void every_input_is_tried(void **state)
 static void eval_has_the_right_numbers(void **state)
 {
     (void)state;
-    static const char input[] = "3 4\n-128 -128\n127,-128\n";
+    static const char input[] = "3 4\n-128 -128\n-128,-128\n127 -128\n";
+    static const char output[] = "a,b,out_valid,out_saturated,out_sum\n"
+                                 "3,4,1,0,12\n"
+                                 "-128,-128,1,0,16396\n"
+                                 "-128,-128,1,1,32767\n"
+                                 "127,-128,1,0,16511\n";
     static const char *const backends[] = {"c", "rtl"};
     for (size_t i = 0; i < 2; i++) {
         outcome done = own_run(MAC, input, "eval --backend %s", backends[i]);
         assert_outcome(&done, 0, "");
+        assert_string_equal(done.out, output);
         forget(&done);
     }
 }

@@ -18,7 +18,6 @@
 
 #define OWN "tests/circuit/own/"
 
-/* Whether a signal's kinds, its widths and its place are the circuit's: the tests are of these. */
 typedef struct own_circuit {
     const char *name;
     const char *options;          /* of the setting that the faulty copy is tried in */
@@ -27,20 +26,38 @@ typedef struct own_circuit {
     const char *input, *output;   /* of eval with these options; NULL: it has no numbers */
 } own_circuit;
 
+#define ONES15 "fffffffffffffff"
+#define ONES60 ONES15 ONES15 ONES15 ONES15
+#define ZERO16 "0000000000000000"
+
 static const own_circuit circuits[] = {
     {"rotate_xor", "", "rotate_xor.v", "{state[86:0], state[99:87]}", "{state[85:0], state[99:86]}",
-     "turned", "", ""},
+     "turned", "1\n0x8000000000000000000000000\n0\n",
+     "word,out_valid,state,parity\n"
+     "0x0000000000000000000000001,1,0x0000000000000000000000001,1\n"
+     "0x8000000000000000000000000,1,0x8000000000000000000002000,0\n"
+     "0x0000000000000000000000000,1,0x0000000000000000004001000,0\n"},
     {"wide_sum", "--width 256", "wide_sum.v", "sum <= a + b",
-     "sum <= (a + b) & ~$signed(257'd1 << 200)", "sum", "", ""},
+     "sum <= (a + b) & ~$signed(257'd1 << 200)", "sum",
+     "-1 -1\n18446744073709551615 1\n0x7" ONES60 "fff,0x7" ONES60 "fff\n",
+     "a,b,out_valid,sum\n"
+     "0x" ONES60 "ffff,0x" ONES60 "ffff,1,0x1" ONES60 "fffe\n"
+     "0x" ZERO16 ZERO16 ZERO16 "ffffffffffffffff,0x" ZERO16 ZERO16 ZERO16 "0000000000000001,1,0x"
+     "0" ZERO16 ZERO16 "0000000000000001" ZERO16 "\n"
+     "0x7" ONES60 "fff,0x7" ONES60 "fff,1,0x0" ONES60 "fffe\n"},
     {"signed_order", "--width 8", "signed_order.v", "b < a", "$unsigned(b) < $unsigned(a)", "swap",
-     "", ""},
+     "-5 7\n127 -128\n", "a,b,lesser,greater,distance\n-5,7,-5,7,12\n127,-128,-128,127,255\n"},
     {"staged_alu", "--op subtract --width 8 --stages 3", "alu_stage.v", "in_value - in_operand",
-     "in_value + in_operand", "value", "", ""},
-    {"ring", "", "ring.v", "push && (!full || gone)", "push && !full", "taken", "", ""},
+     "in_value + in_operand", "value", "100 30\n5 2\n",
+     "a,b,out_valid,result\n100,30,1,10\n5,2,1,255\n"},
+    {"ring", "", "ring.v", "push && (!full || gone)", "push && !full", "taken", "-3\n7\n8\n9\n10\n",
+     "data,taken,full,front,level\n-3,1,0,-3,1\n7,1,0,-3,2\n8,1,0,-3,3\n9,0,1,-3,4\n"
+     "10,0,1,-3,4\n"},
     {"detector", "--form binary", "detector_binary.v", "default: state <= bit_in ? 2'd1 : 2'd2",
      "default: state <= bit_in ? 2'd1 : 2'd0", "state", NULL, NULL},
     {"clip_lanes", "--lanes 3", "clip_lane.v", "-12'sd128 ? -8'sd128", "-12'sd127 ? -8'sd127",
-     "clipped", "", ""},
+     "clipped", "100 200 -2000\n",
+     "x[0],x[1],x[2],out_valid,y[0],y[1],y[2]\n100,200,-2000,7,100,127,-128\n"},
 };
 
 enum { CIRCUITS = sizeof circuits / sizeof circuits[0] };
@@ -113,7 +130,7 @@ static void eval_has_the_right_numbers(void **state)
         outcome done = own_run(directory, circuit->input != NULL ? circuit->input : "",
                                "eval --backend %s %s", backends[i], circuit->options);
         if (circuit->input == NULL) {
-            assert_own_refused(&done, "no data");
+            assert_own_refused(&done, "has no data pins");
         } else {
             assert_outcome(&done, 0, "");
             assert_string_equal(done.out, circuit->output);
