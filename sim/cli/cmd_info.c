@@ -1,15 +1,19 @@
-/* `glint info`: every setting and number format of the device, as this binary has them. */
+/* `glint info`: every circuit, setting and number format, as this binary has them. */
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include <zlib.h>
 
+#include "circuit/circuits.h"
+#include "cli/circuit_options.h"
 #include "cli/commands.h"
+#include "cli/info_circuit.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/version.h"
 #include "glint_divider_device.h"
-#include "rtl/rtl.h"
+#include "rtl/build.h"
 
 /* A number of the device that other programs may want, under its JSON key. */
 typedef struct fact {
@@ -72,6 +76,20 @@ static uint32_t rom9_word(uint32_t n)
     return glint_rom9(GLINT_GATE_COSINE, n);
 }
 
+/* NULL: there is none. To be freed. */
+static char *simulator(void)
+{
+    char *version = NULL;
+    return glint_rtl_verilator_version(&version, NULL) == GLINT_OK ? version : NULL;
+}
+
+static void print_simulator(void)
+{
+    char *version = simulator();
+    printf("simulator  %s\n", version != NULL ? version : "none");
+    free(version);
+}
+
 static void print_text(void)
 {
     printf("glint %s, the specular-colour device and the shift-accumulate divider\n",
@@ -87,14 +105,11 @@ static void print_text(void)
            rom_checksum(rom9_word, GLINT_N_COUNT));
     printf("table      of the divider, %u words, CRC-32 %08" PRIx32 " (%d shifts)\n", TABLE_WORDS,
            rom_checksum(table_word, TABLE_WORDS), GLINT_DIVIDER_SHIFTS_DEFAULT);
-    printf("simulator  %s\n", glint_rtl_verilator_version());
-    int circuits = 0;
-    while (glint_rtl_built(circuits) != NULL)
-        circuits++;
-    printf("circuits   %d Verilated of the device: each gate, both pipelines, 1 to 16 lanes;\n"
-           "           %d of the divider: both forms, each number of shifts\n",
-           circuits,
-           GLINT_DIVIDER_FORM_COUNT * (GLINT_DIVIDER_SHIFTS_MAX - GLINT_DIVIDER_SHIFTS_MIN + 1));
+    print_simulator();
+    const glint_circuit *circuit;
+    for (int i = 0; (circuit = glint_circuit_number(i)) != NULL; i++)
+        glint_info_print_circuit(circuit);
+    printf("pins and signals: glint info --circuit NAME\n");
 }
 
 static void add_names(cJSON *json, const char *key, const char *const *names)
@@ -111,16 +126,25 @@ static void add_checksum(cJSON *json, const char *key, uint32_t checksum)
     cJSON_AddStringToObject(json, key, text);
 }
 
+/* The settings of the specular device that `verify` tries unasked. */
 static void add_circuits(cJSON *json)
 {
     cJSON *list = cJSON_AddArrayToObject(json, "circuits");
-    const glint_specular_config *config;
-    for (int i = 0; (config = glint_rtl_built(i)) != NULL; i++) {
+    glint_setting setting;
+    for (int i = 0; glint_setting_listed(&glint_circuit_specular, i, &setting); i++) {
         cJSON *circuit = cJSON_CreateObject();
-        cJSON_AddStringToObject(circuit, "gate", glint_gate_name(config->gate));
-        cJSON_AddStringToObject(circuit, "pipeline", glint_pipeline_name(config->pipeline));
-        cJSON_AddNumberToObject(circuit, "lanes", config->lanes);
+        glint_info_add_values(circuit, &setting);
         cJSON_AddItemToArray(list, circuit);
+    }
+}
+
+static void add_descriptions(cJSON *json)
+{
+    cJSON *list = cJSON_AddArrayToObject(json, "descriptions");
+    const glint_circuit *circuit;
+    for (int i = 0; (circuit = glint_circuit_number(i)) != NULL; i++) {
+        const glint_setting setting = glint_setting_standard(circuit);
+        cJSON_AddItemToArray(list, glint_info_json(&setting));
     }
 }
 
@@ -137,37 +161,86 @@ static bool print_json(void)
     add_checksum(json, "rom33_crc32", rom_checksum(glint_rom33, GLINT_N_COUNT));
     add_checksum(json, "rom9_crc32", rom_checksum(rom9_word, GLINT_N_COUNT));
     add_checksum(json, "divider_table_crc32", rom_checksum(table_word, TABLE_WORDS));
-    cJSON_AddStringToObject(json, "verilator", glint_rtl_verilator_version());
+    char *version = simulator();
+    cJSON_AddStringToObject(json, "verilator", version != NULL ? version : "none");
+    free(version);
     add_circuits(json);
+    add_descriptions(json);
     return glint_output_json(json);
 }
 
-int glint_cmd_info(int argc, char **argv)
+typedef struct info_options {
+    glint_circuit_options circuits;
+    bool json;
+} info_options;
+
+static const char *usual(const char *parameter)
 {
-    bool as_json = false;
-    const glint_option options[] = {
-        {.name = "json", .help = "as JSON", .kind = GLINT_OPTION_FLAG, .flag = &as_json},
+    (void)parameter;
+    return NULL;
+}
+
+static int parse(int argc, char **argv, info_options *chosen)
+{
+    const glint_circuit_use use = {
+        .command = "info", .circuit = "specular", .one_circuit = true, .usual = usual};
+    const int begun = glint_circuit_options_begin(&chosen->circuits, &use, argc, argv);
+    if (begun != GLINT_OPTIONS_RUN)
+        return begun;
+    glint_option options[1 + GLINT_CIRCUIT_OPTIONS] = {
+        {.name = "json", .help = "as JSON", .kind = GLINT_OPTION_FLAG, .flag = &chosen->json},
     };
+    const size_t count = 1 + glint_circuit_options_add(&chosen->circuits, options + 1);
     static const glint_example examples[] = {
         {"what this build is", "glint info"},
         {"the same for a script", "glint info --json"},
+        {"the pins and signals of a circuit", "glint info --circuit divider --form sequential"},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "info",
-        .summary = "Prints the circuits' settings, number formats, latency, ROM checksums, and the "
-                   "Verilator that the circuits were built with.",
+        .summary = "Prints the circuits with their parameters, number formats, latency, ROM "
+                   "checksums, and the Verilator that circuits are built with. With a circuit "
+                   "named: its pins and signals in one setting.",
         .examples = examples,
         .options = options,
-        .option_count = 1,
+        .option_count = count,
     };
-    int status = glint_options_parse(&line, argc, argv);
+    const int status = glint_options_parse(&line, argc, argv);
+    return status == GLINT_OPTIONS_RUN ? glint_circuit_options_settle(&chosen->circuits) : status;
+}
+
+/* A circuit is named, or one of its settings, or where it is. */
+static bool is_one_circuit(const glint_circuit_options *circuits)
+{
+    bool any = circuits->is_named || circuits->directory != NULL;
+    for (int i = 0; i < circuits->parameter_count; i++)
+        any |= circuits->parameter[i].text != NULL;
+    return any;
+}
+
+static bool print(const info_options *chosen)
+{
+    const glint_setting setting = glint_circuit_options_first(&chosen->circuits, 0);
+    if (!is_one_circuit(&chosen->circuits)) {
+        if (chosen->json)
+            return print_json();
+        print_text();
+    } else if (chosen->json) {
+        return glint_output_json(glint_info_json(&setting));
+    } else {
+        glint_info_print_setting(&setting);
+    }
+    return true;
+}
+
+int glint_cmd_info(int argc, char **argv)
+{
+    info_options chosen = {.json = false};
+    int status = parse(argc, argv, &chosen);
     if (status != GLINT_OPTIONS_RUN)
         return status;
-    status = GLINT_EXIT_OK;
-    if (!as_json)
-        print_text();
-    else if (!print_json())
-        status = glint_complain("info", GLINT_EXIT_TROUBLE, "out of memory");
+    status = print(&chosen) ? GLINT_EXIT_OK
+                            : glint_complain("info", GLINT_EXIT_TROUBLE, "out of memory");
     return glint_output_finish("info", status);
 }

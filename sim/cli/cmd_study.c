@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "circuit/circuits.h"
+#include "cli/circuit_options.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -19,6 +21,7 @@ typedef struct study_options {
     const char *method[2];
     int64_t frames;
     bool json, force;
+    const char *verilog;
 } study_options;
 
 static const char details[] =
@@ -39,7 +42,7 @@ static const char details[] =
     "and a times.csv of an earlier study that this one does not write are removed.\n"
     "\n" GLINT_COLOR_DETAILS;
 
-#define OWN_ROWS   7
+#define OWN_ROWS   8
 #define TABLE_ROWS (OWN_ROWS + GLINT_SCENE_OPTIONS)
 
 static int parse(int argc, char **argv, study_options *chosen)
@@ -70,6 +73,7 @@ static int parse(int argc, char **argv, study_options *chosen)
          .help = "frames of each that are timed, for each n; 0: none",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->frames, 0, GLINT_STUDY_FRAMES_MAX}},
+        GLINT_RTL_OPTION(&chosen->verilog),
         GLINT_FORCE_OPTION(&chosen->force),
         {.name = "json",
          .help = "what study.json and times.csv hold, as JSON",
@@ -162,6 +166,28 @@ static int read_methods(const study_options *chosen, glint_study_setup *setup)
     return GLINT_OPTIONS_RUN;
 }
 
+/* Backend rtl is the specular device, and divides with Gouraud's shading. */
+static int check_verilog(const glint_study_setup *setup)
+{
+    glint_setting device = glint_setting_standard(&glint_circuit_specular);
+    glint_setting divider = glint_setting_divider(GLINT_DIVIDER_PIPELINED, setup->scene.shifts);
+    bool shades = false, divides = false;
+    for (int i = 0; i < 2; i++) {
+        const glint_study_method *method = &setup->method[i];
+        const bool is_rtl = !method->by_model && method->backend == GLINT_BACKEND_RTL;
+        shades |= is_rtl;
+        divides |= is_rtl && method->shading == GLINT_SHADING_GOURAUD;
+    }
+    if (setup->verilog != NULL && !shades) {
+        return glint_complain("study", GLINT_EXIT_TROUBLE,
+                              "--rtl is the Verilog's directory: it goes with the method rtl");
+    }
+    device.verilog = divider.verilog = setup->verilog;
+    const int status = glint_rtl_option_check("study", &device);
+    return status == GLINT_OPTIONS_RUN && divides ? glint_rtl_option_check("study", &divider)
+                                                  : status;
+}
+
 static int read_study(const study_options *chosen, glint_study_options *study)
 {
     *study = (glint_study_options){
@@ -170,13 +196,17 @@ static int read_study(const study_options *chosen, glint_study_options *study)
                   .height = chosen->scene.height,
                   .threads = (int)chosen->scene.threads,
                   .model = chosen->scene.model,
-                  .density = glint_scene_options_density(&chosen->scene)},
+                  .density = glint_scene_options_density(&chosen->scene),
+                  .verilog = chosen->verilog},
         .frames = (int)chosen->frames,
         .directory = chosen->out,
         .stop = glint_stop_flag(),
     };
-    const int status = read_exponents(chosen->n, study);
-    return status == GLINT_OPTIONS_RUN ? read_methods(chosen, &study->setup) : status;
+    int status = read_exponents(chosen->n, study);
+    if (status == GLINT_OPTIONS_RUN) {
+        status = read_methods(chosen, &study->setup);
+    }
+    return status == GLINT_OPTIONS_RUN ? check_verilog(&study->setup) : status;
 }
 
 static void print_row(const glint_study_row *row)

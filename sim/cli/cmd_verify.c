@@ -12,6 +12,7 @@
 #include "cli/circuit_options.h"
 #include "cli/commands.h"
 #include "cli/failure_output.h"
+#include "cli/info_circuit.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/verify_reach.h"
@@ -424,19 +425,6 @@ static int report_all(const verify_options *chosen, verification *all, FILE *out
     return status;
 }
 
-static void describe(cJSON *entry, const glint_setting *setting)
-{
-    const glint_circuit *circuit = setting->circuit;
-    cJSON_AddStringToObject(entry, "circuit", circuit->name);
-    for (int i = 0; i < circuit->parameter_count; i++) {
-        const glint_parameter *parameter = &circuit->parameters[i];
-        if (parameter->choices != NULL)
-            cJSON_AddStringToObject(entry, parameter->name, parameter->choices[setting->values[i]]);
-        else
-            cJSON_AddNumberToObject(entry, parameter->name, setting->values[i]);
-    }
-}
-
 /* A JSON number has no more than 53 bits. */
 static void add_value(cJSON *entry, const char *name, const glint_signal_info *signal,
                       const uint64_t *words)
@@ -488,7 +476,8 @@ static bool print_json(const verify_options *chosen, const verification *all, co
     for (int i = 0; i < all->count; i++) {
         const task *task = &all->tasks[i];
         cJSON *entry = cJSON_CreateObject();
-        describe(entry, &task->options.setting);
+        cJSON_AddStringToObject(entry, "circuit", task->options.setting.circuit->name);
+        glint_info_add_values(entry, &task->options.setting);
         cJSON_AddNumberToObject(entry, "clocks", (double)task->result.clocks);
         cJSON_AddNumberToObject(entry, "comparisons", (double)task->result.comparisons);
         cJSON_AddNumberToObject(entry, "mismatches", (double)task->result.mismatches);

@@ -6,6 +6,7 @@
 
 #include "cli/exhaustive_options.h"
 #include "cli/failure_output.h"
+#include "cli/info_circuit.h"
 #include "cli/output.h"
 #include "failure/shell.h"
 #include "lockstep/domain.h"
@@ -150,18 +151,6 @@ static void print_text(const glint_exhaustive_choice *chosen, run *run)
     print_resume(chosen, run, stdout);
 }
 
-static void add_parameters(cJSON *json, const glint_setting *setting)
-{
-    const glint_circuit *circuit = setting->circuit;
-    for (int i = 0; i < circuit->parameter_count; i++) {
-        const glint_parameter *parameter = &circuit->parameters[i];
-        if (parameter->choices != NULL)
-            cJSON_AddStringToObject(json, parameter->name, parameter->choices[setting->values[i]]);
-        else
-            cJSON_AddNumberToObject(json, parameter->name, setting->values[i]);
-    }
-}
-
 static void add_mismatches(cJSON *json, const run *run)
 {
     char text[GLINT_VALUE_TEXT];
@@ -185,7 +174,7 @@ static cJSON *setting_json(const run *run)
 {
     const glint_domain_result *result = &run->result;
     cJSON *json = cJSON_CreateObject();
-    add_parameters(json, &run->options.setting);
+    glint_info_add_values(json, &run->options.setting);
     cJSON_AddNumberToObject(json, "points", (double)result->points);
     cJSON_AddNumberToObject(json, "points_total", (double)result->points_total);
     cJSON_AddNumberToObject(json, "next", (double)result->next);

@@ -91,6 +91,7 @@ static glint_status create_side(const glint_study_setup *setup, const glint_stud
         .kind = method->by_model ? GLINT_BACKEND_REAL : method->backend,
         .gate = GLINT_GATE_COSINE,
         .pipeline = GLINT_PIPELINE_PIPELINED,
+        .verilog = setup->verilog,
     };
     const glint_status status = glint_renderer_create(setup->width, setup->height, setup->threads,
                                                       &config, &created->renderer, err);

@@ -36,8 +36,9 @@ typedef struct glint_study_setup {
     glint_scene scene;            /* n, shading and model are the study's to set */
     glint_study_method method[2]; /* A, the reference, and B */
     int width, height, threads;
-    const char *model; /* what the mesh is called, for the tables alone: "sphere", a path */
-    int density;       /* the same; 0: it has none */
+    const char *model;   /* what the mesh is called, for the tables alone: "sphere", a path */
+    int density;         /* the same; 0: it has none */
+    const char *verilog; /* of backend rtl: the directory with it; NULL: Glint's own */
 } glint_study_setup;
 
 typedef struct glint_study glint_study;
