@@ -11,10 +11,10 @@
 #include "glint_specular.h"
 
 /* The one rule by which bits are dropped, half up: half a unit of the last place that is kept is
- * added, and what is below that place cut off. value is taken as `type`, which must hold it and half
- * a unit; where it is signed, it may come in its unsigned counterpart. */
+ * added, and what is below that place cut off. value is taken as `type`, which must hold it and
+ * half a unit; where it is signed, it may come in its unsigned counterpart. */
 #define GLINT_HALF_UP(type, value, dropped)                                                        \
-    ((type)((value) + ((type)1 << ((dropped) - 1))) >> (dropped))
+    ((type)((value) + ((type)1 << ((dropped)-1))) >> (dropped))
 
 /* Register 1 as it is loaded: a code above 1.0 saturates to 1.0. */
 static inline uint32_t glint_block_saturate1(uint32_t cos_code)
@@ -56,8 +56,8 @@ static inline int32_t glint_block_adder8(int32_t mul7)
 
 /* t², rounded half up to the fraction bits of W, for a t of no more bits than W has.
  *
- * In 32 bits: with t = high·2^s + low, t² is (t·high)·2^s + t·low. The rounding looks at no bit below
- * its half, so the s lowest of the square may go before it. */
+ * In 32 bits: with t = high·2^s + low, t² is (t·high)·2^s + t·low. The rounding looks at no bit
+ * below its half, so the s lowest of the square may go before it. */
 #define GLINT_SPLIT10 ((GLINT_W_BITS + 1) / 2)
 
 static inline uint32_t glint_block_square10(uint32_t t)
@@ -68,8 +68,8 @@ static inline uint32_t glint_block_square10(uint32_t t)
     return GLINT_HALF_UP(uint32_t, square, GLINT_W_FRAC_BITS - GLINT_SPLIT10);
 }
 
-/* Multiplier 10 for gates cosine and sign: the low bits of t, as many as W has, squared, and as many
- * bits of that. Where the gate passes, t is in 0…1 and nothing is cut off. */
+/* Multiplier 10 for gates cosine and sign: the low bits of t, as many as W has, squared, and as
+ * many bits of that. Where the gate passes, t is in 0…1 and nothing is cut off. */
 static inline uint32_t glint_block_mul10(int32_t adder8)
 {
     const uint32_t kept = (1u << GLINT_W_BITS) - 1u;

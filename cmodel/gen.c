@@ -88,8 +88,8 @@ static void write_sigma_rom(FILE *out)
                    "sigma_rom: ROM 33 of figure 3.1, n -> sigma = (n+1)/3 as U%d.%d, rounded half "
                    "up;\n// combinational.",
                    GLINT_SIGMA_INT_BITS, GLINT_SIGMA_FRAC_BITS);
-    write_rom(out, &(rom){"sigma_rom", what, "sigma", "GLINT_SIGMA_BITS", GLINT_SIGMA_BITS,
-                          glint_rom33});
+    write_rom(
+        out, &(rom){"sigma_rom", what, "sigma", "GLINT_SIGMA_BITS", GLINT_SIGMA_BITS, glint_rom33});
 }
 
 static void write_limit_rom(FILE *out)
@@ -100,8 +100,8 @@ static void write_limit_rom(FILE *out)
                    "U1.%d, for which\n"
                    "// t, computed from the quantised sigma, is not negative; combinational.",
                    GLINT_COS_FRAC_BITS);
-    write_rom(out, &(rom){"limit_rom", what, "limit", "GLINT_COS_BITS", GLINT_COS_BITS,
-                          cosine_limit});
+    write_rom(out,
+              &(rom){"limit_rom", what, "limit", "GLINT_COS_BITS", GLINT_COS_BITS, cosine_limit});
 }
 
 /* The table for one number of shifts. */

@@ -67,8 +67,9 @@
 #define GLINT_LANES_MAX 16
 
 /* What follows from other numbers above is not to be given one of its own. */
-GLINT_REQUIRE(GLINT_T_FRAC_BITS == GLINT_COS_FRAC_BITS,
-              "GLINT_T_FRAC_BITS must be GLINT_COS_FRAC_BITS: multiplier 7 drops the bits of sigma");
+GLINT_REQUIRE(
+    GLINT_T_FRAC_BITS == GLINT_COS_FRAC_BITS,
+    "GLINT_T_FRAC_BITS must be GLINT_COS_FRAC_BITS: multiplier 7 drops the bits of sigma");
 GLINT_REQUIRE(GLINT_W_FRAC_BITS == GLINT_T_FRAC_BITS,
               "GLINT_W_FRAC_BITS must be GLINT_T_FRAC_BITS: multiplier 10 drops the bits of t");
 GLINT_REQUIRE(GLINT_W_BITS == GLINT_COS_BITS,
@@ -81,9 +82,10 @@ GLINT_REQUIRE((GLINT_N_COUNT / 3u) * (GLINT_N_COUNT / 3u) >> GLINT_W_DRAWN_INT_B
               "GLINT_W_DRAWN_INT_BITS must hold the square of (GLINT_N_MAX + 1) / 3");
 
 /* What the types that hold them, in C, allow. cmodel/blocks.h has those of the arithmetic. */
-GLINT_REQUIRE(GLINT_COS_FRAC_BITS >= 11 && GLINT_COS_FRAC_BITS <= 20,
-              "GLINT_COS_FRAC_BITS must be 11 to 20: below, half a step of a colour is no code of W "
-              "any more; above, glint_block_mul10() needs more than 32 bits");
+GLINT_REQUIRE(
+    GLINT_COS_FRAC_BITS >= 11 && GLINT_COS_FRAC_BITS <= 20,
+    "GLINT_COS_FRAC_BITS must be 11 to 20: below, half a step of a colour is no code of W "
+    "any more; above, glint_block_mul10() needs more than 32 bits");
 GLINT_REQUIRE(GLINT_SIGMA_FRAC_BITS >= 1 && GLINT_N_BITS + GLINT_SIGMA_FRAC_BITS <= 30,
               "GLINT_SIGMA_FRAC_BITS: glint_rom33() works in 32 bits");
 GLINT_REQUIRE(GLINT_N_BITS >= 8 && GLINT_N_BITS <= 12,

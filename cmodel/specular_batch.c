@@ -1,4 +1,5 @@
-/* Long runs of points with one material: the blocks of blocks.h in loops that a compiler vectorises.
+/* Long runs of points with one material: the blocks of blocks.h in loops that a compiler
+ * vectorises.
  *
  * Where a point is outside the highlight, t is not needed: the gate, by its limit of the cosine,
  * throws it away. */

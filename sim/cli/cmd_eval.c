@@ -34,8 +34,32 @@ typedef struct run {
     uint8_t r[RUN_MAX], g[RUN_MAX], b[RUN_MAX];
 } run;
 
+/* The help's paragraphs, with the numbers of the formats. */
+static void write_details(char *text, size_t size)
+{
+    (void)snprintf(
+        text, size,
+        "A line is: n cos r g b, with blanks or commas between. n is 0 to %u; cos is a\n"
+        "number from 0 to 1, or a code of register 1, 0x0 to 0x%x or code:0 to\n"
+        "code:%u (above 0x%x, code:%u, which is 1.0, it saturates); r, g, b are\n"
+        "0 to %u. Blank lines and lines that begin with # are skipped.\n"
+        "\n"
+        "The first line may be a header, as of what was printed: the columns n, r, g, b "
+        "and\n"
+        "cos, or cos_code with codes in decimal, are taken by name, others passed over.\n"
+        "\n"
+        "The columns printed are n,cos_code,w_code,r,g,b: cos_code is what register 1\n"
+        "holds and w_code the output of the key block, both in units of 2^-%d.",
+        GLINT_N_MAX, GLINT_COS_CODE_MAX, GLINT_COS_CODE_MAX, GLINT_COS_ONE, GLINT_COS_ONE,
+        GLINT_COLOR_MAX, GLINT_COS_FRAC_BITS);
+}
+
 static int parse(int argc, char **argv, eval_options *chosen)
 {
+    char details[1024], by_code[80];
+    write_details(details, sizeof details);
+    (void)snprintf(by_code, sizeof by_code, "echo '80 code:%u 255 190 110' | glint eval --json",
+                   glint_cos_code(0.99));
     const glint_option options[] = {
         {.name = "backend",
          .help = "who computes: the C model, the Verilog, or the formula in floating point",
@@ -58,27 +82,16 @@ static int parse(int argc, char **argv, eval_options *chosen)
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
-    static const glint_example examples[] = {
+    const glint_example examples[] = {
         {"one point by the Verilog", "echo '80 0.99 255 190 110' | glint eval --backend rtl"},
-        {"a code of register 1, as eval prints it",
-         "echo '80 code:259523 255 190 110' | glint eval --json"},
+        {"a code of register 1, as eval prints it", by_code},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "eval",
         .summary = "Reads points from standard input, one a line, and prints what the device "
                    "answers for each, in order.",
-        .details =
-            "A line is: n cos r g b, with blanks or commas between. n is 0 to 1023; cos is a\n"
-            "number from 0 to 1, or a code of register 1, 0x0 to 0x7ffff or code:0 to\n"
-            "code:524287 (above 0x40000, code:262144, which is 1.0, it saturates); r, g, b are\n"
-            "0 to 255. Blank lines and lines that begin with # are skipped.\n"
-            "\n"
-            "The first line may be a header, as of what was printed: the columns n, r, g, b and\n"
-            "cos, or cos_code with codes in decimal, are taken by name, others passed over.\n"
-            "\n"
-            "The columns printed are n,cos_code,w_code,r,g,b: cos_code is what register 1\n"
-            "holds and w_code the output of the key block, both in units of 2^-18.",
+        .details = details,
         .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
