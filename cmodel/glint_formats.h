@@ -82,12 +82,12 @@ GLINT_REQUIRE((GLINT_N_COUNT / 3u) * (GLINT_N_COUNT / 3u) >> GLINT_W_DRAWN_INT_B
               "GLINT_W_DRAWN_INT_BITS must hold the square of (GLINT_N_MAX + 1) / 3");
 
 /* What the types that hold them, in C, allow. cmodel/blocks.h has those of the arithmetic. */
-GLINT_REQUIRE(
-    GLINT_COS_FRAC_BITS >= 11 && GLINT_COS_FRAC_BITS <= 20,
-    "GLINT_COS_FRAC_BITS must be 11 to 20: below, half a step of a colour is no code of W "
-    "any more; above, glint_block_mul10() needs more than 32 bits");
-GLINT_REQUIRE(GLINT_SIGMA_FRAC_BITS >= 1 && GLINT_N_BITS + GLINT_SIGMA_FRAC_BITS <= 30,
-              "GLINT_SIGMA_FRAC_BITS: glint_rom33() works in 32 bits");
+GLINT_REQUIRE(GLINT_COS_FRAC_BITS >= 10 && GLINT_COS_FRAC_BITS <= 20,
+              "GLINT_COS_FRAC_BITS must be 10 to 20: above, glint_block_mul10() needs more than 32 "
+              "bits; below, the codes 1000 above 1.0 that waveforms show are none");
+GLINT_REQUIRE(GLINT_SIGMA_FRAC_BITS >= 2 && GLINT_N_BITS + GLINT_SIGMA_FRAC_BITS <= 30,
+              "GLINT_SIGMA_FRAC_BITS must be 2 or more, and with GLINT_N_BITS 30 at most: "
+              "glint_rom33() works in 32 bits");
 GLINT_REQUIRE(GLINT_N_BITS >= 8 && GLINT_N_BITS <= 12,
               "GLINT_N_BITS must be 8 to 12: t is 32 bits wide at most, and exhaustion needs an n "
               "for each value of a colour");

@@ -45,11 +45,11 @@ static void draw_colors(run *run, glint_random *random)
 }
 
 /* How far roundings alone may take W from the formula of an unrounded sigma, where t is in 0...1:
- * 2 t of what sigma and t are off, and half a code of its own (docs/formats.md). */
+ * 2 t of what sigma and t are off, the square of that, and half a code of W (docs/formats.md). */
 static double allowed(void)
 {
-    const double sigma = 1.0 / (3 << GLINT_SIGMA_FRAC_BITS);
-    return 4.0 / 3.0 * sigma + 1.5 / GLINT_W_ONE;
+    const double sigma = 1.0 / (3 << GLINT_SIGMA_FRAC_BITS), code = 0.5 / GLINT_W_ONE;
+    return 4.0 / 3.0 * sigma + 2.0 * code + (sigma + code) * (sigma + code) + code;
 }
 
 /* Gate drawn steps where its limit is, so that W cannot be near the formula there. */

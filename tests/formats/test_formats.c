@@ -93,7 +93,7 @@ static void what_cannot_be_is_said(void **state)
     (void)state;
     char *said;
     assert_int_equal(try("GLINT_COS_FRAC_BITS", "21", &said), 1);
-    assert_non_null(strstr(said, "GLINT_COS_FRAC_BITS must be 11 to 20"));
+    assert_non_null(strstr(said, "GLINT_COS_FRAC_BITS must be 10 to 20"));
     free(said);
     assert_int_equal(try("GLINT_COS_BITS", "20", &said), 2);
     free(said);
