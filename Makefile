@@ -333,6 +333,7 @@ help:
 	@echo "make lint      Verilator, Icarus, Yosys and both C compilers over everything"
 	@echo "make sanitize  the tests under AddressSanitizer and UBSan"
 	@echo "make fuzz      20 s of fuzzing (FUZZ_SECONDS=) for each reader of what comes from outside"
+	@echo "make formats   16 to 20 fraction bits of the cosine, by one edit each (docs/formats.md)"
 	@echo "make generate  write the generated Verilog anew from cmodel/"
 	@echo "make install PREFIX=DIR   command, library, headers, Verilog, documentation ($(PREFIX)); DESTDIR= before it"
 	@echo "make uninstall PREFIX=DIR what make install has put there"

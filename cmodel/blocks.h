@@ -10,27 +10,42 @@
 #include "glint_formats.h"
 #include "glint_specular.h"
 
+/* The one rule by which bits are dropped, half up: half a unit of the last place that is kept is
+ * added, and what is below that place cut off. value is taken as `type`, which must hold it and
+ * half a unit; where it is signed, it may come in its unsigned counterpart. */
+#define GLINT_HALF_UP(type, value, dropped)                                                        \
+    ((type)((value) + ((type)1 << ((dropped)-1))) >> (dropped))
+
 /* Register 1 as it is loaded: a code above 1.0 saturates to 1.0. */
 static inline uint32_t glint_block_saturate1(uint32_t cos_code)
 {
     return cos_code > GLINT_COS_ONE ? GLINT_COS_ONE : cos_code;
 }
 
-/* Adder 6: the integer digit of cos γ plus all ones, carry-in 0; the fraction passes beside it. The
- * digit that results is the sign: its weight is −1. */
+/* Adder 6: cos γ − 1. In the circuit the integer digit of cos γ plus all ones, carry-in 0, with the
+ * fraction passed beside it; the digit that results is the sign, of weight −1. */
 static inline int32_t glint_block_adder6(uint32_t reg1)
 {
-    uint32_t digit = ((reg1 >> GLINT_COS_FRAC_BITS) + 1u) & 1u;
-    uint32_t fraction = reg1 & (GLINT_COS_ONE - 1u);
-    return (int32_t)fraction - (int32_t)(digit << GLINT_COS_FRAC_BITS);
+    return (int32_t)reg1 - (int32_t)GLINT_COS_ONE;
 }
 
-/* Multiplier 7: σ(cos γ − 1), the exact product rounded half up to 18 fraction bits. */
+/* Multiplier 7: σ(cos γ − 1), the exact product rounded half up to the fraction bits of t. */
+#define GLINT_ROUND7(type, product) ((int32_t)GLINT_HALF_UP(type, product, GLINT_SIGMA_FRAC_BITS))
+
 static inline int32_t glint_block_mul7(uint32_t rom33, int32_t adder6)
 {
-    int64_t product = (int64_t)rom33 * adder6;
-    int64_t half = INT64_C(1) << (GLINT_SIGMA_FRAC_BITS - 1);
-    return (int32_t)((product + half) >> GLINT_SIGMA_FRAC_BITS);
+    return GLINT_ROUND7(int64_t, (int64_t)rom33 * adder6);
+}
+
+/* The same where t ≥ 0; elsewhere the result means nothing. There the product with its half is in
+ * −1.0 to 1.0, so that for most widths 32 bits hold it: for loops that a compiler vectorises. */
+static inline int32_t glint_block_mul7_inside(uint32_t rom33, int32_t adder6)
+{
+#if GLINT_COS_FRAC_BITS + GLINT_SIGMA_FRAC_BITS < 32
+    return GLINT_ROUND7(int32_t, rom33 * (uint32_t)adder6);
+#else
+    return glint_block_mul7(rom33, adder6);
+#endif
 }
 
 /* Adder 8: second operand 0, carry-in 1 at the integer digits; the fraction passes beside it. */
@@ -39,21 +54,32 @@ static inline int32_t glint_block_adder8(int32_t mul7)
     return mul7 + (1 << GLINT_T_FRAC_BITS);
 }
 
-/* Multiplier 10 for gates cosine and sign: the 19 low bits of t squared, rounded half up to
- * 18 fraction bits. Where the gate passes, t is in 0…1 and these bits are all of it. */
+/* t², rounded half up to the fraction bits of W, for a t of no more bits than W has.
+ *
+ * In 32 bits: with t = high·2^s + low, t² is (t·high)·2^s + t·low. The rounding looks at no bit
+ * below its half, so the s lowest of the square may go before it. */
+#define GLINT_SPLIT10 ((GLINT_W_BITS + 1) / 2)
+
+static inline uint32_t glint_block_square10(uint32_t t)
+{
+    uint32_t high = t >> GLINT_SPLIT10;
+    uint32_t low = t & ((1u << GLINT_SPLIT10) - 1u);
+    uint32_t square = t * high + (t * low >> GLINT_SPLIT10);
+    return GLINT_HALF_UP(uint32_t, square, GLINT_W_FRAC_BITS - GLINT_SPLIT10);
+}
+
+/* Multiplier 10 for gates cosine and sign: the low bits of t, as many as W has, squared, and as
+ * many bits of that. Where the gate passes, t is in 0…1 and nothing is cut off. */
 static inline uint32_t glint_block_mul10(int32_t adder8)
 {
-    uint64_t t = (uint32_t)adder8 & ((1u << GLINT_W_BITS) - 1u);
-    uint64_t half = UINT64_C(1) << (GLINT_W_FRAC_BITS - 1);
-    return (uint32_t)((t * t + half) >> GLINT_W_FRAC_BITS) & ((1u << GLINT_W_BITS) - 1u);
+    const uint32_t kept = (1u << GLINT_W_BITS) - 1u;
+    return glint_block_square10((uint32_t)adder8 & kept) & kept;
 }
 
 /* Multiplier 10 for gate drawn: all of t squared, wide enough to tell a W above 1. */
 static inline uint64_t glint_block_mul10_drawn(int32_t adder8)
 {
-    int64_t t = adder8;
-    int64_t half = INT64_C(1) << (GLINT_W_FRAC_BITS - 1);
-    return (uint64_t)((t * t + half) >> GLINT_W_FRAC_BITS);
+    return GLINT_HALF_UP(uint64_t, (uint64_t)((int64_t)adder8 * adder8), GLINT_W_FRAC_BITS);
 }
 
 /* Multiplier 10 as the gate has it. */
@@ -88,10 +114,20 @@ static inline uint32_t glint_block_keys12(uint32_t cmp11, uint32_t sat10)
     return cmp11 != 0 ? sat10 : 0u;
 }
 
-/* Multipliers 13, 14, 15: W times one colour component, rounded half up to 8 bits. */
+/* Multipliers 13, 14, 15: W times one colour component, rounded half up to the bits of a colour. */
 static inline uint8_t glint_block_mul_color(uint32_t keys12, uint8_t color)
 {
-    return (uint8_t)((keys12 * color + (GLINT_W_ONE >> 1)) >> GLINT_W_FRAC_BITS);
+    return (uint8_t)GLINT_HALF_UP(uint32_t, keys12 * color, GLINT_W_FRAC_BITS);
 }
+
+/* What the arithmetic above has room for. */
+_Static_assert(GLINT_SIGMA_BITS + GLINT_COS_BITS < 64, "multiplier 7 has 64 bits");
+_Static_assert(GLINT_T_BITS <= 32, "t is an int32_t");
+_Static_assert(GLINT_W_DRAWN_BITS + GLINT_W_FRAC_BITS < 64, "the square of gate drawn has 64 bits");
+_Static_assert(2 * GLINT_W_BITS - GLINT_SPLIT10 < 32 && GLINT_W_BITS + GLINT_SPLIT10 <= 32,
+               "multiplier 10 puts the square together in 32 bits");
+_Static_assert(GLINT_SPLIT10 < GLINT_W_FRAC_BITS,
+               "multiplier 10 may drop no bit that its rounding looks at");
+_Static_assert(GLINT_W_FRAC_BITS + GLINT_COLOR_BITS < 32, "multipliers 13 to 15 have 32 bits");
 
 #endif

@@ -46,6 +46,7 @@ static void write_formats(FILE *out)
     WRITE_CONSTANT(out, GLINT_DIVIDER_K_BITS);
     WRITE_CONSTANT(out, GLINT_DIVIDER_K_MAX);
     WRITE_CONSTANT(out, GLINT_DIVIDER_DIFFERENCE_BITS);
+    WRITE_CONSTANT(out, GLINT_DIVIDER_LEFT_BITS);
     fprintf(out, "\n`endif\n");
 }
 
@@ -80,29 +81,25 @@ static void write_rom(FILE *out, const rom *rom)
 
 static void write_sigma_rom(FILE *out)
 {
-    static const rom sigma = {
-        "sigma_rom",
-        "sigma_rom: ROM 33 of figure 3.1, n -> sigma = (n+1)/3 as U9.13, rounded half up;\n"
-        "// combinational.",
-        "sigma",
-        "GLINT_SIGMA_BITS",
-        GLINT_SIGMA_BITS,
-        glint_rom33};
-    write_rom(out, &sigma);
+    char what[256];
+    (void)snprintf(what, sizeof what,
+                   "sigma_rom: ROM 33 of figure 3.1, n -> sigma = (n+1)/3 as U%d.%d, rounded half "
+                   "up;\n// combinational.",
+                   GLINT_SIGMA_INT_BITS, GLINT_SIGMA_FRAC_BITS);
+    write_rom(
+        out, &(rom){"sigma_rom", what, "sigma", "GLINT_SIGMA_BITS", GLINT_SIGMA_BITS, glint_rom33});
 }
 
 static void write_limit_rom(FILE *out)
 {
-    static const rom limit = {
-        "limit_rom",
-        "limit_rom: ROM 9 of figure 3.1 for gate cosine, n -> the smallest cosine, U1.18, for "
-        "which\n"
-        "// t, computed from the quantised sigma, is not negative; combinational.",
-        "limit",
-        "GLINT_COS_BITS",
-        GLINT_COS_BITS,
-        cosine_limit};
-    write_rom(out, &limit);
+    char what[256];
+    (void)snprintf(what, sizeof what,
+                   "limit_rom: ROM 9 of figure 3.1 for gate cosine, n -> the smallest cosine, "
+                   "U1.%d, for which\n"
+                   "// t, computed from the quantised sigma, is not negative; combinational.",
+                   GLINT_COS_FRAC_BITS);
+    write_rom(out,
+              &(rom){"limit_rom", what, "limit", "GLINT_COS_BITS", GLINT_COS_BITS, cosine_limit});
 }
 
 /* The table for one number of shifts. */
@@ -120,9 +117,13 @@ static void write_reciprocals(FILE *out, int shifts)
 
 static void write_reciprocal_rom(FILE *out)
 {
-    write_header(out, "reciprocal_rom: the table of figure 2.13, k -> the bits i0 i1 ... in of 1/k "
-                      "(i0 highest),\n// 2^n/k rounded to nearest, n = SHIFTS (6..16); miss: k is "
-                      "0 or beyond the table;\n// combinational.");
+    char what[256];
+    (void)snprintf(what, sizeof what,
+                   "reciprocal_rom: the table of figure 2.13, k -> the bits i0 i1 ... in of 1/k "
+                   "(i0 highest),\n// 2^n/k rounded to nearest, n = SHIFTS (%d..%d); miss: k is "
+                   "0 or beyond the table;\n// combinational.",
+                   GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX);
+    write_header(out, what);
     fprintf(out, "`default_nettype none\n`include \"glint_formats.vh\"\n\n"
                  "module reciprocal_rom #(\n"
                  "    parameter integer SHIFTS = `GLINT_DIVIDER_SHIFTS_DEFAULT\n"

@@ -18,6 +18,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "glint_formats.h"
 #include "glint_status.h"
 
 #ifdef __cplusplus
@@ -35,11 +36,27 @@ extern "C" {
 #define GLINT_DIVIDER_K_BITS 8
 
 /* Difference of two 8-bit intensities, S9.0: −255…255. */
-#define GLINT_DIVIDER_DIFFERENCE_BITS 9
-#define GLINT_DIVIDER_DIFFERENCE_MAX  255
+#define GLINT_DIVIDER_DIFFERENCE_BITS (1 + GLINT_COLOR_BITS)
+#define GLINT_DIVIDER_DIFFERENCE_MAX  ((int)GLINT_COLOR_MAX)
 
 /* Colour components that the pipelined form divides at once, by one k. */
 #define GLINT_DIVIDER_COMPONENTS 3
+
+/* The counter of the sequential form: the bits of a number 0…GLINT_DIVIDER_SHIFTS_MAX. */
+#define GLINT_DIVIDER_LEFT_BITS 5
+
+GLINT_REQUIRE(GLINT_DIVIDER_SHIFTS_MAX >> GLINT_DIVIDER_LEFT_BITS == 0,
+              "GLINT_DIVIDER_LEFT_BITS must hold GLINT_DIVIDER_SHIFTS_MAX");
+GLINT_REQUIRE(
+    GLINT_DIVIDER_SHIFTS_MIN >= 2 && GLINT_DIVIDER_SHIFTS_MIN <= GLINT_DIVIDER_SHIFTS_DEFAULT &&
+        GLINT_DIVIDER_SHIFTS_DEFAULT <= GLINT_DIVIDER_SHIFTS_MAX,
+    "GLINT_DIVIDER_SHIFTS_DEFAULT must be in GLINT_DIVIDER_SHIFTS_MIN...MAX, and the least "
+    "2: the circuit shifts its bits");
+GLINT_REQUIRE(GLINT_DIVIDER_DIFFERENCE_BITS + GLINT_DIVIDER_SHIFTS_MAX <= 32,
+              "GLINT_DIVIDER_SHIFTS_MAX: a quotient is an int32_t");
+GLINT_REQUIRE(GLINT_DIVIDER_K_BITS <= 8, "GLINT_DIVIDER_K_BITS must be 8 at most: k is a byte");
+GLINT_REQUIRE(GLINT_DIVIDER_K_MAX >= 1 && GLINT_DIVIDER_K_MAX + 1 < 1 << GLINT_DIVIDER_K_BITS,
+              "GLINT_DIVIDER_K_BITS must hold GLINT_DIVIDER_K_MAX, and some k beyond the table");
 
 /* The bits i₀ i₁ … iₙ of the table for k as one number, iₙ the lowest: 2ⁿ/k rounded to nearest,
  * half up. 0 where k is 0 or beyond the table. shifts: GLINT_DIVIDER_SHIFTS_MIN…MAX. */

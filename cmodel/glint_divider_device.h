@@ -40,7 +40,7 @@ typedef struct glint_divider_inputs {
     X(rom_bits, BLOCK, GLINT_DIVIDER_WIDTH_N1, 0, 0, "table: bits i0 ... in of 1/k")               \
     X(rom_miss, BLOCK, 1, 0, 0, "k is 0 or beyond the table")                                      \
     X(bits_rg, REGISTER, GLINT_DIVIDER_WIDTH_N, 0, 0, "bits ij still to come")                     \
-    X(left, REGISTER, 5, 0, 0, "how many")                                                         \
+    X(left, REGISTER, GLINT_DIVIDER_LEFT_BITS, 0, 0, "how many")                                   \
     X(shift_rg, REGISTER, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1,                  \
       "shift register: the difference, halved each clock")                                         \
     X(shifted, BLOCK, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1, "one place on")      \

@@ -33,6 +33,8 @@ module shift_divider #(
     output reg                                                     out_of_table
 );
     localparam WIDTH = `GLINT_DIVIDER_DIFFERENCE_BITS + SHIFTS;
+    localparam LEFT  = `GLINT_DIVIDER_LEFT_BITS;
+    localparam [LEFT-1:0] LAST = {{(LEFT - 1){1'b0}}, 1'b1};
 
     // The table: i0 is its highest bit.
     wire [SHIFTS:0] rom_bits;
@@ -42,7 +44,7 @@ module shift_divider #(
     reg signed [WIDTH-1:0]  shift_rg;
     reg signed [WIDTH-1:0]  acc_rg;
     reg        [SHIFTS-1:0] bits_rg; // the bits still to come, the next one highest
-    reg        [4:0]        left;    // how many
+    reg        [LEFT-1:0]   left;    // how many
 
     wire signed [WIDTH-1:0] loaded  = {difference, {SHIFTS{1'b0}}};
     wire signed [WIDTH-1:0] shifted = {shift_rg[WIDTH-1], shift_rg[WIDTH-1:1]};
@@ -56,7 +58,7 @@ module shift_divider #(
             shift_rg     <= {WIDTH{1'b0}};
             acc_rg       <= {WIDTH{1'b0}};
             bits_rg      <= {SHIFTS{1'b0}};
-            left         <= 5'd0;
+            left         <= {LEFT{1'b0}};
             busy         <= 1'b0;
             done         <= 1'b0;
             out_of_table <= 1'b0;
@@ -65,16 +67,16 @@ module shift_divider #(
                 shift_rg <= shifted;
                 acc_rg   <= sum;
                 bits_rg  <= {bits_rg[SHIFTS-2:0], 1'b0};
-                left     <= left - 5'd1;
-                busy     <= (left != 5'd1);
-                done     <= (left == 5'd1);
+                left     <= left - LAST;
+                busy     <= (left != LAST);
+                done     <= (left == LAST);
             end else begin
                 done <= 1'b0;
                 if (start) begin
                     shift_rg     <= loaded;
                     acc_rg       <= rom_bits[SHIFTS] ? loaded : {WIDTH{1'b0}};
                     bits_rg      <= rom_bits[SHIFTS-1:0];
-                    left         <= SHIFTS[4:0];
+                    left         <= SHIFTS[LEFT-1:0];
                     busy         <= 1'b1;
                     out_of_table <= rom_miss;
                 end

@@ -21,7 +21,7 @@ packages_of() {
     case $1 in
     build | demo | bench | wave) echo "$build" ;;
     install) echo "$build help2man" ;;
-    lint | mutation | netlist) echo "$checks" ;;
+    lint | mutation | netlist | formats) echo "$checks" ;;
     formal) echo "yosys $solver make" ;;
     coverage) echo "$checks gcovr $view $meshes $plots" ;;
     fuzz) echo "$checks" ;;
@@ -55,7 +55,7 @@ installed $package
     done
 }
 
-[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build demo bench wave report install lint test gtkwave mutation netlist formal coverage fuzz portability)"
+[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build demo bench wave report install lint test gtkwave mutation netlist formal coverage fuzz portability formats)"
 
 needed=
 for goal in "$@"; do

@@ -45,26 +45,34 @@ static const char *usual(const char *parameter)
     return strcmp(parameter, "lanes") == 0 ? "16" : NULL;
 }
 
-static const char details[] =
-    "A line is: n cos r g b, with blanks or commas between. n is 0 to 1023; cos is a\n"
-    "number from 0 to 1, or a code of register 1, 0x0 to 0x7ffff or code:0 to\n"
-    "code:524287 (above 0x40000, code:262144, which is 1.0, it saturates); r, g, b are\n"
-    "0 to 255. Blank lines and lines that begin with # are skipped.\n"
-    "\n"
-    "The first line may be a header, as of what was printed: the columns n, r, g, b and\n"
-    "cos, or cos_code with codes in decimal, are taken by name, others passed over.\n"
-    "\n"
-    "The columns printed are n,cos_code,w_code,r,g,b: cos_code is what register 1\n"
-    "holds and w_code the output of the key block, both in units of 2^-18.\n"
-    "\n"
-    "--circuit divider reads divisions and prints quotients as glint divide does; of a\n"
-    "circuit of one's own, glint --circuit-dir DIR eval --help names what it reads.";
+/* The help's paragraphs, with the numbers of the formats. */
+static void write_details(char *text, size_t size)
+{
+    (void)snprintf(
+        text, size,
+        "A line is: n cos r g b, with blanks or commas between. n is 0 to %u; cos is a\n"
+        "number from 0 to 1, or a code of register 1, 0x0 to 0x%x or code:0 to\n"
+        "code:%u (above 0x%x, code:%u, which is 1.0, it saturates); r, g, b are\n"
+        "0 to %u. Blank lines and lines that begin with # are skipped.\n"
+        "\n"
+        "The first line may be a header, as of what was printed: the columns n, r, g, b and\n"
+        "cos, or cos_code with codes in decimal, are taken by name, others passed over.\n"
+        "\n"
+        "The columns printed are n,cos_code,w_code,r,g,b: cos_code is what register 1\n"
+        "holds and w_code the output of the key block, both in units of 2^-%d.\n"
+        "\n"
+        "--circuit divider reads divisions and prints quotients as glint divide does; of a\n"
+        "circuit of one's own, glint --circuit-dir DIR eval --help names what it reads.",
+        GLINT_N_MAX, GLINT_COS_CODE_MAX, GLINT_COS_CODE_MAX, GLINT_COS_ONE, GLINT_COS_ONE,
+        GLINT_COLOR_MAX, GLINT_COS_FRAC_BITS);
+}
 
 #define OWN_ROWS 2
 
 static int parse(int argc, char **argv, eval_options *chosen)
 {
-    static char own_details[4096];
+    static char details[4096];
+    char by_code[80];
     const glint_circuit_use use = {
         .command = "eval", .circuit = "specular", .one_circuit = true, .usual = usual};
     const int begun = glint_circuit_options_begin(&chosen->circuits, &use, argc, argv);
@@ -83,18 +91,22 @@ static int parse(int argc, char **argv, eval_options *chosen)
     const size_t count =
         OWN_ROWS + glint_circuit_options_add(&chosen->circuits, options + OWN_ROWS);
     const glint_setting first = glint_setting_standard(chosen->circuits.circuit[0]);
-    glint_eval_circuit_details(&first, own_details, sizeof own_details);
-    static const glint_example examples[] = {
+    if (first.circuit == &glint_circuit_specular)
+        write_details(details, sizeof details);
+    else
+        glint_eval_circuit_details(&first, details, sizeof details);
+    (void)snprintf(by_code, sizeof by_code, "echo '80 code:%u 255 190 110' | glint eval --json",
+                   glint_cos_code(0.99));
+    const glint_example examples[] = {
         {"one point by the Verilog", "echo '80 0.99 255 190 110' | glint eval --backend rtl"},
-        {"a code of register 1, as eval prints it",
-         "echo '80 code:259523 255 190 110' | glint eval --json"},
+        {"a code of register 1, as eval prints it", by_code},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "eval",
         .summary = "Reads points from standard input, one a line, and prints what the device "
                    "answers for each, in order.",
-        .details = first.circuit == &glint_circuit_specular ? details : own_details,
+        .details = details,
         .examples = examples,
         .options = options,
         .option_count = count,

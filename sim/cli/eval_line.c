@@ -2,6 +2,7 @@
 #include "cli/eval_line.h"
 
 #include <stdbool.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "cli/parse.h"
@@ -10,8 +11,6 @@
 
 static const glint_column fields[FIELD_COUNT] = {
     {"n", NULL}, {"cos", "cos_code"}, {"r", NULL}, {"g", NULL}, {"b", NULL}};
-
-#define CODES "a code: 0x0 to 0x7ffff or code:0 to code:524287"
 
 /* A code of register 1, which a cosine cannot be taken for. */
 static bool read_code(const char *text, uint32_t *code)
@@ -31,6 +30,16 @@ static bool read_code(const char *text, uint32_t *code)
     return false;
 }
 
+/* What is no number of the expected kind, and no code either. */
+static glint_line_kind refuse_cosine(const char *name, const char *text, const char *number,
+                                     glint_error *err)
+{
+    char expected[128];
+    (void)snprintf(expected, sizeof expected, "%s or a code: 0x0 to 0x%x or code:0 to code:%u",
+                   number, GLINT_COS_CODE_MAX, GLINT_COS_CODE_MAX);
+    return glint_line_refuse(name, text, expected, err);
+}
+
 static glint_line_kind read_cosine(const char *text, uint32_t *code, glint_error *err)
 {
     double cosine;
@@ -38,7 +47,7 @@ static glint_line_kind read_cosine(const char *text, uint32_t *code, glint_error
         return GLINT_LINE_VALUES;
     }
     if (!glint_parse_real(text, 0.0, 1.0, &cosine)) {
-        return glint_line_refuse("cos", text, "a number from 0 to 1 or " CODES, err);
+        return refuse_cosine("cos", text, "a number from 0 to 1", err);
     }
     *code = glint_cos_code(cosine);
     return GLINT_LINE_VALUES;
@@ -52,7 +61,9 @@ static glint_line_kind read_code_column(const char *text, uint32_t *code, glint_
         return GLINT_LINE_VALUES;
     }
     if (!glint_parse_integer(text, 0, GLINT_COS_CODE_MAX, &number)) {
-        return glint_line_refuse("cos_code", text, "an integer from 0 to 524287 or " CODES, err);
+        char number[64];
+        (void)snprintf(number, sizeof number, "an integer from 0 to %u", GLINT_COS_CODE_MAX);
+        return refuse_cosine("cos_code", text, number, err);
     }
     *code = (uint32_t)number;
     return GLINT_LINE_VALUES;
@@ -64,7 +75,9 @@ static glint_line_kind read_fields(char *const field[FIELD_COUNT], bool is_code,
     int64_t n;
     int64_t color[3];
     if (!glint_parse_integer(field[0], 0, GLINT_N_MAX, &n)) {
-        return glint_line_refuse("n", field[0], "an integer from 0 to 1023", err);
+        char expected[64];
+        (void)snprintf(expected, sizeof expected, "an integer from 0 to %u", GLINT_N_MAX);
+        return glint_line_refuse("n", field[0], expected, err);
     }
     const glint_line_kind kind = is_code ? read_code_column(field[1], &point->cos_code, err)
                                          : read_cosine(field[1], &point->cos_code, err);

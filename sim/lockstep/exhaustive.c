@@ -21,6 +21,7 @@ enum {
 
 _Static_assert(RUN / GLINT_LANES_MAX * RUNS_REMEMBERED >= GLINT_HISTORY_CLOCKS,
                "what is remembered fills a history");
+_Static_assert(QUARTERS >= 1, "there is an n for each value of a colour");
 
 /* The three sweeps of an n. */
 typedef enum sweep_kind { WHITE, COLORED, MULTIPLIERS, SWEEPS } sweep_kind;

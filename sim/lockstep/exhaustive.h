@@ -1,5 +1,5 @@
 /* The Verilog against the C model over the whole domain: W and the three colours of every code of
- * the cosine pin, 0…2^19−1, with every n 0…1023, and every pair of a W code that occurs and a
+ * the cosine pin, 0…GLINT_COS_CODE_MAX, with every n, and every pair of a W code that occurs and a
  * colour in the multipliers 13, 14 and 15.
  *
  * The work is cut by n. For each n and each circuit there are three sweeps:

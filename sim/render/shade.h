@@ -31,7 +31,9 @@ static inline uint8_t glint_intensity_of(float value)
     return (uint8_t)(rounded < 255 ? rounded : 255);
 }
 
-/* The U1.18 code of a cosine, half up, held in 0 … 1 as an integer. */
+_Static_assert(GLINT_COS_BITS + 1 <= 24, "a float holds a code of the cosine and its half");
+
+/* The code of a cosine, half up, held in 0 … 1 as an integer. */
 static inline uint32_t glint_cos_code_of(float cosine)
 {
     const int32_t code = (int32_t)(cosine * (float)GLINT_COS_ONE + 0.5f);

@@ -11,6 +11,7 @@
 #include <cjson/cJSON.h>
 #include <cmocka.h>
 
+#include "../golden.h"
 #include "../scratch.h"
 #include "run.h"
 
@@ -587,5 +588,5 @@ int main(void)
         cmocka_unit_test(an_interrupt_leaves_whole_json),
         cmocka_unit_test(a_line_without_end_is_refused),
     };
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
+    return golden_run_group_tests(tests, scratch_make, scratch_remove);
 }

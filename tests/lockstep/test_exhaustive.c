@@ -19,8 +19,8 @@
 #include "../terminal.h"
 
 enum {
-    CODES = 1 << 19, /* of the cosine pin */
-    SECONDS = 120    /* it takes one; a busy machine, many times that */
+    CODES = GLINT_COS_CODE_MAX + 1, /* of the cosine pin */
+    SECONDS = 120                   /* it takes one; a busy machine, many times that */
 };
 
 static double number(const cJSON *json, const char *name)

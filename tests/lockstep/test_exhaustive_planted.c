@@ -16,6 +16,7 @@
 
 #include <cmocka.h>
 
+#include "../golden.h"
 #include "lockstep/exhaustive.h"
 #include "rtl/rtl_model.h"
 
@@ -556,5 +557,5 @@ int main(void)
         cmocka_unit_test(the_differences_of_each_lane_are_found),
         cmocka_unit_test(lanes_that_are_none_are_refused),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return golden_run_group_tests(tests, NULL, NULL);
 }

@@ -21,6 +21,7 @@
 
 #include <cmocka.h>
 
+#include "../golden.h"
 #include "../record.h"
 #include "../seed.h"
 #include "blocks.h"
@@ -461,5 +462,5 @@ int main(void)
         cmocka_unit_test(eval_is_the_blocks),
         cmocka_unit_test(the_real_formula_is_the_fraction),
     };
-    return cmocka_run_group_tests(tests, run_sweep, NULL);
+    return golden_run_group_tests(tests, run_sweep, NULL);
 }

@@ -6,6 +6,7 @@
 
 #include <cmocka.h>
 
+#include "../golden.h"
 #include "blocks.h"
 
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
@@ -192,5 +193,5 @@ int main(void)
         cmocka_unit_test(keys12_pass_or_give_zero),
         cmocka_unit_test(multiplier13_rounds_half_up),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return golden_run_group_tests(tests, NULL, NULL);
 }

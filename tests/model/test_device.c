@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include "../golden.h"
 #include "../seed.h"
 #include "circuit/random.h"
 #include "glint_specular_device.h"
@@ -240,6 +241,7 @@ static void write_material(glint_specular_inputs *in, uint16_t n, uint8_t color)
 static void points_under_way_keep_their_material(void **state)
 {
     (void)state;
+    golden();
     for (int p = 0; p < GLINT_PIPELINE_COUNT; p++) {
         const glint_specular_config config = {GLINT_GATE_COSINE, (glint_pipeline)p, 1};
         glint_specular_device *device = create(&config);
@@ -495,6 +497,7 @@ static glint_signal_kind kind_due(const char *name)
 static void every_signal_is_what_the_figure_says(void **state)
 {
     (void)state;
+    golden();
     for (int i = 0; i < SETTINGS; i++) {
         const glint_specular_config config = setting(i);
         for (int a = 0; a < glint_specular_signal_count(&config); a++) {
@@ -560,6 +563,7 @@ static void bits_are_those_of_the_signal(void **state)
 static void widths_that_depend_on_the_setting(void **state)
 {
     (void)state;
+    golden();
     for (int i = 0; i < SETTINGS; i++) {
         const glint_specular_config config = setting(i);
         const glint_signal_info valid =

@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+#include "../golden.h"
 #include "../scratch.h"
 
 #include "../child.h"
@@ -143,6 +144,7 @@ static void a_stale_file_would_be_seen(void **state)
 static void the_header_holds_the_formats(void **state)
 {
     (void)state;
+    golden();
     static const char *const lines[] = {
         "`define GLINT_COS_BITS 19\n",      "`define GLINT_N_BITS 10\n",
         "`define GLINT_SIGMA_BITS 22\n",    "`define GLINT_T_BITS 28\n",

@@ -8,6 +8,7 @@
 
 #include <cmocka.h>
 
+#include "../golden.h"
 #include "glint_specular.h"
 
 /* Worked out by hand: σ = (n+1)/3 · 8192, and 2^18 less the widest 1 − cos γ that leaves t ≥ 0. */
@@ -126,5 +127,5 @@ int main(void)
         cmocka_unit_test(rom9_of_the_other_gates),
         cmocka_unit_test(only_ten_bits_of_n_count),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return golden_run_group_tests(tests, NULL, NULL);
 }

@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include "../golden.h"
 #include "glint_specular.h"
 
 enum {
@@ -337,5 +338,5 @@ int main(void)
         cmocka_unit_test(the_real_formula_at_points_known_by_hand),
         cmocka_unit_test(the_real_limits_are_exact),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return golden_run_group_tests(tests, NULL, NULL);
 }

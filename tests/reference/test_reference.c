@@ -17,6 +17,7 @@
 
 #include <cmocka.h>
 
+#include "../golden.h"
 #include "../seed.h"
 #include "blocks.h"
 #include "circuit/random.h"
@@ -362,5 +363,5 @@ int main(void)
         cmocka_unit_test(a_hosts_cosine_becomes_the_nearest_code),
         cmocka_unit_test(divisions_are_the_sum_of_the_terms),
     };
-    return cmocka_run_group_tests(tests, run_sweep, NULL);
+    return golden_run_group_tests(tests, run_sweep, NULL);
 }

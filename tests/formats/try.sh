@@ -1,0 +1,44 @@
+#!/bin/sh
+# One definition changed by one edit: does all that follows from it follow?
+#
+#   tests/formats/try.sh DIR NAME VALUE CIRCUIT...
+#
+# Copies the sources into DIR (made anew), sets NAME in cmodel/glint_formats.h to VALUE, generates what is
+# generated, looks at the Verilog with Verilator's lint, builds the C model and the circuits (names of the
+# Makefile's MODELS), and runs tests/formats/drive.c. BUILD (build) names a build of the tree itself, whose objects of Verilator's own
+# runtime serve again. Exit status 0 when everything builds and nothing differs.
+set -eu
+
+scratch=$1
+name=$2
+value=$3
+shift 3
+formats=cmodel/glint_formats.h
+
+# An outer make's job server and variables are not for the one below.
+unset MAKEFLAGS MFLAGS MAKELEVEL
+
+rm -rf "$scratch"
+mkdir -p "$scratch/build/verilated"
+cp -rp Makefile cmodel rtl sim tests "$scratch"
+runtime=${BUILD:-build}/verilated
+if [ -d "$runtime/runtime" ]; then
+    cp -rp "$runtime/runtime" "$runtime/version" "$scratch/build/verilated"
+fi
+cd "$scratch"
+
+[ "$(grep -c "^#define $name  *[0-9][0-9]*\$" $formats)" -eq 1 ] ||
+    { echo "$formats: no line gives $name a number" >&2; exit 2; }
+sed -i "s/^\(#define $name  *\)[0-9][0-9]*\$/\1$value/" $formats
+
+# Says what fails; what goes well is many lines that nobody wants.
+quietly() {
+    "$@" >log 2>&1 || { cat log; echo "failed with $name $value: $*"; exit 1; }
+}
+
+quietly make generate
+for gate in 0 1 2; do
+    quietly verilator --lint-only -Wall -GGATE=$gate -GLANES=16 -Irtl rtl/specular_device.v
+done
+quietly make -j"$(nproc)" MODELS="$*" DIVIDERS=sequential-6 build/tests/formats/drive
+build/tests/formats/drive
