@@ -88,9 +88,8 @@ GLINT_REQUIRE(GLINT_COS_FRAC_BITS >= 10 && GLINT_COS_FRAC_BITS <= 20,
 GLINT_REQUIRE(GLINT_SIGMA_FRAC_BITS >= 2 && GLINT_N_BITS + GLINT_SIGMA_FRAC_BITS <= 30,
               "GLINT_SIGMA_FRAC_BITS must be 2 or more, and with GLINT_N_BITS 30 at most: "
               "glint_rom33() works in 32 bits");
-GLINT_REQUIRE(GLINT_N_BITS >= 8 && GLINT_N_BITS <= 12,
-              "GLINT_N_BITS must be 8 to 12: t is 32 bits wide at most, and exhaustion needs an n "
-              "for each value of a colour");
+GLINT_REQUIRE(GLINT_N_BITS >= 9 && GLINT_N_BITS <= 12,
+              "GLINT_N_BITS must be 9 to 12: n is a port of two bytes, t an int32_t");
 GLINT_REQUIRE(GLINT_COLOR_BITS == 8, "GLINT_COLOR_BITS must be 8: a colour is a byte everywhere");
 
 #endif
