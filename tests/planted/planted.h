@@ -2,7 +2,7 @@
  * the way, so that it is known to the last bit what a comparison has to find.
  *
  * The programs of this directory are linked with ld's --wrap: the functions of rtl/rtl.h and
- * rtl/divider_rtl.h by which values are read are those of planted.c, which call the real ones.
+ * rtl/batch.h by which values are read are those of planted.c, which call the real ones.
  *
  * build/planted/glint is the command linked so. It takes what is planted from the environment:
  * GLINT_PLANTED_SIGNAL and GLINT_PLANTED_CLOCK: the lowest bit of this signal after this clock, in

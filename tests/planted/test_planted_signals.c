@@ -13,6 +13,7 @@
 #include <cmocka.h>
 
 #include "../seed.h"
+#include "circuit/circuits.h"
 #include "failure/failure.h"
 #include "lockstep/lockstep.h"
 #include "planted.h"
@@ -27,18 +28,15 @@ static int find_settings(void **state)
 {
     (void)state;
     int count = 0;
-    const glint_specular_config *config;
+    const glint_circuit *circuit;
     seed = seed_of_this_run();
-    for (int i = 0; (config = glint_rtl_built(i)) != NULL && count < SETTINGS; i++) {
-        settings[count++] = (glint_setting){.specular = *config};
-    }
-    for (int form = 0; form < GLINT_DIVIDER_FORM_COUNT; form++) {
-        for (int n = GLINT_DIVIDER_SHIFTS_MIN; n <= GLINT_DIVIDER_SHIFTS_MAX; n++) {
+    for (int c = 0; (circuit = glint_circuit_number(c)) != NULL; c++) {
+        glint_setting setting;
+        for (int i = 0; glint_setting_listed(circuit, i, &setting); i++) {
             if (count == SETTINGS) {
                 return -1;
             }
-            settings[count++] =
-                (glint_setting){.is_divider = true, .form = (glint_divider_form)form, .shifts = n};
+            settings[count++] = setting;
         }
     }
     return count == SETTINGS ? 0 : -1;
@@ -102,7 +100,7 @@ static void assert_each_bit_found(const glint_setting *setting, int index)
     for (int i = 0; i < result.kept; i++) {
         const glint_mismatch *found = &result.mismatch[i];
         assert_true(found->clock == (uint64_t)i + 1);
-        assert_true((found->model ^ found->rtl) == UINT64_C(1) << i);
+        assert_true((found->model[0] ^ found->rtl[0]) == UINT64_C(1) << i);
         assert_signal(&found->signal, &info);
     }
     assert_int_equal(result.totals_count, 1);
@@ -177,7 +175,7 @@ static void assert_one_found(const glint_failure_finding *found, const glint_sig
     assert_true(found->clock == PLANTED_AT);
     assert_int_equal(found->count, 1);
     assert_true(found->mismatch[0].clock == PLANTED_AT);
-    assert_true((found->mismatch[0].model ^ found->mismatch[0].rtl) == 1);
+    assert_true((found->mismatch[0].model[0] ^ found->mismatch[0].rtl[0]) == 1);
     assert_signal(&found->mismatch[0].signal, info);
 }
 
@@ -244,8 +242,8 @@ static void findings_are_compared_in_everything(void **state)
         .lockstep_differs = true,
         .clock = 5,
         .count = 2,
-        .mismatch = {{5, glint_setting_signal(setting, 0), 1, 2},
-                     {5, glint_setting_signal(setting, 20), 3, 4}},
+        .mismatch = {{5, glint_setting_signal(setting, 0), {1}, {2}},
+                     {5, glint_setting_signal(setting, 20), {3}, {4}}},
     };
     glint_failure_finding b[12];
     for (int i = 0; i < 12; i++) {
@@ -260,10 +258,10 @@ static void findings_are_compared_in_everything(void **state)
     b[5].count--;
     b[6].mismatch[0].signal = glint_setting_signal(setting, 1);
     b[7].mismatch[1].signal.lane++;
-    b[8].mismatch[0].model++;
-    b[9].mismatch[0].rtl++;
-    b[10].mismatch[1].model++;
-    b[11].mismatch[1].rtl++;
+    b[8].mismatch[0].model[0]++;
+    b[9].mismatch[0].rtl[0]++;
+    b[10].mismatch[1].model[0]++;
+    b[11].mismatch[1].rtl[0]++;
     for (int i = 0; i < 12; i++) {
         if (glint_failure_same(&a, &b[i]) || glint_failure_same(&b[i], &a)) {
             fail_msg("alteration %d makes no difference", i);
