@@ -13,6 +13,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "circuit/circuits.h"
 #include "lockstep/answer.h"
 
 enum { PLANTED_NOWHERE = -1, PLANTED_EVERYWHERE = -2 };
@@ -31,5 +32,33 @@ typedef struct planted {
 } planted;
 
 extern planted plant; /* nothing to begin with; a program of one thread */
+
+/* Every listed setting of every circuit, as `glint verify` tries them; and those of the thesis's
+ * circuits, so that none of them gets lost. */
+#define PLANTED_SETTINGS_MAX 512
+enum { THESIS_SETTINGS = 52, THESIS_SIGNALS = 5222 };
+
+/* Their number; −1: more than fit. */
+static inline int planted_settings(glint_setting settings[PLANTED_SETTINGS_MAX])
+{
+    const glint_circuit *circuit;
+    int count = 0;
+    for (int c = 0; (circuit = glint_circuit_number(c)) != NULL; c++) {
+        glint_setting setting;
+        for (int i = 0; glint_setting_listed(circuit, i, &setting); i++) {
+            if (count == PLANTED_SETTINGS_MAX) {
+                return -1;
+            }
+            settings[count++] = setting;
+        }
+    }
+    return count;
+}
+
+static inline bool planted_in_thesis(const glint_setting *setting)
+{
+    return setting->circuit == &glint_circuit_specular ||
+           setting->circuit == &glint_circuit_divider;
+}
 
 #endif

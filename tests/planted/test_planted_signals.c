@@ -13,33 +13,21 @@
 #include <cmocka.h>
 
 #include "../seed.h"
-#include "circuit/circuits.h"
 #include "failure/failure.h"
 #include "lockstep/lockstep.h"
 #include "planted.h"
 
-enum { SETTINGS = 52, SIGNALS = 5222 };
-
 static uint64_t seed;
-static glint_setting settings[SETTINGS];
+static glint_setting settings[PLANTED_SETTINGS_MAX];
+static int count; /* of them */
 static glint_lockstep_result result;
 
 static int find_settings(void **state)
 {
     (void)state;
-    int count = 0;
-    const glint_circuit *circuit;
     seed = seed_of_this_run();
-    for (int c = 0; (circuit = glint_circuit_number(c)) != NULL; c++) {
-        glint_setting setting;
-        for (int i = 0; glint_setting_listed(circuit, i, &setting); i++) {
-            if (count == SETTINGS) {
-                return -1;
-            }
-            settings[count++] = setting;
-        }
-    }
-    return count == SETTINGS ? 0 : -1;
+    count = planted_settings(settings);
+    return count > 0 ? 0 : -1;
 }
 
 static int pull_out(void **state)
@@ -112,16 +100,21 @@ static void assert_each_bit_found(const glint_setting *setting, int index)
 static void each_bit_of_each_signal_of_each_setting_is_looked_at(void **state)
 {
     (void)state;
-    int signals = 0;
-    for (int s = 0; s < SETTINGS; s++) {
-        const int count = glint_setting_signal_count(&settings[s]);
-        for (int i = 0; i < count; i++) {
+    int signals = 0, of_thesis = 0, settings_of_thesis = 0;
+    for (int s = 0; s < count; s++) {
+        const int here = glint_setting_signal_count(&settings[s]);
+        for (int i = 0; i < here; i++) {
             assert_each_bit_found(&settings[s], i);
         }
-        signals += count;
+        signals += here;
+        if (planted_in_thesis(&settings[s])) {
+            of_thesis += here;
+            settings_of_thesis++;
+        }
     }
-    print_message("%d signals of %d settings, each bit of them\n", signals, SETTINGS);
-    assert_int_equal(signals, SIGNALS);
+    print_message("%d signals of %d settings, each bit of them\n", signals, count);
+    assert_int_equal(of_thesis, THESIS_SIGNALS);
+    assert_int_equal(settings_of_thesis, THESIS_SETTINGS);
 }
 
 static uint64_t lowest_bit(uint64_t clock)
@@ -134,7 +127,7 @@ static uint64_t lowest_bit(uint64_t clock)
 static void each_clock_is_looked_at(void **state)
 {
     (void)state;
-    for (int s = 0; s < SETTINGS; s++) {
+    for (int s = 0; s < count; s++) {
         uint64_t total = 0;
         plant = (planted){
             .signal = PLANTED_EVERYWHERE, .inverted = lowest_bit, .answer = PLANTED_NOWHERE};
@@ -152,7 +145,7 @@ static void each_clock_is_looked_at(void **state)
 static void nothing_planted_is_nothing_found(void **state)
 {
     (void)state;
-    for (int s = 0; s < SETTINGS; s++) {
+    for (int s = 0; s < count; s++) {
         plant.signal = PLANTED_NOWHERE;
         run_lockstep(&settings[s], 100);
         assert_true(result.mismatches == 0);
@@ -182,9 +175,9 @@ static void assert_one_found(const glint_failure_finding *found, const glint_sig
 /* Where both sides of a capture differ: in that signal after that clock, and nowhere else. */
 static void assert_one_captured(const glint_capture *capture, int index)
 {
-    const int count = glint_setting_signal_count(&capture->setting);
+    const int signals = glint_setting_signal_count(&capture->setting);
     for (int c = 0; c < capture->count; c++) {
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < signals; i++) {
             const glint_capture_clock *at = &capture->clock[c];
             assert_int_equal(at->model[i] != at->rtl[i], at->clock == PLANTED_AT && i == index);
         }
@@ -223,7 +216,7 @@ static void assert_played(const glint_setting *setting, int index)
 static void a_replay_looks_at_each_signal_of_each_setting(void **state)
 {
     (void)state;
-    for (int s = 0; s < SETTINGS; s++) {
+    for (int s = 0; s < count; s++) {
         for (int i = 0; i < glint_setting_signal_count(&settings[s]); i++) {
             assert_played(&settings[s], i);
         }
