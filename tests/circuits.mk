@@ -1,9 +1,9 @@
-# The circuits for everything that is not the command: a table of their listed settings, made of their
-# descriptions; and further forms of them, for tests/netlist and tests/coverage.
+# The circuits for everything that is not the command: a table of their listed settings, made of
+# their descriptions; and further forms of them, for tests/netlist and tests/coverage.
 
 CIRCUIT_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard sim/circuit/*.c))
 
-$(BUILD)/list-settings: $(BUILD)/tests/settings/main.o $(CIRCUIT_OBJECTS) $(BUILD)/libglint.a
+$(BUILD)/list-settings: $(BUILD)/tests/settings/main.o $(BUILD)/tests/netlist/pins.o $(CIRCUIT_OBJECTS) $(BUILD)/libglint.a
 	$(call say,LD,$@)
 	$Q$(CC) $(LDFLAGS) -o $@ $^ -lm
 
@@ -24,5 +24,10 @@ $(SECOND)/%/made: tests/circuit.sh $(BUILD)/settings $(RTL) $(wildcard tests/*/w
 	$Q tests/circuit.sh $* $(BUILD)/settings $(@D)
 	@touch $@
 
-# Files of the forms BUILD[-FAULT]/SETTING, of a list of them.
-second_made = $(1:%=$(SECOND)/%/made)
+# A list of them, for tests/netlist/opinions.h. $1: its file, $2: the forms
+define opinion_list
+$1: tests/circuits.mk $(firstword $(wildcard tests/$(notdir $(patsubst %/,%,$(dir $1)))/rules.mk)) \
+    $(2:%=$(SECOND)/%/made)
+	@mkdir -p $$(@D)
+	@printf '%s\n' $(2:%=$(SECOND)/%) > $$@
+endef

@@ -1,26 +1,24 @@
 # Coverage: of the Verilog by lines and toggles, of the C by gcov (docs/coverage.md).
 
-COVERAGE_CIRCUITS := $(foreach g,$(GATES),$(foreach p,$(PIPELINES),$g-$p-1)) cosine-pipelined-2 \
-                     sign-combinational-2 drawn-pipelined-4 $(DIVIDER_SHIFTS:%=sequential-%) \
-                     $(foreach n,6 12 16,pipelined-$n)
-COUNTING_CIRCUITS := $(COVERAGE_CIRCUITS:%=coverage:%)
+COVERAGE_CIRCUITS := $(foreach g,cosine sign drawn,$(foreach p,combinational pipelined,specular_$g_$p_1)) \
+                     $(addprefix specular_,cosine_pipelined_2 sign_combinational_2 drawn_pipelined_4) \
+                     $(foreach n,6 7 8 9 10 11 12 13 14 15 16,divider_sequential_$n) \
+                     $(foreach n,6 12 16,divider_pipelined_$n)
 COVERAGE          := $(BUILD)/coverage
 
-$(foreach n,$(COUNTING_CIRCUITS),$(eval $(call circuit_rules,$n)))
-$(eval $(call circuit_program,$(COVERAGE)/circuits,$(COUNTING_CIRCUITS),$(COVERAGE)/drive,\
-    $(BUILD)/tests/coverage/drive.o $(COVERAGE)/verilated_cov.o))
+$(eval $(call opinion_list,$(COVERAGE)/circuits,$(COVERAGE_CIRCUITS:%=coverage/%)))
 
-$(COVERAGE)/verilated_cov.o: $(VERILATED)/version
+$(COVERAGE)/drive: $(BUILD)/tests/coverage/drive.o $(BUILD)/libtest.a $(LIBRARIES)
 	@mkdir -p $(@D)
-	$(CXX) $(SHIM_FLAGS) -w -c $(VERILATOR_ROOT_DIR)/include/verilated_cov.cpp -o $@
+	$(CC) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 .PHONY: coverage coverage-rtl coverage-c
 coverage: coverage-rtl coverage-c
 
 coverage-rtl:
 	sim/deps.sh coverage
-	+$(MAKE) -j$(JOBS) $(COVERAGE)/drive
-	tests/coverage/rtl.sh $(COVERAGE)/drive $(COVERAGE)
+	+$(MAKE) -j$(JOBS) $(COVERAGE)/drive $(COVERAGE)/circuits
+	GLINT_BUILD=$(BUILD) tests/coverage/rtl.sh $(COVERAGE)/drive $(COVERAGE)
 
 # The tests once more, compiled so that gcov counts, also from several threads; the circuits are those
 # of the plain build. Counting makes the loops over the whole domain slow, so they take the strides of

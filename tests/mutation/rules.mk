@@ -10,20 +10,15 @@ MUTATION_SECONDS ?= 900
 # The sequential divider takes 13 clocks for each of the 131 072 divisions of its sweep: only the first
 # 30 769 of them.
 SHORT_SWEEP   := 400000
-MUTATED       := specular-cosine-pipelined specular-cosine-combinational divider-sequential-12 divider-pipelined-12
+MUTATED       := specular_cosine_pipelined_1 specular_cosine_combinational_1 divider_sequential_12 divider_pipelined_12
 # A small one for `make test`, which is not to wait long.
-MUTATED_SHORT := divider-sequential-6
+MUTATED_SHORT := divider_sequential_6
 MUTANTS_SHORT := 60
 MUTATION      := $(VERILATED)/mutation
 
-mutation_class  = Vmutants_$(subst -,_,$1)
-mutation_macros = -DMODEL=$(call mutation_class,$1) -DMUTATION_CIRCUIT='"$1"' \
-    $(if $(filter specular,$(call field,$1,1)), \
-        -DMUTATION_GATE=GLINT_GATE_$(call upper,$(call field,$1,2)) \
-        -DMUTATION_PIPELINE=GLINT_PIPELINE_$(call upper,$(call field,$1,3)), \
-        -DMUTATION_SHIFTS=$(call field,$1,3) $(if $(filter pipelined,$(call field,$1,2)),-DMUTATION_PIPELINED))
+mutation_class  = Vmutants_$1
 
-.SECONDARY: $(foreach m,$(MUTATED) $(MUTATED_SHORT),$(addprefix $(MUTATION)/$m/,mutants.v netlist.stamp shim.o) \
+.SECONDARY: $(foreach m,$(MUTATED) $(MUTATED_SHORT),$(addprefix $(MUTATION)/$m/,mutants.v netlist.stamp ports.h shim.o) \
     $(BUILD)/mutation/$m/bench)
 
 # Rewritten only when it changes, so that other faults make the netlist anew.
@@ -33,8 +28,12 @@ $(MUTATION)/%/chosen: FORCE
 	@mkdir -p $(@D)
 	@echo "$(CHOSEN)" | cmp -s - $@ || echo "$(CHOSEN)" > $@
 
-$(MUTATION)/%/mutants.v: $(MUTATION)/%/chosen tests/mutation/mutants.sh $(RTL)
-	tests/mutation/mutants.sh $* $$(cat $<) $(@D)
+$(MUTATION)/%/mutants.v: $(MUTATION)/%/chosen tests/mutation/mutants.sh $(BUILD)/settings $(RTL)
+	tests/mutation/mutants.sh $* $(BUILD)/settings $$(cat $<) $(@D)
+
+$(MUTATION)/%/ports.h: $(BUILD)/list-settings $(BUILD)/settings
+	@mkdir -p $(@D)
+	$< --ports $* > $@
 
 # Names and widths are Yosys's, not ours: no lint. Verilator 5.006 gets netlists wrong without
 # -fno-const-bit-op-tree (docs/netlists.md). A netlist of gates gains nothing from -O2.
@@ -45,12 +44,13 @@ $(MUTATION)/%/netlist.stamp: $(MUTATION)/%/mutants.v $(VERILATED)/version
 	    $(call mutation_class,$*)__ALL.a >/dev/null
 	@touch $@
 
-$(MUTATION)/%/shim.o: $(MUTATION)/%/netlist.stamp $(wildcard tests/mutation/*.cpp tests/mutation/*.h cmodel/*.h)
-	$(CXX) $(SHIM_FLAGS) -isystem $(@D)/verilated $(call mutation_macros,$*) \
-	    -Isim -c tests/mutation/netlist_shim.cpp -o $@
+$(MUTATION)/%/shim.o: $(MUTATION)/%/netlist.stamp $(MUTATION)/%/ports.h \
+    $(wildcard tests/mutation/*.cpp tests/mutation/*.h)
+	$(CXX) $(MUTATION_SHIM_FLAGS) -isystem $(@D)/verilated -I$(@D) -DMODEL=$(call mutation_class,$*) \
+	    -DMUTATION_CIRCUIT='"$*"' -c tests/mutation/netlist_shim.cpp -o $@
 
 MUTATION_OBJECTS := $(addprefix $(BUILD)/tests/mutation/,main.o bench.o sweep.o) \
-                    $(addprefix $(BUILD)/sim/cli/,output.o parse.o)
+                    $(BUILD)/tests/netlist/pins.o $(addprefix $(BUILD)/sim/cli/,output.o parse.o)
 
 $(BUILD)/mutation/%/bench: $(MUTATION)/%/shim.o $(MUTATION_OBJECTS) $(LIBRARIES)
 	@mkdir -p $(@D)

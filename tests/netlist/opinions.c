@@ -6,20 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "circuit/circuits.h"
-
-static bool find_setting(const char *name, glint_setting *setting)
-{
-    const glint_circuit *circuit;
-    char text[GLINT_SETTING_TEXT];
-    for (int c = 0; (circuit = glint_circuit_number(c)) != NULL; c++)
-        for (int i = 0; glint_setting_listed(circuit, i, setting); i++) {
-            glint_setting_name(setting, text);
-            if (strcmp(text, name) == 0)
-                return true;
-        }
-    return false;
-}
+#include "../settings/find.h"
 
 /* Of a line without its end. */
 static bool read_opinion(const char *line, opinion *opinion)
@@ -28,7 +15,7 @@ static bool read_opinion(const char *line, opinion *opinion)
     const char *build = setting;
     while (build != NULL && build > line && build[-1] != '/')
         build--;
-    if (setting == NULL || build == setting || !find_setting(setting + 1, &opinion->setting))
+    if (setting == NULL || build == setting || !settings_find(setting + 1, &opinion->setting))
         return false;
     const int name = snprintf(opinion->name, sizeof opinion->name, "%s", build);
     const int directory = snprintf(opinion->directory, sizeof opinion->directory, "%s", line);

@@ -23,12 +23,6 @@ SHORT_OPINIONS   := ice40/specular_cosine_pipelined_1 generic/divider_sequential
                     nodfg/specular_cosine_pipelined_1 plain/divider_sequential_12 \
                     generic-late_done/divider_sequential_12 generic-unsigned_stage/divider_pipelined_12
 
-# $1: the list's file, $2: its names
-define opinion_list
-$1: tests/netlist/rules.mk $(call second_made,$2)
-	@mkdir -p $$(@D)
-	@printf '%s\n' $(2:%=$(SECOND)/%) > $$@
-endef
 $(eval $(call opinion_list,$(BUILD)/netlist/short,$(SHORT_OPINIONS)))
 $(eval $(call opinion_list,$(BUILD)/netlist/full,$(SECOND_OPINIONS)))
 
