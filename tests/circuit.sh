@@ -4,7 +4,7 @@
 #
 #   tests/circuit.sh BUILD[-FAULT]/SETTING TABLE DIR
 #
-# SETTING  one of the table that tests/settings/main.c prints
+# SETTING  one of the table that tests/circuits/main.c prints
 # BUILD    ice40, dsp  the netlist that Yosys makes of it for the iCE40, with LUTs alone or with its
 #                      multipliers too, and Yosys's models of the cells: the top has no parameters
 #          generic     the netlist of simple gates

@@ -3,16 +3,19 @@
 
 CIRCUIT_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard sim/circuit/*.c))
 
-$(BUILD)/list-settings: $(BUILD)/tests/settings/main.o $(BUILD)/tests/netlist/pins.o $(CIRCUIT_OBJECTS) $(BUILD)/libglint.a
+$(BUILD)/list-settings: $(BUILD)/tests/circuits/main.o $(BUILD)/tests/netlist/pins.o $(CIRCUIT_OBJECTS) $(BUILD)/libglint.a
 	$(call say,LD,$@)
 	$Q$(CC) $(LDFLAGS) -o $@ $^ -lm
 
-# A line each, as tests/settings/main.c says. Rewritten only when it changes.
+# A line each, as tests/circuits/main.c says. Rewritten only when it changes.
 $(BUILD)/settings: $(BUILD)/list-settings
 	@$< > $@.new && { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
 
-# Names of settings, by a pattern of grep over the lines of the table. For recipes.
-settings_like = $$(grep -E '$1' $(BUILD)/settings | cut -d ' ' -f 2)
+# The name of a fault, tests/…/<name>/<module>.sed.
+fault_name = $(notdir $(patsubst %/,%,$(dir $1)))
+
+# What else is checked of a circuit.
+include $(wildcard tests/circuits/*.mk)
 
 # Each form is a directory of Verilog and the tools that it is built with (tests/circuit.sh):
 # BUILD[-FAULT]/SETTING below this one.

@@ -1,12 +1,9 @@
-# Coverage: of the Verilog by lines and toggles, of the C by gcov (docs/coverage.md).
+# Coverage: of the Verilog by lines and toggles, in the settings COVERED (tests/circuits/*.mk), of the C by
+# gcov (docs/coverage.md).
 
-COVERAGE_CIRCUITS := $(foreach g,cosine sign drawn,$(foreach p,combinational pipelined,specular_$g_$p_1)) \
-                     $(addprefix specular_,cosine_pipelined_2 sign_combinational_2 drawn_pipelined_4) \
-                     $(foreach n,6 7 8 9 10 11 12 13 14 15 16,divider_sequential_$n) \
-                     $(foreach n,6 12 16,divider_pipelined_$n)
-COVERAGE          := $(BUILD)/coverage
+COVERAGE := $(BUILD)/coverage
 
-$(eval $(call opinion_list,$(COVERAGE)/circuits,$(COVERAGE_CIRCUITS:%=coverage/%)))
+$(eval $(call opinion_list,$(COVERAGE)/circuits,$(COVERED:%=coverage/%)))
 
 $(COVERAGE)/drive: $(BUILD)/tests/coverage/drive.o $(BUILD)/libtest.a $(LIBRARIES)
 	@mkdir -p $(@D)

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "../netlist/pins.h"
-#include "../settings/find.h"
+#include "../circuits/find.h"
 #include "circuit/random_pins.h"
 #include "lockstep/signals.h"
 #include "sweep.h"

@@ -3,7 +3,7 @@
 #
 #   tests/mutation/mutants.sh SETTING TABLE COUNT SEED DIR
 #
-# SETTING  one of TABLE, which tests/settings/main.c prints
+# SETTING  one of TABLE, which tests/circuits/main.c prints
 # COUNT    how many faults, chosen by Yosys's mutate from SEED
 #
 # Writes to DIR: healthy.il, the netlist in Yosys's own format; mutants.list, the faults, a command

@@ -7,12 +7,8 @@
 MUTANTS       ?= 1000
 MUTATION_SEED ?= 1
 MUTATION_SECONDS ?= 900
-# The sequential divider takes 13 clocks for each of the 131 072 divisions of its sweep: only the first
-# 30 769 of them.
-SHORT_SWEEP   := 400000
-MUTATED       := specular_cosine_pipelined_1 specular_cosine_combinational_1 divider_sequential_12 divider_pipelined_12
-# A small one for `make test`, which is not to wait long.
-MUTATED_SHORT := divider_sequential_6
+# The settings MUTATED, and in make test MUTATED_SHORT: tests/circuits/*.mk. SWEEP_CLOCKS_<setting> is how
+# much of its sweep one gets, where that is not all.
 MUTANTS_SHORT := 60
 MUTATION      := $(VERILATED)/mutation
 
@@ -60,7 +56,7 @@ $(BUILD)/mutation/%/bench: $(MUTATION)/%/shim.o $(MUTATION_OBJECTS) $(LIBRARIES)
 
 $(BUILD)/mutation/%/verdicts.tsv: $(BUILD)/mutation/%/bench
 	$< --list $(@D)/mutants.list --seed $(MUTATION_SEED) \
-	    $(if $(findstring sequential,$*),--sweep $(SHORT_SWEEP)) --out $@
+	    $(if $(SWEEP_CLOCKS_$*),--sweep $(SWEEP_CLOCKS_$*)) --out $@
 
 # Fails when a fault is missed or undecided; the others are judged all the same.
 $(MUTATED:%=judge-%): judge-%: $(BUILD)/mutation/%/verdicts.tsv

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../settings/find.h"
+#include "../circuits/find.h"
 
 /* Of a line without its end. */
 static bool read_opinion(const char *line, opinion *opinion)
