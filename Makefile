@@ -179,8 +179,8 @@ test-full: test
 sanitize: export GLINT_CACHE := $(abspath $(BUILD))/circuits
 sanitize:
 	sim/deps.sh test
-	+$(MAKE) -j$(JOBS) SANITIZE=1 BUILD=$(BUILD)/sanitize build-tests
-	+$(MAKE) SANITIZE=1 BUILD=$(BUILD)/sanitize run-tests
+	+$(MAKE) -j$(JOBS) SANITIZE=1 BUILD=$(BUILD)/sanitize VERILATED=$(VERILATED) build-tests
+	+$(MAKE) SANITIZE=1 BUILD=$(BUILD)/sanitize VERILATED=$(VERILATED) run-tests
 
 # ---- Lint ------------------------------------------------------------------------------------------
 
@@ -203,7 +203,15 @@ lint-%: $(BUILD)/settings FORCE
 
 # The other compiler: the build itself is with CC.
 lint-c:
-	clang -std=c17 -O3 -fsyntax-only $(WARNINGS) -Icmodel -Isim -I$(BUILD) $(PACKAGE_CFLAGS) $(C_SOURCES)
+	$(call say,LINT,$(words $(C_SOURCES)) C files)
+	$Qclang -std=c17 -O3 -fsyntax-only $(WARNINGS) -Icmodel -Isim -I$(BUILD) $(PACKAGE_CFLAGS) $(C_SOURCES)
+
+# The shim over a circuit, with and without a clock and a waveform; where it runs it is compiled without
+# warnings, as Verilator's code is nobody's to mend.
+lint-cpp: $(VERILATED)/version
+	$(call say,LINT,sim/rtl/shim.cpp)
+	@mkdir -p $(BUILD)/lint/shim
+	$Qtests/circuits/lint_shim.sh $(BUILD)/lint/shim $(VERILATOR_INCLUDE)
 
 # ---- Longer checks: mutation, proofs, netlists, coverage, fuzzing, each with its own rules ----------
 

@@ -2,7 +2,7 @@
 # One more form of a circuit: DIR/rtl, a directory with its Verilog, and DIR/verilator and DIR/c++,
 # with which sim/rtl is to build it (VERILATOR, CXX).
 #
-#   tests/circuit.sh BUILD[-FAULT]/SETTING TABLE DIR
+#   tests/circuit.sh BUILD[-WRONG]/SETTING TABLE WRONGS DIR
 #
 # SETTING  one of the table that tests/circuits/main.c prints
 # BUILD    ice40, dsp  the netlist that Yosys makes of it for the iCE40, with LUTs alone or with its
@@ -12,7 +12,7 @@
 #          plain       the same with -O0: without any
 #          coverage    the same with counters of lines and toggles (sim/rtl/shim.cpp says where each
 #                      instance leaves them)
-# FAULT    a fault of tests/*/wrong, put into the Verilog first
+# WRONG    takes the Verilog of WRONGS/WRONG, a circuit that is wrong on purpose, instead of rtl/
 #
 # To be called from the directory that holds rtl/.
 set -eu
@@ -22,10 +22,10 @@ fail() {
     exit 2
 }
 
-[ $# -eq 3 ] || fail "three arguments, not $#: BUILD[-FAULT]/SETTING TABLE DIR"
-build=${1%%/*} setting=${1#*/} table=$2 dir=$3
-fault=${build#*-} build=${build%%-*}
-[ "$fault" != "$build" ] || fault=
+[ $# -eq 4 ] || fail "four arguments, not $#: BUILD[-WRONG]/SETTING TABLE WRONGS DIR"
+build=${1%%/*} setting=${1#*/} table=$2 wrongs=$3 dir=$4
+rtl=rtl
+case $build in *-*) rtl=$wrongs/${build#*-} build=${build%%-*} ;; esac
 
 line=$(awk -v setting="$setting" '$2 == setting' "$table")
 [ -n "$line" ] || fail "there is no setting \"$setting\" in $table"
@@ -34,16 +34,7 @@ parameters=$(echo "$line" | cut -s -d ' ' -f 5-)
 
 rm -rf "$dir"
 mkdir -p "$dir"
-cp -r rtl "$dir/rtl"
-if [ -n "$fault" ]; then
-    for edit in tests/*/wrong/"$fault"/*.sed tests/*/wrong/*/"$fault"/*.sed; do
-        [ -e "$edit" ] || continue
-        module=$(basename "$edit" .sed).v
-        sed -f "$edit" "rtl/$module" >"$dir/rtl/$module"
-        cmp -s "rtl/$module" "$dir/rtl/$module" && fail "$edit changes nothing in rtl/$module"
-    done
-    diff -rq rtl "$dir/rtl" >/dev/null && fail "there is no fault \"$fault\""
-fi
+cp -r "$rtl" "$dir/rtl"
 
 synthesise() { # COMMAND OF YOSYS
     set_all=
@@ -122,4 +113,4 @@ esac
 # wrong (docs/netlists.md).
 case $build in ice40 | dsp | generic) flags=-fno-const-bit-op-tree ;; esac
 tool verilator "${VERILATOR:-verilator}" "$flags" --cc --lint-only
-tool c++ "${CXX:-g++}" "$counting" -c
+tool c++ "${CXX:-g++}" "$counting" -c -shared c++-header

@@ -1,15 +1,28 @@
 # The circuits for everything that is not the command: a table of their listed settings, made of
 # their descriptions; and further forms of them, for tests/netlist and tests/coverage.
 
-CIRCUIT_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard sim/circuit/*.c))
+# What the longer checks Verilate or synthesise themselves; of the plain build in make sanitize too.
+VERILATED ?= $(BUILD)/verilated
+VERILATOR_INCLUDE = $(call once,VERILATOR_INCLUDE,$(VERILATOR) --getenv VERILATOR_ROOT)/include
 
-$(BUILD)/list-settings: $(BUILD)/tests/circuits/main.o $(BUILD)/tests/netlist/pins.o $(CIRCUIT_OBJECTS) $(BUILD)/libglint.a
+# Rewritten only when the version changes, so that a new Verilator makes all of it anew.
+$(VERILATED)/version: FORCE
+	@mkdir -p $(@D)
+	@version=$$($(VERILATOR) --version) || { echo "no Verilator: make demo installs it" >&2; exit 1; }; \
+	 echo "$$version" | cmp -s - $@ || echo "$$version" > $@
+.PHONY: FORCE
+FORCE:
+
+CIRCUIT_SOURCES := $(wildcard sim/circuit/*.c)
+
+$(BUILD)/list-settings: $(BUILD)/tests/circuits/main.o $(BUILD)/tests/netlist/pins.o \
+    $(CIRCUIT_SOURCES:%.c=$(BUILD)/%.o) $(BUILD)/libglint.a
 	$(call say,LD,$@)
 	$Q$(CC) $(LDFLAGS) -o $@ $^ -lm
 
-# A line each, as tests/circuits/main.c says. Rewritten only when it changes.
+# A line each, as tests/circuits/main.c says.
 $(BUILD)/settings: $(BUILD)/list-settings
-	@$< > $@.new && { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
+	@$< > $@
 
 # The name of a fault, tests/…/<name>/<module>.sed.
 fault_name = $(notdir $(patsubst %/,%,$(dir $1)))
@@ -18,19 +31,17 @@ fault_name = $(notdir $(patsubst %/,%,$(dir $1)))
 include $(wildcard tests/circuits/*.mk)
 
 # Each form is a directory of Verilog and the tools that it is built with (tests/circuit.sh):
-# BUILD[-FAULT]/SETTING below this one.
+# BUILD[-WRONG]/SETTING below this one.
 SECOND := $(VERILATED)/second
 
-$(SECOND)/%/made: tests/circuit.sh $(BUILD)/settings $(RTL) $(wildcard tests/*/wrong/*/*.sed \
-    tests/*/wrong/*/*/*.sed)
+$(SECOND)/%/made: tests/circuit.sh $(CIRCUIT_SOURCES) $(RTL) $(WRONG_CIRCUITS) | $(BUILD)/settings
 	$(call say,SECOND,$*)
-	$Q tests/circuit.sh $* $(BUILD)/settings $(@D)
+	$QVERILATOR=$(VERILATOR) CXX=$(CXX) tests/circuit.sh $* $(BUILD)/settings $(BUILD)/wrong $(@D)
 	@touch $@
 
 # A list of them, for tests/netlist/opinions.h. $1: its file, $2: the forms
 define opinion_list
-$1: tests/circuits.mk $(firstword $(wildcard tests/$(notdir $(patsubst %/,%,$(dir $1)))/rules.mk)) \
-    $(2:%=$(SECOND)/%/made)
+$1: $(wildcard tests/circuits.mk tests/circuits/*.mk) $(2:%=$(SECOND)/%/made)
 	@mkdir -p $$(@D)
 	@printf '%s\n' $(2:%=$(SECOND)/%) > $$@
 endef

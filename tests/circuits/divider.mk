@@ -10,9 +10,9 @@ SWEEP_CLOCKS_divider_sequential_12 := 400000
 OPINIONS_DIVIDER := $(foreach f,sequential pipelined,$(foreach n,6 12 16,divider_$f_$n))
 OPINIONS         += $(foreach b,ice40 generic nodfg plain,$(OPINIONS_DIVIDER:%=$b/%)) \
                     $(foreach f,sequential pipelined,$(foreach w,$(wildcard tests/divider/wrong/$f/*/*.sed),\
-                        generic-$(call fault_name,$w)/divider_$f_12))
+                        generic-divider_$(call fault_name,$w)/divider_$f_12))
 OPINIONS_SHORT   += generic/divider_sequential_12 ice40/divider_pipelined_6 plain/divider_sequential_12 \
-                    generic-late_done/divider_sequential_12 generic-unsigned_stage/divider_pipelined_12
+                    generic-divider_late_done/divider_sequential_12 generic-divider_unsigned_stage/divider_pipelined_12
 
 COVERED += $(foreach n,6 7 8 9 10 11 12 13 14 15 16,divider_sequential_$n) \
            $(foreach n,6 12 16,divider_pipelined_$n)

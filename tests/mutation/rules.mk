@@ -24,12 +24,13 @@ $(MUTATION)/%/chosen: FORCE
 	@mkdir -p $(@D)
 	@echo "$(CHOSEN)" | cmp -s - $@ || echo "$(CHOSEN)" > $@
 
-$(MUTATION)/%/mutants.v: $(MUTATION)/%/chosen tests/mutation/mutants.sh $(BUILD)/settings $(RTL)
+$(MUTATION)/%/mutants.v: $(MUTATION)/%/chosen tests/mutation/mutants.sh $(CIRCUIT_SOURCES) $(RTL) \
+    | $(BUILD)/settings
 	tests/mutation/mutants.sh $* $(BUILD)/settings $$(cat $<) $(@D)
 
-$(MUTATION)/%/ports.h: $(BUILD)/list-settings $(BUILD)/settings
+$(MUTATION)/%/ports.h: $(CIRCUIT_SOURCES) | $(BUILD)/list-settings
 	@mkdir -p $(@D)
-	$< --ports $* > $@
+	$(BUILD)/list-settings --ports $* > $@
 
 # Names and widths are Yosys's, not ours: no lint. Verilator 5.006 gets netlists wrong without
 # -fno-const-bit-op-tree (docs/netlists.md). A netlist of gates gains nothing from -O2.
@@ -40,18 +41,27 @@ $(MUTATION)/%/netlist.stamp: $(MUTATION)/%/mutants.v $(VERILATED)/version
 	    $(call mutation_class,$*)__ALL.a >/dev/null
 	@touch $@
 
+MUTATION_SHIM = $(CXX) -std=gnu++17 -O3 -Wall -Wextra -DVM_TRACE=0 -DVM_COVERAGE=0 -DVM_SC=0 \
+    -isystem $(VERILATOR_INCLUDE) -isystem $(VERILATOR_INCLUDE)/vltstd
+
 $(MUTATION)/%/shim.o: $(MUTATION)/%/netlist.stamp $(MUTATION)/%/ports.h \
     $(wildcard tests/mutation/*.cpp tests/mutation/*.h)
-	$(CXX) $(MUTATION_SHIM_FLAGS) -isystem $(@D)/verilated -I$(@D) -DMODEL=$(call mutation_class,$*) \
+	$(MUTATION_SHIM) -isystem $(@D)/verilated -I$(@D) -DMODEL=$(call mutation_class,$*) \
 	    -DMUTATION_CIRCUIT='"$*"' -c tests/mutation/netlist_shim.cpp -o $@
+
+# Verilator's own runtime, once for all.
+MUTATION_RUNTIME := $(MUTATION)/runtime/verilated.o $(MUTATION)/runtime/verilated_threads.o
+$(MUTATION_RUNTIME): $(MUTATION)/runtime/%.o: $(VERILATED)/version
+	@mkdir -p $(@D)
+	$(MUTATION_SHIM) -w -c $(VERILATOR_INCLUDE)/$*.cpp -o $@
 
 MUTATION_OBJECTS := $(addprefix $(BUILD)/tests/mutation/,main.o bench.o sweep.o) \
                     $(BUILD)/tests/netlist/pins.o $(addprefix $(BUILD)/sim/cli/,output.o parse.o)
 
-$(BUILD)/mutation/%/bench: $(MUTATION)/%/shim.o $(MUTATION_OBJECTS) $(LIBRARIES)
+$(BUILD)/mutation/%/bench: $(MUTATION)/%/shim.o $(MUTATION_OBJECTS) $(MUTATION_RUNTIME) $(LIBRARIES)
 	@mkdir -p $(@D)
 	$(CXX) $(LDFLAGS) -o $@ $< $(MUTATION_OBJECTS) \
-	    $(MUTATION)/$*/verilated/$(call mutation_class,$*)__ALL.a $(LIBRARIES) $(LDLIBS)
+	    $(MUTATION)/$*/verilated/$(call mutation_class,$*)__ALL.a $(MUTATION_RUNTIME) $(LIBRARIES) $(LDLIBS)
 	cp $(MUTATION)/$*/healthy.il $(MUTATION)/$*/mutants.list $(@D)/
 
 $(BUILD)/mutation/%/verdicts.tsv: $(BUILD)/mutation/%/bench
