@@ -13,7 +13,8 @@ $(VERILATED)/version: FORCE
 .PHONY: FORCE
 FORCE:
 
-CIRCUIT_SOURCES := $(wildcard sim/circuit/*.c)
+# Those of the tree: what finds one from elsewhere needs more.
+CIRCUIT_SOURCES := $(filter-out sim/circuit/own.c,$(wildcard sim/circuit/*.c))
 
 $(BUILD)/list-settings: $(BUILD)/tests/circuits/main.o $(BUILD)/tests/netlist/pins.o \
     $(CIRCUIT_SOURCES:%.c=$(BUILD)/%.o) $(BUILD)/libglint.a

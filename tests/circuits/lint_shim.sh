@@ -9,7 +9,7 @@
 set -eu
 
 dir=$1 include=$2
-for traced in '' --trace-fst --trace; do
+for traced in '' --trace-fst; do
     made=$dir/circuit$traced
     rm -rf "$made"
     mkdir -p "$made"
@@ -19,7 +19,6 @@ for traced in '' --trace-fst --trace; do
         echo '#define GLINT_PORTS(X) X("done", done) X("quotient", quotient)'
         echo '#define GLINT_CLOCK clk'
         [ -z "$traced" ] || echo '#define GLINT_TRACED'
-        [ "$traced" != --trace ] || echo '#define GLINT_TRACED_VCD'
     } >"$made/glint_ports.h"
     for compiler in g++ clang++; do
         $compiler -std=gnu++17 -fsyntax-only -Wall -Wextra -Werror -Isim/rtl -isystem "$made" \
