@@ -179,62 +179,39 @@ test-full: test
 sanitize: export GLINT_CACHE := $(abspath $(BUILD))/circuits
 sanitize:
 	sim/deps.sh test
-	+$(MAKE) -j$(JOBS) SANITIZE=1 BUILD=$(BUILD)/sanitize build-tests
-	+$(MAKE) SANITIZE=1 BUILD=$(BUILD)/sanitize run-tests
+	+$(MAKE) -j$(JOBS) SANITIZE=1 BUILD=$(BUILD)/sanitize VERILATED=$(VERILATED) build-tests
+	+$(MAKE) SANITIZE=1 BUILD=$(BUILD)/sanitize VERILATED=$(VERILATED) run-tests
 
 # ---- Lint ------------------------------------------------------------------------------------------
 
-SETTINGS   := $(foreach g,0 1 2,$(foreach p,0 1,$g-$p))
 C_SOURCES  := $(wildcard cmodel/*.c sim/*/*.c tests/*/*.c)
-# $1: gate, $2: pipelined
-yosys_check = read_verilog -Irtl $(wildcard rtl/*.v) ; \
-              chparam -set GATE $1 -set PIPELINED $2 specular_device ; \
-              hierarchy -check -top specular_device ; proc ; select -assert-none t:$$dlatch ; \
-              synth -top specular_device ; check -assert
-lint_setting = -GGATE=$(call field,$1,1) -GPIPELINED=$(call field,$1,2)
 
-# The dividers' forms, by 6, 8, 12 and 16 shifts.
-DIVIDER_SETTINGS := $(foreach f,sequential pipelined,$(foreach n,6 8 12 16,$f-$n))
-# $1: top, $2: shifts
-yosys_check_divider = read_verilog -Irtl $(wildcard rtl/*.v) ; chparam -set SHIFTS $2 $1 ; \
-                      hierarchy -check -top $1 ; proc ; select -assert-none t:$$dlatch ; \
-                      synth ; check -assert
-
-.PHONY: lint-verilog lint-c $(SETTINGS:%=lint-%) $(DIVIDER_SETTINGS:%=lint-divider-%)
+.PHONY: lint-verilog lint-c lint-cpp
 lint:
 	sim/deps.sh lint
-	+@mode=$$(stat -c %a /dev/null) && $(MAKE) -j$(JOBS) lint-verilog lint-c && \
+	+@mode=$$(stat -c %a /dev/null) && $(MAKE) -j$(JOBS) lint-verilog lint-c lint-cpp && \
 	    { [ "$$(stat -c %a /dev/null)" = "$$mode" ] || \
 	        { echo "lint has changed the mode of /dev/null from $$mode" >&2; exit 1; }; }
 
-lint-verilog: $(SETTINGS:%=lint-%) $(DIVIDER_SETTINGS:%=lint-divider-%)
+# Every listed setting of every circuit; make lint-NAME for one of them, as $(BUILD)/settings has it.
+lint-verilog: $(BUILD)/settings
+	+@$(MAKE) $$(cut -d ' ' -f 2 $< | sed 's/^/lint-/')
 
-# What Icarus makes is not wanted, but goes to a file: it sets the mode of what it writes, and run by
-# root on /dev/null it would take that away from everyone else.
-LINTED = $(BUILD)/lint/$@.vvp
-
-# Each gate and pipeline: Verilator with 1 and 16 lanes, Icarus, and Yosys down to gates, where a
-# warning, a latch or a problem found by its checks is an error.
-$(SETTINGS:%=lint-%): lint-%:
-	@mkdir -p $(BUILD)/lint
-	$(VERILATOR) --lint-only -Wall $(call lint_setting,$*) -GLANES=1 -Irtl rtl/specular_device.v
-	$(VERILATOR) --lint-only -Wall $(call lint_setting,$*) -GLANES=16 -Irtl rtl/specular_device.v
-	warnings=$$(iverilog -g2005 -Wall -Irtl -o $(LINTED) -s specular_device \
-	    -Pspecular_device.GATE=$(call field,$*,1) -Pspecular_device.PIPELINED=$(call field,$*,2) \
-	    $(wildcard rtl/*.v) 2>&1) && [ -z "$$warnings" ] || { echo "$$warnings"; exit 1; }
-	yosys -q -e . -p '$(call yosys_check,$(call field,$*,1),$(call field,$*,2))'
-
-$(DIVIDER_SETTINGS:%=lint-divider-%): lint-divider-%:
-	@mkdir -p $(BUILD)/lint
-	$(VERILATOR) --lint-only -Wall -GSHIFTS=$(call field,$*,2) -Irtl rtl/$(call divider_top,$*).v
-	warnings=$$(iverilog -g2005 -Wall -Irtl -o $(LINTED) -s $(call divider_top,$*) \
-	    -P$(call divider_top,$*).SHIFTS=$(call field,$*,2) $(wildcard rtl/*.v) 2>&1) && \
-	    [ -z "$$warnings" ] || { echo "$$warnings"; exit 1; }
-	yosys -q -e . -p '$(call yosys_check_divider,$(call divider_top,$*),$(call field,$*,2))'
+lint-%: $(BUILD)/settings FORCE
+	$(call say,LINT,$*)
+	$Qtests/circuits/lint.sh $* $< $(BUILD)/lint
 
 # The other compiler: the build itself is with CC.
 lint-c:
-	clang -std=c17 -O3 -fsyntax-only $(WARNINGS) -Icmodel -Isim -I$(BUILD) $(PACKAGE_CFLAGS) $(C_SOURCES)
+	$(call say,LINT,$(words $(C_SOURCES)) C files)
+	$Qclang -std=c17 -O3 -fsyntax-only $(WARNINGS) -Icmodel -Isim -I$(BUILD) $(PACKAGE_CFLAGS) $(C_SOURCES)
+
+# The shim over a circuit, with and without a clock and a waveform; where it runs it is compiled without
+# warnings, as Verilator's code is nobody's to mend.
+lint-cpp: $(VERILATED)/version
+	$(call say,LINT,sim/rtl/shim.cpp)
+	@mkdir -p $(BUILD)/lint/shim
+	$Qtests/circuits/lint_shim.sh $(BUILD)/lint/shim $(VERILATOR_INCLUDE)
 
 # ---- Longer checks: mutation, proofs, netlists, coverage, fuzzing, each with its own rules ----------
 

@@ -1,21 +1,20 @@
 #!/bin/sh
-# One more build of a circuit, beside those of the Makefile: DIR/shim.o with the table TABLE, and
-# DIR/circuit.a.
+# One more form of a circuit: DIR/rtl, a directory with its Verilog, and DIR/verilator and DIR/c++,
+# with which sim/rtl is to build it (VERILATOR, CXX).
 #
-#   tests/circuit.sh BUILD[-FAULT]:CIRCUIT TABLE DIR
+#   tests/circuit.sh BUILD[-WRONG]/SETTING TABLE WRONGS DIR
 #
-# CIRCUIT  gate-pipeline-lanes of the specular device, or form-shifts of a divider
+# SETTING  one of the table that tests/circuits/main.c prints
 # BUILD    ice40, dsp  the netlist that Yosys makes of it for the iCE40, with LUTs alone or with its
-#                      multipliers too, and Yosys's models of the cells
+#                      multipliers too, and Yosys's models of the cells: the top has no parameters
 #          generic     the netlist of simple gates
 #          nodfg       the Verilog, Verilated with -fno-dfg: without the optimiser of data flow
 #          plain       the same with -O0: without any
-#          coverage    the same with counters of lines and toggles; each instance writes them to a
-#                      file of its own in the directory GLINT_COVERAGE as it goes
-# FAULT    a fault of tests/*/wrong, put into the Verilog first
+#          coverage    the same with counters of lines and toggles (sim/rtl/shim.cpp says where each
+#                      instance leaves them)
+# WRONG    takes the Verilog of WRONGS/WRONG, a circuit that is wrong on purpose, instead of rtl/
 #
-# To be called from the directory that holds rtl/, by make, which gives the commands VERILATE,
-# COMPILE and MAKE.
+# To be called from the directory that holds rtl/.
 set -eu
 
 fail() {
@@ -23,59 +22,19 @@ fail() {
     exit 2
 }
 
-number_of() { # NAME CHOICE...: the place of NAME among the choices, from 0
-    name=$1 place=0
-    shift
-    for choice in "$@"; do
-        [ "$choice" != "$name" ] || { echo "$place" && return; }
-        place=$((place + 1))
-    done
-    fail "\"$name\" is none of: $*"
-}
+[ $# -eq 4 ] || fail "four arguments, not $#: BUILD[-WRONG]/SETTING TABLE WRONGS DIR"
+build=${1%%/*} setting=${1#*/} table=$2 wrongs=$3 dir=$4
+rtl=rtl
+case $build in *-*) rtl=$wrongs/${build#*-} build=${build%%-*} ;; esac
 
-[ $# -eq 3 ] || fail "three arguments, not $#: BUILD[-FAULT]:CIRCUIT TABLE DIR"
-build=${1%:*} circuit=${1#*:} table=$2 dir=$3
-fault=${build#*-} build=${build%%-*}
-[ "$fault" != "$build" ] || fault=
-class=V$table
-
-first=${circuit%%-*} rest=${circuit#*-}
-second=${rest%%-*} third=${rest##*-}
-case $first in
-sequential | pipelined)
-    top=$([ "$first" = sequential ] && echo shift_divider || echo pipelined_divider)
-    parameters="SHIFTS=$second"
-    signals=sim/rtl/divider_signals.vlt
-    shim=divider_shim.cpp
-    settings="-DGLINT_MODEL_SHIFTS=$second"
-    [ "$first" = sequential ] || settings="$settings -DGLINT_MODEL_PIPELINED"
-    ;;
-*)
-    top=specular_device
-    gate=$(number_of "$first" cosine sign drawn)
-    pipeline=$(number_of "$second" combinational pipelined)
-    parameters="GATE=$gate PIPELINED=$pipeline LANES=$third"
-    signals=sim/rtl/specular_signals.vlt
-    shim=model_shim.cpp
-    settings="-DGLINT_MODEL_GATE=(glint_gate)$gate -DGLINT_MODEL_PIPELINE=(glint_pipeline)$pipeline
-              -DGLINT_MODEL_LANES=$third"
-    ;;
-esac
+line=$(awk -v setting="$setting" '$2 == setting' "$table")
+[ -n "$line" ] || fail "there is no setting \"$setting\" in $table"
+top=$(echo "$line" | cut -d ' ' -f 3)
+parameters=$(echo "$line" | cut -s -d ' ' -f 5-)
 
 rm -rf "$dir"
 mkdir -p "$dir"
-rtl=rtl
-if [ -n "$fault" ]; then
-    rtl=$dir/rtl
-    cp -r rtl "$rtl"
-    for edit in tests/*/wrong/"$fault"/*.sed tests/*/wrong/*/"$fault"/*.sed; do
-        [ -e "$edit" ] || continue
-        module=$(basename "$edit" .sed).v
-        sed -f "$edit" "rtl/$module" >"$rtl/$module"
-        cmp -s "rtl/$module" "$rtl/$module" && fail "$edit changes nothing in rtl/$module"
-    done
-    diff -rq rtl "$rtl" >/dev/null && fail "there is no fault \"$fault\""
-fi
+cp -r "$rtl" "$dir/rtl"
 
 synthesise() { # COMMAND OF YOSYS
     set_all=
@@ -85,7 +44,7 @@ synthesise() { # COMMAND OF YOSYS
     # A vector becomes a wire for each bit: Verilator looks for loops vector by vector, and would see
     # one where low bits lead to high ones.
     yosys -q -p "
-        read_verilog -I$rtl $rtl/*.v
+        read_verilog -I$dir/rtl $dir/rtl/*.v
         chparam $set_all $top
         hierarchy -check -top $top
         rename -top $top
@@ -95,52 +54,63 @@ synthesise() { # COMMAND OF YOSYS
         write_verilog -noattr -noexpr $dir/netlist.v"
 }
 
+# The netlist takes the place of all the Verilog, with what comes before it. Of cells, Yosys's own
+# models have a time scale, and the rest of what is built has none.
+replace() { # FILE OF CELLS
+    rm "$dir"/rtl/*
+    {
+        # Yosys's model of the multiplier SB_MAC16 has constants of 32 bits for parameters of one, and
+        # adds and shifts words of 16 and 24 bits where 32 are wanted; each is widened with zeros, as
+        # is meant. Verilator 5.006 has no default values of ports; a port left open is an error here.
+        # The names of a netlist are of no interest, and too much for a waveform.
+        printf '/* verilator lint_off WIDTH */\n/* verilator tracing_off */\n'
+        printf '%sdefine NO_ICE40_DEFAULT_ASSIGNMENTS\n' '`'
+        sed '/^`timescale/d' "$1"
+        printf '/* verilator lint_on WIDTH */\n'
+        cat "$dir/netlist.v"
+    } >"$dir/rtl/$top.v"
+    rm "$dir/netlist.v"
+}
+
+tool() { # NAME COMMAND FLAGS WORD...: with FLAGS when one of the WORDs is among the arguments
+    tool=$1 command=$2 flags=$3
+    shift 3
+    {
+        echo '#!/bin/sh'
+        echo "# Written by tests/circuit.sh: $command with more flags, and a version of its own."
+        echo "case \" \$* \" in"
+        echo "*' --version '*) echo \"\$($command \"\$@\" | head -n 1) $flags\" ;;"
+        for word in "$@"; do
+            echo "*' $word '*) exec $command \"\$@\" $flags ;;"
+        done
+        echo "*) exec $command \"\$@\" ;;"
+        echo esac
+    } >"$dir/$tool"
+    chmod +x "$dir/$tool"
+}
+
 # Yosys looks for its models of cells in the same place.
 cells=$(dirname "$(command -v yosys)")/../share/yosys
-verilog="-I$rtl $rtl/$top.v"
-for parameter in $parameters; do
-    verilog="-G$parameter $verilog"
-done
-observed=true
-case $build in
-ice40 | dsp | generic)
-    observed=false
-    signals=tests/netlist/pins.vlt
-    # The models of cells have a time scale, so the netlist needs one. Without an optimisation of trees
-    # of AND, OR and XOR: with it Verilator 5.006 gets two of the netlists wrong (docs/netlists.md).
-    verilog="-fno-const-bit-op-tree --timescale 1ps/1ps $dir/netlist.v"
-    ;;
-esac
+flags= counting=
 case $build in
 ice40 | dsp)
     synthesise "synth_ice40$([ "$build" = ice40 ] || echo ' -dsp')"
-    # Verilator 5.006 has no default values of ports; a port left open is an error here.
-    verilog="-DNO_ICE40_DEFAULT_ASSIGNMENTS $cells/ice40/cells_sim.v $verilog"
+    replace "$cells/ice40/cells_sim.v"
     ;;
 generic)
     synthesise 'synth -flatten'
-    verilog="$cells/simcells.v $verilog"
+    replace "$cells/simcells.v"
     ;;
-nodfg) verilog="-fno-dfg $verilog" ;;
-plain) verilog="-O0 $verilog" ;;
+nodfg) flags=-fno-dfg ;;
+plain) flags=-O0 ;;
 coverage)
-    verilog="--coverage-line --coverage-toggle --coverage-max-width 1024 $verilog"
-    settings="$settings -UVM_COVERAGE -DVM_COVERAGE=1 -DGLINT_COUNTING_TABLE=$table
-              -DGLINT_COUNTING_NAME=$circuit"
-    table=${table}_plain
+    flags='--coverage-line --coverage-toggle --coverage-max-width 1024'
+    counting='-UVM_COVERAGE -DVM_COVERAGE=1'
     ;;
 *) fail "unknown build \"$build\"" ;;
 esac
-shim_of_build=sim/rtl/$shim
-[ "$build" != coverage ] || shim_of_build=tests/coverage/$shim
-
-# shellcheck disable=SC2086  # lists of words
-{
-    $VERILATE --top "$top" --prefix "$class" --Mdir "$dir/verilated" $signals $verilog
-    # One file and no optimisation: to compile is what takes the time here.
-    $MAKE -s -C "$dir/verilated" -f "$class.mk" VM_PARALLEL_BUILDS=0 OPT_FAST=-O0 OPT_SLOW=-O0 \
-        "${class}__ALL.a" >/dev/null
-    $COMPILE -isystem "$dir/verilated" "-DMODEL=$class" "-DGLINT_MODEL_TABLE=$table" $settings \
-        "-DGLINT_MODEL_OBSERVED=$observed" -c "$shim_of_build" -o "$dir/shim.o"
-}
-mv "$dir/verilated/${class}__ALL.a" "$dir/circuit.a"
+# Without an optimisation of trees of AND, OR and XOR: with it Verilator 5.006 gets two of the netlists
+# wrong (docs/netlists.md).
+case $build in ice40 | dsp | generic) flags=-fno-const-bit-op-tree ;; esac
+tool verilator "${VERILATOR:-verilator}" "$flags" --cc --lint-only
+tool c++ "${CXX:-g++}" "$counting" -c -shared c++-header

@@ -1,19 +1,9 @@
-# What the longer checks Verilate themselves, beside what a running glint builds: with other options, of
-# netlists, with counters.
-VERILATED    ?= $(BUILD)/verilated
-VERILATOR_ROOT_DIR = $(shell $(VERILATOR) --getenv VERILATOR_ROOT 2>/dev/null)
-GATES        := cosine sign drawn
-PIPELINES    := combinational pipelined
-gate_number      = $(if $(filter cosine,$1),0,$(if $(filter sign,$1),1,2))
-pipeline_number  = $(if $(filter combinational,$1),0,1)
-upper            = $(shell echo $1 | tr a-z A-Z)
-field            = $(word $2,$(subst -, ,$1))
-divider_top      = $(if $(filter sequential,$(call field,$1,1)),shift_divider,pipelined_divider)
+# The circuits for everything that is not the command: a table of their listed settings, made of
+# their descriptions; and further forms of them, for tests/netlist and tests/coverage.
 
-SHIM_FLAGS = -std=gnu++17 -O3 -Wall -Wextra -Icmodel -Isim/rtl \
-             -isystem $(VERILATOR_ROOT_DIR)/include -isystem $(VERILATOR_ROOT_DIR)/include/vltstd \
-             -DVM_TRACE=1 -DVM_TRACE_FST=1 -DVM_COVERAGE=0 -DVM_SC=0
-VERILATE_TOP = $(VERILATOR) --cc --trace-fst -O3 --x-assign fast --x-initial fast --noassert
+# What the longer checks Verilate or synthesise themselves; of the plain build in make sanitize too.
+VERILATED ?= $(BUILD)/verilated
+VERILATOR_INCLUDE = $(call once,VERILATOR_INCLUDE,$(VERILATOR) --getenv VERILATOR_ROOT)/include
 
 # Rewritten only when the version changes, so that a new Verilator makes all of it anew.
 $(VERILATED)/version: FORCE
@@ -23,44 +13,36 @@ $(VERILATED)/version: FORCE
 .PHONY: FORCE
 FORCE:
 
-# Further builds of the circuits, beside those of the Makefile, and programs made of lists of them: for
-# tests/netlist and tests/coverage. A name is BUILD[-FAULT]:CIRCUIT, as tests/circuit.sh has it.
+# Those of the tree: what finds one from elsewhere needs more.
+CIRCUIT_SOURCES := $(filter-out sim/circuit/own.c,$(wildcard sim/circuit/*.c))
 
-# The circuits are those of the plain build in make sanitize too.
-circuit_table      = glint_$(subst :,_,$(subst -,_,$1))
-circuit_dir        = $(VERILATED)/second/$(subst :,/,$1)
-circuit_is_divider = $(filter sequential pipelined,$(firstword $(subst -, ,$(lastword $(subst :, ,$1)))))
-circuit_type       = glint_$(if $(call circuit_is_divider,$1),divider,rtl)_model
-comma             := ,
-circuit_entry      = {"$1", $(if $(call circuit_is_divider,$1),NULL$(comma) &,&)$(call circuit_table,$1)$(if \
-                     $(call circuit_is_divider,$1),,$(comma) NULL)},
+$(BUILD)/list-settings: $(BUILD)/tests/circuits/main.o $(BUILD)/tests/netlist/pins.o \
+    $(CIRCUIT_SOURCES:%.c=$(BUILD)/%.o) $(BUILD)/libglint.a
+	$(call say,LD,$@)
+	$Q$(CC) $(LDFLAGS) -o $@ $^ -lm
 
-# $1: name
-define circuit_rules
-$(call circuit_dir,$1)/shim.o: tests/circuit.sh $(RTL) $(FAULTS) $(DIVIDER_FAULTS) $(SHIM_SOURCES) \
-    $(DIVIDER_SHIM_SOURCES) $(wildcard sim/rtl/*.vlt tests/netlist/*.vlt tests/coverage/*pp) $(VERILATED)/version
-	+VERILATE='$(VERILATE_TOP)' COMPILE='$$(CXX) $$(SHIM_FLAGS)' MAKE='$$(MAKE)' \
-	    tests/circuit.sh $1 $(call circuit_table,$1) $$(@D)
-endef
+# A line each, as tests/circuits/main.c says.
+$(BUILD)/settings: $(BUILD)/list-settings
+	@$< > $@
 
-# A program and its list of circuits (tests/netlist/opinions.h), written beside its objects.
-# $1: the list's file without .c, $2: its circuits, $3: the program, $4: its other objects
-define circuit_program
-$1.c: tests/netlist/rules.mk tests/coverage/rules.mk
+# The name of a fault, tests/…/<name>/<module>.sed.
+fault_name = $(notdir $(patsubst %/,%,$(dir $1)))
+
+# What else is checked of a circuit.
+include $(wildcard tests/circuits/*.mk)
+
+# Each form is a directory of Verilog and the tools that it is built with (tests/circuit.sh):
+# BUILD[-WRONG]/SETTING below this one.
+SECOND := $(VERILATED)/second
+
+$(SECOND)/%/made: tests/circuit.sh $(CIRCUIT_SOURCES) $(RTL) $(WRONG_CIRCUITS) | $(BUILD)/settings
+	$(call say,SECOND,$*)
+	$QVERILATOR=$(VERILATOR) CXX=$(CXX) tests/circuit.sh $* $(BUILD)/settings $(BUILD)/wrong $(@D)
+	@touch $@
+
+# A list of them, for tests/netlist/opinions.h. $1: its file, $2: the forms
+define opinion_list
+$1: $(wildcard tests/circuits.mk tests/circuits/*.mk) $(2:%=$(SECOND)/%/made)
 	@mkdir -p $$(@D)
-	(echo '/* Written by tests/circuits.mk. */'; \
-	 echo '#include "netlist/opinions.h"'; \
-	 $(foreach n,$2,echo 'extern const $(call circuit_type,$n) $(call circuit_table,$n);';) \
-	 echo 'const opinion opinions[] = {'; \
-	 $(foreach n,$2,echo '    $(call circuit_entry,$n)';) \
-	 echo '};'; \
-	 echo 'const int opinion_count = (int)(sizeof opinions / sizeof opinions[0]);') > $$@
-
-$1.o: $1.c tests/netlist/opinions.h
-	$$(CC) -Itests $$(CFLAGS_ALL) -c $$< -o $$@
-
-$3: $4 $1.o $(foreach n,$2,$(call circuit_dir,$n)/shim.o) $(BUILD)/libtest.a $(LIBRARIES)
-	@mkdir -p $$(@D)
-	$$(CXX) $$(LDFLAGS) -o $$@ $$(filter %.o,$$^) $(foreach n,$2,$(call circuit_dir,$n)/circuit.a) \
-	    $(BUILD)/libtest.a $$(LIBRARIES) -lcmocka $$(LDLIBS)
+	@printf '%s\n' $(2:%=$(SECOND)/%) > $$@
 endef

@@ -52,13 +52,13 @@ void glint_info_print_circuit(const glint_circuit *circuit)
 static void print_row(const char *name, int lane, const char *what, int is_signed, int int_bits,
                       int frac_bits, const char *meaning)
 {
-    char text[96];
+    char text[96], format[32];
+    (void)snprintf(format, sizeof format, "%c%d.%d", is_signed ? 'S' : 'U', int_bits, frac_bits);
     if (lane >= 0)
         (void)snprintf(text, sizeof text, "%s[%d]", name, lane);
     else
         (void)snprintf(text, sizeof text, "%s", name);
-    printf("  %-20s %-9s %c%d.%-6d %s\n", text, what, is_signed ? 'S' : 'U', int_bits, frac_bits,
-           meaning != NULL ? meaning : "");
+    printf("  %-20s %-9s %-8s %s\n", text, what, format, meaning != NULL ? meaning : "");
 }
 
 static void print_rows(const glint_setting *setting)

@@ -336,9 +336,8 @@ static bool ends_in(const char *path, const char *ending)
 
 static bool is_whole(const char *path)
 {
-    glint_wave_info info;
     return ends_with(path, ".png")    ? is_picture(path)
-           : ends_with(path, ".fst")  ? glint_wave_read_info(path, &info, NULL) == GLINT_OK
+           : ends_with(path, ".fst")  ? glint_wave_is_whole(path)
            : ends_with(path, ".json") ? is_json(path)
            : ends_with(path, ".html") ? ends_in(path, "</html>\n")
                                       : true;

@@ -1,8 +1,12 @@
 /* Drives every circuit that counts its lines and toggles: the random pins of lockstep and a strided
  * part of the exhaustive run, each compared with the C model. Clock for clock it does what `glint
- * verify` does; the counts are written by the circuits themselves as they go (counters.hpp).
+ * verify` does; the counts are written by the circuits themselves as they go (sim/rtl/shim.cpp).
+ *
+ *   drive DIR: where the counts go
  *
  * GLINT_COVERAGE_CLOCKS: clocks of lockstep for each circuit; GLINT_SEED: their seed. */
+#define _POSIX_C_SOURCE 200809L
+
 #include <inttypes.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -18,25 +22,24 @@ typedef struct counts {
     uint64_t comparisons, mismatches;
 } counts;
 
-static glint_status run_random(const opinion *circuit, uint64_t clocks, uint64_t seed,
+static glint_status run_random(const glint_setting *setting, uint64_t clocks, uint64_t seed,
                                counts *counts, glint_error *err)
 {
     static glint_lockstep_result found;
-    const glint_lockstep_options options = {
-        .setting = opinion_setting(circuit), .clocks = clocks, .seed = seed};
+    const glint_lockstep_options options = {.setting = *setting, .clocks = clocks, .seed = seed};
     const glint_status status = glint_lockstep_run(&options, &found, err);
     counts->comparisons += found.comparisons;
     counts->mismatches += found.mismatches;
     return status;
 }
 
-static glint_status run_sweep(const glint_rtl_model *model, uint64_t seed, counts *counts,
+static glint_status run_sweep(const glint_setting *setting, uint64_t seed, counts *counts,
                               glint_error *err)
 {
     static glint_exhaustive_result result;
-    const glint_exhaustive_options options = {.config = {model->config},
+    const glint_exhaustive_options options = {.config = {glint_specular_config_of(setting->values)},
                                               .configs = 1,
-                                              .model = model,
+                                              .verilog = setting->verilog,
                                               .shard = 1,
                                               .shards = 1,
                                               .stride = STRIDE,
@@ -48,28 +51,51 @@ static glint_status run_sweep(const glint_rtl_model *model, uint64_t seed, count
     return status;
 }
 
+/* What its instances leave: DIR/SETTING-NUMBER.dat. */
+static bool count_in(const char *directory, const opinion *circuit)
+{
+    char name[GLINT_SETTING_TEXT], path[1024];
+    glint_setting_name(&circuit->setting, name);
+    (void)snprintf(path, sizeof path, "%s/%s", directory, name);
+    return opinion_choose(circuit) && setenv("GLINT_COVERAGE", path, 1) == 0;
+}
+
+static glint_status run(const opinion *circuit, const char *directory, uint64_t clocks,
+                        uint64_t seed, counts *counts, glint_error *err)
+{
+    if (!count_in(directory, circuit))
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the environment");
+    glint_status status = run_random(&circuit->setting, clocks, seed, counts, err);
+    if (status == GLINT_OK && circuit->setting.circuit == &glint_circuit_specular)
+        status = run_sweep(&circuit->setting, seed, counts, err);
+    return status;
+}
+
 static uint64_t number_from(const char *name, uint64_t otherwise)
 {
     const char *given = getenv(name);
     return given != NULL ? strtoull(given, NULL, 0) : otherwise;
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    static opinion circuits[OPINIONS_MAX];
     const uint64_t clocks = number_from("GLINT_COVERAGE_CLOCKS", 300000);
     const uint64_t seed = number_from("GLINT_SEED", 1);
+    const int count = opinions_read("coverage/circuits", circuits);
     counts all = {0};
-    for (int i = 0; i < opinion_count; i++) {
+    if (argc != 2 || count < 0) {
+        (void)fprintf(stderr, "drive: a directory, and a list of circuits, are needed\n");
+        return 2;
+    }
+    for (int i = 0; i < count; i++) {
         glint_error err;
-        glint_status status = run_random(&opinions[i], clocks, seed, &all, &err);
-        if (status == GLINT_OK && opinions[i].specular != NULL)
-            status = run_sweep(opinions[i].specular, seed, &all, &err);
-        if (status != GLINT_OK) {
-            (void)fprintf(stderr, "%s: %s\n", opinions[i].name, err.text);
+        if (run(&circuits[i], argv[1], clocks, seed, &all, &err) != GLINT_OK) {
+            (void)fprintf(stderr, "%s: %s\n", circuits[i].name, err.text);
             return 1;
         }
     }
     printf("%" PRIu64 " mismatches of %" PRIu64 " comparisons, %d circuits, seed %" PRIu64 "\n",
-           all.mismatches, all.comparisons, opinion_count, seed);
+           all.mismatches, all.comparisons, count, seed);
     return all.mismatches == 0 && all.comparisons > 0 ? 0 : 1;
 }

@@ -12,7 +12,8 @@
 #                       its index
 #             A line that begins with # is a comment.
 # COUNTS      what Verilator's counters wrote, CIRCUIT-NUMBER.dat; of a circuit's files the largest
-#             count of an item is taken
+#             count of an item is taken, whether the circuit's top is the uppermost module or stands
+#             as "dut" in the glint_probe that reads its signals, which is no part of it
 #
 # A line is covered when it ran; a toggle when the bit changed at least twice, which is both ways as
 # all begin with 0. Prints the table, the reasons with the number of items of each, and each item that
@@ -84,9 +85,15 @@ file_number > 1 && /^C / {
     name = page
     sub(/.*\//, "", name)
     sub(/__.*/, "", name)
+    if (name == "glint_probe")
+        next
+    path = field_of($0, "h")
+    sub(/^TOP\.(glint_probe\.dut|[^.]*)/, "TOP.top", path)
+    file = field_of($0, "f")
+    sub(/.*\//, "", file)
     count = $0
     sub(/.*' /, "", count)
-    key = circuit SUBSEP name SUBSEP field_of($0, "h") SUBSEP kind SUBSEP field_of($0, "f") SUBSEP \
+    key = circuit SUBSEP name SUBSEP path SUBSEP kind SUBSEP file SUBSEP \
           field_of($0, "l") SUBSEP field_of($0, "n") SUBSEP field_of($0, "o")
     if (!(key in largest) || count + 0 > largest[key])
         largest[key] = count + 0
@@ -118,7 +125,7 @@ function reason_of(circuit, name, path, kind, line, signal, covered,   base, bit
         bit = substr(signal, RSTART + 1, RLENGTH - 2) + 0
     }
     n = circuit
-    sub(/.*-/, "", n)
+    sub(/.*[-_]/, "", n)
     j = path
     gsub(/[^0-9]+/, " ", j)
     sub(/ $/, "", j)
@@ -167,9 +174,7 @@ END {
             uses[r]++
         } else {
             bad[kind]++
-            source = part[5]
-            sub(/.*\//, "", source)
-            missing[++missing_count] = source ":" part[6] ": " part[8] ", " kind " of " part[3] \
+            missing[++missing_count] = part[5] ":" part[6] ": " part[8] ", " kind " of " part[3] \
                                        ", circuit " part[1]
         }
     }

@@ -12,7 +12,7 @@ program=$1 dir=$2
 begin=$(date +%s)
 rm -rf "$dir/counts" "$dir/annotated"
 mkdir -p "$dir/counts"
-GLINT_COVERAGE=$dir/counts "$program"
+"$program" "$dir/counts"
 status=0
 awk -f tests/coverage/report.awk tests/coverage/impossible.txt "$dir"/counts/*.dat >"$dir/rtl.txt" ||
     status=$?

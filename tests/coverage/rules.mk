@@ -1,26 +1,21 @@
-# Coverage: of the Verilog by lines and toggles, of the C by gcov (docs/coverage.md).
+# Coverage: of the Verilog by lines and toggles, in the settings COVERED (tests/circuits/*.mk), of the C by
+# gcov (docs/coverage.md).
 
-COVERAGE_CIRCUITS := $(foreach g,$(GATES),$(foreach p,$(PIPELINES),$g-$p-1)) cosine-pipelined-2 \
-                     sign-combinational-2 drawn-pipelined-4 $(DIVIDER_SHIFTS:%=sequential-%) \
-                     $(foreach n,6 12 16,pipelined-$n)
-COUNTING_CIRCUITS := $(COVERAGE_CIRCUITS:%=coverage:%)
-COVERAGE          := $(BUILD)/coverage
+COVERAGE := $(BUILD)/coverage
 
-$(foreach n,$(COUNTING_CIRCUITS),$(eval $(call circuit_rules,$n)))
-$(eval $(call circuit_program,$(COVERAGE)/circuits,$(COUNTING_CIRCUITS),$(COVERAGE)/drive,\
-    $(BUILD)/tests/coverage/drive.o $(COVERAGE)/verilated_cov.o))
+$(eval $(call opinion_list,$(COVERAGE)/circuits,$(COVERED:%=coverage/%)))
 
-$(COVERAGE)/verilated_cov.o: $(VERILATED)/version
+$(COVERAGE)/drive: $(BUILD)/tests/coverage/drive.o $(BUILD)/libtest.a $(LIBRARIES)
 	@mkdir -p $(@D)
-	$(CXX) $(SHIM_FLAGS) -w -c $(VERILATOR_ROOT_DIR)/include/verilated_cov.cpp -o $@
+	$(CC) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 .PHONY: coverage coverage-rtl coverage-c
 coverage: coverage-rtl coverage-c
 
 coverage-rtl:
 	sim/deps.sh coverage
-	+$(MAKE) -j$(JOBS) $(COVERAGE)/drive
-	tests/coverage/rtl.sh $(COVERAGE)/drive $(COVERAGE)
+	+$(MAKE) -j$(JOBS) $(COVERAGE)/drive $(COVERAGE)/circuits
+	GLINT_BUILD=$(BUILD) tests/coverage/rtl.sh $(COVERAGE)/drive $(COVERAGE)
 
 # The tests once more, compiled so that gcov counts, also from several threads; the circuits are those
 # of the plain build. Counting makes the loops over the whole domain slow, so they take the strides of

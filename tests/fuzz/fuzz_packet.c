@@ -11,7 +11,7 @@ static void expect_round_trip(const glint_failure *failure)
     glint_failure *again = NULL;
     char *text = glint_failure_to_json(failure);
     FUZZ_EXPECT(text != NULL);
-    FUZZ_EXPECT(glint_failure_from_json(text, &again, NULL) == GLINT_OK);
+    FUZZ_EXPECT(glint_failure_from_json(text, NULL, &again, NULL) == GLINT_OK);
     char *same = glint_failure_to_json(again);
     FUZZ_EXPECT(same != NULL && strcmp(text, same) == 0);
     FUZZ_EXPECT(glint_failure_same(&failure->finding, &again->finding));
@@ -49,7 +49,7 @@ int fuzz_packet(const uint8_t *bytes, size_t count)
     FUZZ_EXPECT(text != NULL);
     memcpy(text, bytes, count);
     text[count] = '\0';
-    const glint_status status = glint_failure_from_json(text, &failure, &err);
+    const glint_status status = glint_failure_from_json(text, NULL, &failure, &err);
     FUZZ_EXPECT(status == GLINT_OK || status == GLINT_BAD_INPUT);
     FUZZ_EXPECT((status == GLINT_OK) == (failure != NULL));
     if (status == GLINT_OK) {

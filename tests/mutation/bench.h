@@ -10,7 +10,7 @@
 
 #include <stdbool.h>
 
-#include "glint_status.h"
+#include "glint_specular_device.h"
 #include "netlist.h"
 
 typedef struct mutation_effort {
@@ -29,19 +29,12 @@ typedef struct mutation_verdict {
     const char *test; /* "lockstep", "sweep", "point" */
     uint64_t clock;   /* of that test, 1 is the first after the reset of creation */
     const char *pin;
-    uint32_t model, netlist; /* its values, as bits */
+    uint64_t model, netlist; /* its values, as bits */
 } mutation_verdict;
-
-/* Number of output pins, and their names. */
-int mutation_pin_count(const glint_setting *setting);
-const char *mutation_pin_name(const glint_setting *setting, int pin);
-
-/* Clocks of the whole sweep. */
-uint64_t mutation_sweep_clocks(const mutation_netlist_table *netlist);
 
 /* Runs the bench on one mutant, 0 for the healthy netlist. GLINT_OK whatever becomes of it.
  * GLINT_BAD_ARGUMENT when both tests have 0 clocks: that would let every mutant live; or for a
- * point through a divider. */
+ * point through another circuit than the specular device. */
 glint_status mutation_run(const mutation_netlist_table *netlist, uint32_t mutant,
                           const mutation_effort *effort, mutation_verdict *verdict,
                           glint_error *err);

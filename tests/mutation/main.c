@@ -206,7 +206,7 @@ static void write_verdict(FILE *stream, uint32_t mutant, const mutation_verdict 
 {
     if (v->killed)
         fprintf(stream,
-                "%" PRIu32 "\tkilled\t%s\t%" PRIu64 "\t%s\t0x%" PRIx32 "\t0x%" PRIx32 "\t%s\n",
+                "%" PRIu32 "\tkilled\t%s\t%" PRIu64 "\t%s\t0x%" PRIx64 "\t0x%" PRIx64 "\t%s\n",
                 mutant, v->test, v->clock, v->pin, v->model, v->netlist, fault);
     else
         fprintf(stream, "%" PRIu32 "\tsurvived\t-\t%" PRIu64 "\t-\t-\t-\t%s\n", mutant, v->clocks,
@@ -223,7 +223,7 @@ static int check_healthy(const settings *settings)
     if (verdict.killed)
         return glint_complain(command, GLINT_EXIT_TROUBLE,
                               "%s without a fault differs, %s, clock %" PRIu64
-                              ": %s model 0x%" PRIx32 ", netlist 0x%" PRIx32,
+                              ": %s model 0x%" PRIx64 ", netlist 0x%" PRIx64,
                               mutation_netlist.circuit, verdict.test, verdict.clock, verdict.pin,
                               verdict.model, verdict.netlist);
     printf("%s without a fault: 0 mismatches in %" PRIu64 " clocks\n", mutation_netlist.circuit,

@@ -1,10 +1,9 @@
 #!/bin/sh
 # A circuit's synthesised netlist, and many single faults of it in one Verilog file.
 #
-#   tests/mutation/mutants.sh CIRCUIT COUNT SEED DIR
+#   tests/mutation/mutants.sh SETTING TABLE COUNT SEED DIR
 #
-# CIRCUIT  specular-GATE-PIPELINE (cosine, sign, drawn; combinational, pipelined), one lane, or
-#          divider-FORM-SHIFTS (sequential, pipelined; 6..16)
+# SETTING  one of TABLE, which tests/circuits/main.c prints
 # COUNT    how many faults, chosen by Yosys's mutate from SEED
 #
 # Writes to DIR: healthy.il, the netlist in Yosys's own format; mutants.list, the faults, a command
@@ -18,42 +17,23 @@ fail() {
     exit 2
 }
 
-[ $# -eq 4 ] || fail "four arguments, not $#: CIRCUIT COUNT SEED DIR"
-circuit=$1 count=$2 seed=$3 dir=$4
+[ $# -eq 5 ] || fail "five arguments, not $#: SETTING TABLE COUNT SEED DIR"
+circuit=$1 table=$2 count=$3 seed=$4 dir=$5
 
-number_of() { # NAME CHOICE...: the place of NAME among the choices, from 0
-    name=$1 place=0
-    shift
-    for choice in "$@"; do
-        [ "$choice" != "$name" ] || { echo "$place" && return; }
-        place=$((place + 1))
-    done
-    fail "$circuit: \"$name\" is none of: $*"
-}
-
-kind=${circuit%%-*} first=${circuit#*-}
-second=${first#*-} first=${first%%-*}
-case $kind in
-specular)
-    gate=$(number_of "$first" cosine sign drawn)
-    pipelined=$(number_of "$second" combinational pipelined)
-    top=specular_device
-    setting="chparam -set GATE $gate -set PIPELINED $pipelined -set LANES 1 $top"
-    ;;
-divider)
-    form=$(number_of "$first" sequential pipelined)
-    top=$([ "$form" = 0 ] && echo shift_divider || echo pipelined_divider)
-    setting="chparam -set SHIFTS $second $top"
-    ;;
-*) fail "unknown circuit \"$circuit\"" ;;
-esac
+line=$(awk -v setting="$circuit" '$2 == setting' "$table")
+[ -n "$line" ] || fail "there is no setting \"$circuit\" in $table"
+top=$(echo "$line" | cut -d ' ' -f 3)
+setting=
+for parameter in $(echo "$line" | cut -s -d ' ' -f 5-); do
+    setting="$setting -set ${parameter%=*} ${parameter#*=}"
+done
 
 mkdir -p "$dir"
 # -nordff: register 2 stays in front of the ROMs, as in the Verilog; else Yosys would put registers of
 # its own behind them.
 yosys -q -p "
     read_verilog -Irtl rtl/*.v
-    $setting
+    chparam $setting $top
     hierarchy -check -top $top
     synth -flatten -nordff
     rename -top $top

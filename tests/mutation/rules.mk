@@ -7,23 +7,14 @@
 MUTANTS       ?= 1000
 MUTATION_SEED ?= 1
 MUTATION_SECONDS ?= 900
-# The sequential divider takes 13 clocks for each of the 131 072 divisions of its sweep: only the first
-# 30 769 of them.
-SHORT_SWEEP   := 400000
-MUTATED       := specular-cosine-pipelined specular-cosine-combinational divider-sequential-12 divider-pipelined-12
-# A small one for `make test`, which is not to wait long.
-MUTATED_SHORT := divider-sequential-6
+# The settings MUTATED, and in make test MUTATED_SHORT: tests/circuits/*.mk. SWEEP_CLOCKS_<setting> is how
+# much of its sweep one gets, where that is not all.
 MUTANTS_SHORT := 60
 MUTATION      := $(VERILATED)/mutation
 
-mutation_class  = Vmutants_$(subst -,_,$1)
-mutation_macros = -DMODEL=$(call mutation_class,$1) -DMUTATION_CIRCUIT='"$1"' \
-    $(if $(filter specular,$(call field,$1,1)), \
-        -DMUTATION_GATE=GLINT_GATE_$(call upper,$(call field,$1,2)) \
-        -DMUTATION_PIPELINE=GLINT_PIPELINE_$(call upper,$(call field,$1,3)), \
-        -DMUTATION_SHIFTS=$(call field,$1,3) $(if $(filter pipelined,$(call field,$1,2)),-DMUTATION_PIPELINED))
+mutation_class  = Vmutants_$1
 
-.SECONDARY: $(foreach m,$(MUTATED) $(MUTATED_SHORT),$(addprefix $(MUTATION)/$m/,mutants.v netlist.stamp shim.o) \
+.SECONDARY: $(foreach m,$(MUTATED) $(MUTATED_SHORT),$(addprefix $(MUTATION)/$m/,mutants.v netlist.stamp ports.h shim.o) \
     $(BUILD)/mutation/$m/bench)
 
 # Rewritten only when it changes, so that other faults make the netlist anew.
@@ -33,8 +24,13 @@ $(MUTATION)/%/chosen: FORCE
 	@mkdir -p $(@D)
 	@echo "$(CHOSEN)" | cmp -s - $@ || echo "$(CHOSEN)" > $@
 
-$(MUTATION)/%/mutants.v: $(MUTATION)/%/chosen tests/mutation/mutants.sh $(RTL)
-	tests/mutation/mutants.sh $* $$(cat $<) $(@D)
+$(MUTATION)/%/mutants.v: $(MUTATION)/%/chosen tests/mutation/mutants.sh $(CIRCUIT_SOURCES) $(RTL) \
+    | $(BUILD)/settings
+	tests/mutation/mutants.sh $* $(BUILD)/settings $$(cat $<) $(@D)
+
+$(MUTATION)/%/ports.h: $(CIRCUIT_SOURCES) | $(BUILD)/list-settings
+	@mkdir -p $(@D)
+	$(BUILD)/list-settings --ports $* > $@
 
 # Names and widths are Yosys's, not ours: no lint. Verilator 5.006 gets netlists wrong without
 # -fno-const-bit-op-tree (docs/netlists.md). A netlist of gates gains nothing from -O2.
@@ -45,22 +41,32 @@ $(MUTATION)/%/netlist.stamp: $(MUTATION)/%/mutants.v $(VERILATED)/version
 	    $(call mutation_class,$*)__ALL.a >/dev/null
 	@touch $@
 
-$(MUTATION)/%/shim.o: $(MUTATION)/%/netlist.stamp $(wildcard tests/mutation/*.cpp tests/mutation/*.h cmodel/*.h)
-	$(CXX) $(SHIM_FLAGS) -isystem $(@D)/verilated $(call mutation_macros,$*) \
-	    -Isim -c tests/mutation/netlist_shim.cpp -o $@
+MUTATION_SHIM = $(CXX) -std=gnu++17 -O3 -Wall -Wextra -DVM_TRACE=0 -DVM_COVERAGE=0 -DVM_SC=0 \
+    -isystem $(VERILATOR_INCLUDE) -isystem $(VERILATOR_INCLUDE)/vltstd
+
+$(MUTATION)/%/shim.o: $(MUTATION)/%/netlist.stamp $(MUTATION)/%/ports.h \
+    $(wildcard tests/mutation/*.cpp tests/mutation/*.h)
+	$(MUTATION_SHIM) -isystem $(@D)/verilated -I$(@D) -DMODEL=$(call mutation_class,$*) \
+	    -DMUTATION_CIRCUIT='"$*"' -c tests/mutation/netlist_shim.cpp -o $@
+
+# Verilator's own runtime, once for all.
+MUTATION_RUNTIME := $(MUTATION)/runtime/verilated.o $(MUTATION)/runtime/verilated_threads.o
+$(MUTATION_RUNTIME): $(MUTATION)/runtime/%.o: $(VERILATED)/version
+	@mkdir -p $(@D)
+	$(MUTATION_SHIM) -w -c $(VERILATOR_INCLUDE)/$*.cpp -o $@
 
 MUTATION_OBJECTS := $(addprefix $(BUILD)/tests/mutation/,main.o bench.o sweep.o) \
-                    $(addprefix $(BUILD)/sim/cli/,output.o parse.o)
+                    $(BUILD)/tests/netlist/pins.o $(addprefix $(BUILD)/sim/cli/,output.o parse.o)
 
-$(BUILD)/mutation/%/bench: $(MUTATION)/%/shim.o $(MUTATION_OBJECTS) $(LIBRARIES)
+$(BUILD)/mutation/%/bench: $(MUTATION)/%/shim.o $(MUTATION_OBJECTS) $(MUTATION_RUNTIME) $(LIBRARIES)
 	@mkdir -p $(@D)
 	$(CXX) $(LDFLAGS) -o $@ $< $(MUTATION_OBJECTS) \
-	    $(MUTATION)/$*/verilated/$(call mutation_class,$*)__ALL.a $(LIBRARIES) $(LDLIBS)
+	    $(MUTATION)/$*/verilated/$(call mutation_class,$*)__ALL.a $(MUTATION_RUNTIME) $(LIBRARIES) $(LDLIBS)
 	cp $(MUTATION)/$*/healthy.il $(MUTATION)/$*/mutants.list $(@D)/
 
 $(BUILD)/mutation/%/verdicts.tsv: $(BUILD)/mutation/%/bench
 	$< --list $(@D)/mutants.list --seed $(MUTATION_SEED) \
-	    $(if $(findstring sequential,$*),--sweep $(SHORT_SWEEP)) --out $@
+	    $(if $(SWEEP_CLOCKS_$*),--sweep $(SWEEP_CLOCKS_$*)) --out $@
 
 # Fails when a fault is missed or undecided; the others are judged all the same.
 $(MUTATED:%=judge-%): judge-%: $(BUILD)/mutation/%/verdicts.tsv

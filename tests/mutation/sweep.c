@@ -1,5 +1,10 @@
 #include "sweep.h"
 
+#include <string.h>
+
+#include "circuit/circuits.h"
+#include "circuit/words.h"
+
 enum {
     AROUND = 8, /* codes below the limit */
     BELOW = 16, /* codes between 0 and the limit */
@@ -32,7 +37,7 @@ static uint32_t cosine_of(uint32_t n, uint32_t place)
     return cosine <= GLINT_COS_ONE ? cosine : beyond[cosine - GLINT_COS_ONE - 1];
 }
 
-void mutation_sweep_specular(mutation_sweep *at, glint_specular_inputs *in)
+static void specular_next(mutation_sweep *at, glint_specular_inputs *in)
 {
     in->en = in->n_we = in->rgb_we = 1;
     in->in_valid = 1;
@@ -53,7 +58,7 @@ void mutation_sweep_specular(mutation_sweep *at, glint_specular_inputs *in)
     in->b = (uint8_t)(in->r + 170);
 }
 
-uint64_t mutation_sweep_specular_clocks(void)
+static uint64_t specular_clocks(void)
 {
     uint64_t clocks = GLINT_COS_ONE + 1;
     for (uint32_t n = 0; n < GLINT_N_COUNT; n++)
@@ -66,7 +71,7 @@ static int16_t difference_of(uint32_t place)
     return (int16_t)((int)(place % DIFFERENCES) - DIFFERENCES / 2);
 }
 
-void mutation_sweep_sequential(int shifts, uint64_t clock, glint_divider_inputs *in)
+static void sequential_next(int shifts, uint64_t clock, glint_divider_inputs *in)
 {
     const uint32_t latency = (uint32_t)glint_divider_latency(shifts);
     const uint32_t place = (uint32_t)((clock - 1) / latency);
@@ -76,12 +81,12 @@ void mutation_sweep_sequential(int shifts, uint64_t clock, glint_divider_inputs 
     in->difference[0] = difference_of(place);
 }
 
-uint64_t mutation_sweep_sequential_clocks(int shifts)
+static uint64_t sequential_clocks(int shifts)
 {
     return (uint64_t)K_CODES * DIFFERENCES * (uint64_t)glint_divider_latency(shifts);
 }
 
-void mutation_sweep_pipelined(uint64_t clock, glint_divider_inputs *in)
+static void pipelined_next(uint64_t clock, glint_divider_inputs *in)
 {
     const uint32_t place = (uint32_t)(clock - 1);
     in->en = in->start = 1;
@@ -91,7 +96,72 @@ void mutation_sweep_pipelined(uint64_t clock, glint_divider_inputs *in)
     in->difference[2] = difference_of(place + 2 * DIFFERENCES / 3);
 }
 
-uint64_t mutation_sweep_pipelined_clocks(int shifts)
+static uint64_t pipelined_clocks(int shifts)
 {
     return (uint64_t)K_CODES * DIFFERENCES + (uint64_t)glint_divider_latency(shifts);
+}
+
+/* ---- Whichever circuit ----------------------------------------------------------------------- */
+
+static bool is_sequential(const glint_setting *setting)
+{
+    return setting->values[GLINT_DIVIDER_FORM] == GLINT_DIVIDER_SEQUENTIAL;
+}
+
+static uint64_t domain_clocks(const glint_setting *setting)
+{
+    const glint_circuit *circuit = setting->circuit;
+    const int *values = setting->values;
+    const uint64_t pace = circuit->pace != NULL ? (uint64_t)circuit->pace(values) : 1;
+    return circuit->domain == NULL
+               ? 0
+               : circuit->domain->points(values) * pace + (uint64_t)circuit->latency(values);
+}
+
+/* A point every `pace` clocks, and nothing behind the last. */
+static void domain_next(const glint_setting *setting, uint64_t clock, glint_pins *pins)
+{
+    const glint_circuit *circuit = setting->circuit;
+    const uint64_t pace = circuit->pace != NULL ? (uint64_t)circuit->pace(setting->values) : 1;
+    const uint64_t point = (clock - 1) / pace;
+    const bool takes = (clock - 1) % pace == 0 && point < circuit->domain->points(setting->values);
+    static const uint64_t one = 1;
+    for (int i = 0; i < circuit->pin_count(setting->values); i++) {
+        const glint_pin_info pin = circuit->pin(setting->values, i);
+        if (pin.role == GLINT_PIN_ENABLE || pin.role == GLINT_PIN_RESET_LOW ||
+            (pin.role == GLINT_PIN_VALID && takes))
+            glint_pin_set(&pin, pins, &one);
+    }
+    if (takes)
+        circuit->domain->put(setting->values, point, pins);
+}
+
+uint64_t mutation_sweep_clocks(const glint_setting *setting)
+{
+    const int shifts = setting->values[GLINT_DIVIDER_SHIFTS];
+    if (setting->circuit == &glint_circuit_specular)
+        return specular_clocks();
+    if (setting->circuit == &glint_circuit_divider)
+        return is_sequential(setting) ? sequential_clocks(shifts) : pipelined_clocks(shifts);
+    return domain_clocks(setting);
+}
+
+void mutation_sweep_next(mutation_sweep *at, const glint_setting *setting, uint64_t clock,
+                         glint_pins *pins)
+{
+    memset(pins, 0, sizeof *pins);
+    if (setting->circuit == &glint_circuit_specular) {
+        glint_specular_inputs inputs = {0};
+        specular_next(at, &inputs);
+        memcpy(pins, &inputs, sizeof inputs);
+    } else if (setting->circuit == &glint_circuit_divider) {
+        glint_divider_inputs inputs = {0};
+        if (is_sequential(setting))
+            sequential_next(setting->values[GLINT_DIVIDER_SHIFTS], clock, &inputs);
+        else
+            pipelined_next(clock, &inputs);
+        memcpy(pins, &inputs, sizeof inputs);
+    } else {
+        domain_next(setting, clock, pins);
+    }
 }

@@ -2,26 +2,26 @@
 #ifndef GLINT_TESTS_MUTATION_SWEEP_H
 #define GLINT_TESTS_MUTATION_SWEEP_H
 
-#include "glint_divider_device.h"
-#include "glint_specular_device.h"
+#include "circuit/setting.h"
 
-/* Where the next clock of the specular sweep is; begins as {0}. */
+/* Where the next clock of the sweep is; begins as {0}. */
 typedef struct mutation_sweep {
-    uint32_t n; /* from the largest n on; GLINT_N_COUNT of them: the second part */
+    uint32_t n; /* of the specular one: from the largest n on; GLINT_N_COUNT of them: second part */
     uint32_t place;
 } mutation_sweep;
 
-/* For every n, the narrowest highlight first, a point a clock in white: every cosine from 8 codes
- * below the limit to 1.0, some further below and two beyond. Then with n = 2, where t is the
- * cosine, every t of a highlight and with it every W, in changing colours. */
-void mutation_sweep_specular(mutation_sweep *at, glint_specular_inputs *inputs);
-uint64_t mutation_sweep_specular_clocks(void);
+/* Of the specular device: for every n, the narrowest highlight first, a point a clock in white:
+ * every cosine from 8 codes below the limit to 1.0, some further below and two beyond. Then with
+ * n = 2, where t is the cosine, every t of a highlight and with it every W, in changing colours.
+ *
+ * Of the dividers: every k, 0…255, with every code of the difference, −256…255: one division after
+ * the other, or one a clock with each component at another place of the sweep.
+ *
+ * Of others: the domain that their description has; 0 clocks when it has none. */
+uint64_t mutation_sweep_clocks(const glint_setting *setting);
 
-/* Every k, 0…255, with every code of the difference, −256…255: one division after the other, or one
- * a clock with each component at another place of the sweep. Clock 1 is the first. */
-void mutation_sweep_sequential(int shifts, uint64_t clock, glint_divider_inputs *inputs);
-uint64_t mutation_sweep_sequential_clocks(int shifts);
-void mutation_sweep_pipelined(uint64_t clock, glint_divider_inputs *inputs);
-uint64_t mutation_sweep_pipelined_clocks(int shifts);
+/* The pins of the next clock; clock 1 is the first. */
+void mutation_sweep_next(mutation_sweep *at, const glint_setting *setting, uint64_t clock,
+                         glint_pins *pins);
 
 #endif

@@ -15,7 +15,7 @@
 
 #include "../child.h"
 
-#define CIRCUIT "mutation/divider-sequential-6"
+#define CIRCUIT "mutation/divider_sequential_6"
 
 enum { FAULTS = 60, KILLED_TRIED = 6, PROOF_SECONDS = 60, LONG_ENOUGH = 300, ANSWER_SIZE = 64 };
 

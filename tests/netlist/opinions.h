@@ -1,34 +1,25 @@
-/* The circuits of a program, as tests/circuits.mk lists them. */
+/* The further forms of circuits that a list of tests/circuits.mk names, and how they are built. */
 #ifndef GLINT_TESTS_OPINIONS_H
 #define GLINT_TESTS_OPINIONS_H
 
-#include <stddef.h>
+#include <stdbool.h>
 
 #include "circuit/setting.h"
-#include "rtl/divider_model.h"
-#include "rtl/rtl_model.h"
+
+#define OPINIONS_MAX 128
 
 typedef struct opinion {
-    const char *name;                   /* BUILD[-FAULT]:CIRCUIT, as in tests/circuit.sh */
-    const glint_rtl_model *specular;    /* one of the two … */
-    const glint_divider_model *divider; /* … the other is NULL */
+    char name[128];      /* BUILD[-FAULT]/SETTING, as in tests/circuit.sh */
+    char directory[512]; /* where that put it */
+    char verilog[520];   /* below it, of the setting */
+    glint_setting setting;
 } opinion;
 
-extern const opinion opinions[];
-extern const int opinion_count;
+/* The list in the file that GLINT_OPINIONS names, or $GLINT_BUILD/`otherwise`: a line is a
+ * directory …/BUILD[-FAULT]/SETTING. Their number; −1 after saying what is wrong with it. */
+int opinions_read(const char *otherwise, opinion opinions[OPINIONS_MAX]);
 
-static inline glint_setting opinion_setting(const opinion *opinion)
-{
-    glint_setting setting = {.is_divider = opinion->divider != NULL,
-                             .specular_model = opinion->specular,
-                             .divider_model = opinion->divider};
-    if (opinion->specular != NULL)
-        setting.specular = opinion->specular->config;
-    if (opinion->divider != NULL) {
-        setting.form = opinion->divider->form;
-        setting.shifts = opinion->divider->shifts;
-    }
-    return setting;
-}
+/* From now on circuits are built with its tools. */
+bool opinion_choose(const opinion *opinion);
 
 #endif

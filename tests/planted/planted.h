@@ -2,7 +2,7 @@
  * the way, so that it is known to the last bit what a comparison has to find.
  *
  * The programs of this directory are linked with ld's --wrap: the functions of rtl/rtl.h and
- * rtl/divider_rtl.h by which values are read are those of planted.c, which call the real ones.
+ * rtl/batch.h by which values are read are those of planted.c, which call the real ones.
  *
  * build/planted/glint is the command linked so. It takes what is planted from the environment:
  * GLINT_PLANTED_SIGNAL and GLINT_PLANTED_CLOCK: the lowest bit of this signal after this clock, in
@@ -13,6 +13,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "circuit/circuits.h"
 #include "lockstep/answer.h"
 
 enum { PLANTED_NOWHERE = -1, PLANTED_EVERYWHERE = -2 };
@@ -31,5 +32,33 @@ typedef struct planted {
 } planted;
 
 extern planted plant; /* nothing to begin with; a program of one thread */
+
+/* Every listed setting of every circuit, as `glint verify` tries them; and those of the thesis's
+ * circuits, so that none of them gets lost. */
+#define PLANTED_SETTINGS_MAX 512
+enum { THESIS_SETTINGS = 52, THESIS_SIGNALS = 5222 };
+
+/* Their number; −1: more than fit. */
+static inline int planted_settings(glint_setting settings[PLANTED_SETTINGS_MAX])
+{
+    const glint_circuit *circuit;
+    int count = 0;
+    for (int c = 0; (circuit = glint_circuit_number(c)) != NULL; c++) {
+        glint_setting setting;
+        for (int i = 0; glint_setting_listed(circuit, i, &setting); i++) {
+            if (count == PLANTED_SETTINGS_MAX) {
+                return -1;
+            }
+            settings[count++] = setting;
+        }
+    }
+    return count;
+}
+
+static inline bool planted_in_thesis(const glint_setting *setting)
+{
+    return setting->circuit == &glint_circuit_specular ||
+           setting->circuit == &glint_circuit_divider;
+}
 
 #endif

@@ -1,6 +1,5 @@
 # Programs in which what is read from the circuits goes through planted.c: see planted.h there.
-PLANTED_WRAPS := -Wl,--wrap=glint_rtl_signal_bits,--wrap=glint_divider_rtl_signal_bits \
-                 -Wl,--wrap=glint_rtl_batch,--wrap=glint_divider_rtl_batch
+PLANTED_WRAPS := $(foreach f,open destroy read shade divide,-Wl,--wrap=glint_rtl_$f)
 
 $(BUILD)/tests/planted/test_%: LDFLAGS += $(PLANTED_WRAPS)
 

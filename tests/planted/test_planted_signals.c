@@ -17,31 +17,17 @@
 #include "lockstep/lockstep.h"
 #include "planted.h"
 
-enum { SETTINGS = 52, SIGNALS = 5222 };
-
 static uint64_t seed;
-static glint_setting settings[SETTINGS];
+static glint_setting settings[PLANTED_SETTINGS_MAX];
+static int count; /* of them */
 static glint_lockstep_result result;
 
 static int find_settings(void **state)
 {
     (void)state;
-    int count = 0;
-    const glint_specular_config *config;
     seed = seed_of_this_run();
-    for (int i = 0; (config = glint_rtl_built(i)) != NULL && count < SETTINGS; i++) {
-        settings[count++] = (glint_setting){.specular = *config};
-    }
-    for (int form = 0; form < GLINT_DIVIDER_FORM_COUNT; form++) {
-        for (int n = GLINT_DIVIDER_SHIFTS_MIN; n <= GLINT_DIVIDER_SHIFTS_MAX; n++) {
-            if (count == SETTINGS) {
-                return -1;
-            }
-            settings[count++] =
-                (glint_setting){.is_divider = true, .form = (glint_divider_form)form, .shifts = n};
-        }
-    }
-    return count == SETTINGS ? 0 : -1;
+    count = planted_settings(settings);
+    return count > 0 ? 0 : -1;
 }
 
 static int pull_out(void **state)
@@ -102,7 +88,7 @@ static void assert_each_bit_found(const glint_setting *setting, int index)
     for (int i = 0; i < result.kept; i++) {
         const glint_mismatch *found = &result.mismatch[i];
         assert_true(found->clock == (uint64_t)i + 1);
-        assert_true((found->model ^ found->rtl) == UINT64_C(1) << i);
+        assert_true((found->model[0] ^ found->rtl[0]) == UINT64_C(1) << i);
         assert_signal(&found->signal, &info);
     }
     assert_int_equal(result.totals_count, 1);
@@ -114,16 +100,21 @@ static void assert_each_bit_found(const glint_setting *setting, int index)
 static void each_bit_of_each_signal_of_each_setting_is_looked_at(void **state)
 {
     (void)state;
-    int signals = 0;
-    for (int s = 0; s < SETTINGS; s++) {
-        const int count = glint_setting_signal_count(&settings[s]);
-        for (int i = 0; i < count; i++) {
+    int signals = 0, of_thesis = 0, settings_of_thesis = 0;
+    for (int s = 0; s < count; s++) {
+        const int here = glint_setting_signal_count(&settings[s]);
+        for (int i = 0; i < here; i++) {
             assert_each_bit_found(&settings[s], i);
         }
-        signals += count;
+        signals += here;
+        if (planted_in_thesis(&settings[s])) {
+            of_thesis += here;
+            settings_of_thesis++;
+        }
     }
-    print_message("%d signals of %d settings, each bit of them\n", signals, SETTINGS);
-    assert_int_equal(signals, SIGNALS);
+    print_message("%d signals of %d settings, each bit of them\n", signals, count);
+    assert_int_equal(of_thesis, THESIS_SIGNALS);
+    assert_int_equal(settings_of_thesis, THESIS_SETTINGS);
 }
 
 static uint64_t lowest_bit(uint64_t clock)
@@ -136,7 +127,7 @@ static uint64_t lowest_bit(uint64_t clock)
 static void each_clock_is_looked_at(void **state)
 {
     (void)state;
-    for (int s = 0; s < SETTINGS; s++) {
+    for (int s = 0; s < count; s++) {
         uint64_t total = 0;
         plant = (planted){
             .signal = PLANTED_EVERYWHERE, .inverted = lowest_bit, .answer = PLANTED_NOWHERE};
@@ -154,7 +145,7 @@ static void each_clock_is_looked_at(void **state)
 static void nothing_planted_is_nothing_found(void **state)
 {
     (void)state;
-    for (int s = 0; s < SETTINGS; s++) {
+    for (int s = 0; s < count; s++) {
         plant.signal = PLANTED_NOWHERE;
         run_lockstep(&settings[s], 100);
         assert_true(result.mismatches == 0);
@@ -177,16 +168,16 @@ static void assert_one_found(const glint_failure_finding *found, const glint_sig
     assert_true(found->clock == PLANTED_AT);
     assert_int_equal(found->count, 1);
     assert_true(found->mismatch[0].clock == PLANTED_AT);
-    assert_true((found->mismatch[0].model ^ found->mismatch[0].rtl) == 1);
+    assert_true((found->mismatch[0].model[0] ^ found->mismatch[0].rtl[0]) == 1);
     assert_signal(&found->mismatch[0].signal, info);
 }
 
 /* Where both sides of a capture differ: in that signal after that clock, and nowhere else. */
 static void assert_one_captured(const glint_capture *capture, int index)
 {
-    const int count = glint_setting_signal_count(&capture->setting);
+    const int signals = glint_setting_signal_count(&capture->setting);
     for (int c = 0; c < capture->count; c++) {
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < signals; i++) {
             const glint_capture_clock *at = &capture->clock[c];
             assert_int_equal(at->model[i] != at->rtl[i], at->clock == PLANTED_AT && i == index);
         }
@@ -225,7 +216,7 @@ static void assert_played(const glint_setting *setting, int index)
 static void a_replay_looks_at_each_signal_of_each_setting(void **state)
 {
     (void)state;
-    for (int s = 0; s < SETTINGS; s++) {
+    for (int s = 0; s < count; s++) {
         for (int i = 0; i < glint_setting_signal_count(&settings[s]); i++) {
             assert_played(&settings[s], i);
         }
@@ -244,8 +235,8 @@ static void findings_are_compared_in_everything(void **state)
         .lockstep_differs = true,
         .clock = 5,
         .count = 2,
-        .mismatch = {{5, glint_setting_signal(setting, 0), 1, 2},
-                     {5, glint_setting_signal(setting, 20), 3, 4}},
+        .mismatch = {{5, glint_setting_signal(setting, 0), {1}, {2}},
+                     {5, glint_setting_signal(setting, 20), {3}, {4}}},
     };
     glint_failure_finding b[12];
     for (int i = 0; i < 12; i++) {
@@ -260,10 +251,10 @@ static void findings_are_compared_in_everything(void **state)
     b[5].count--;
     b[6].mismatch[0].signal = glint_setting_signal(setting, 1);
     b[7].mismatch[1].signal.lane++;
-    b[8].mismatch[0].model++;
-    b[9].mismatch[0].rtl++;
-    b[10].mismatch[1].model++;
-    b[11].mismatch[1].rtl++;
+    b[8].mismatch[0].model[0]++;
+    b[9].mismatch[0].rtl[0]++;
+    b[10].mismatch[1].model[0]++;
+    b[11].mismatch[1].rtl[0]++;
     for (int i = 0; i < 12; i++) {
         if (glint_failure_same(&a, &b[i]) || glint_failure_same(&b[i], &a)) {
             fail_msg("alteration %d makes no difference", i);
