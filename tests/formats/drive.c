@@ -1,5 +1,7 @@
 /* One choice of the formats, tried: built by tests/formats/try.sh with the edit made.
  *
+ *     drive SETTING...     of the specular device: cosine-pipelined-4
+ *
  * glint_specular_batch() against the blocks one after the other, every value that it gives, for
  * each gate: every code of the cosine for a few n, and random points. W of the blocks against the
  * real-valued formula. Then the C model against the Verilog, clock by clock. Says the counts in a
@@ -8,10 +10,12 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "circuit/circuits.h"
+#include "circuit/random.h"
 #include "glint.h"
 #include "lockstep/lockstep.h"
-#include "lockstep/random.h"
 
 enum {
     RUN = 4096,
@@ -146,18 +150,43 @@ static bool compare_circuit(const glint_setting *setting)
     return result.comparisons > 0 && result.mismatches == 0;
 }
 
-/* Every circuit that was built. */
-static bool compare_circuits(void)
+static int number_of(const char *name, const char *(*name_of)(int), int count)
 {
-    bool good = glint_rtl_built(0) != NULL;
-    for (int i = 0; glint_rtl_built(i) != NULL; i++)
-        good &= compare_circuit(&(glint_setting){.specular = *glint_rtl_built(i)});
-    return good;
+    for (int i = 0; i < count; i++)
+        if (strcmp(name, name_of(i)) == 0)
+            return i;
+    fprintf(stderr, "there is no \"%s\"\n", name);
+    exit(2);
 }
 
-int main(void)
+static const char *gate_name(int gate)
 {
-    const bool batch = compare_batch();
-    const bool circuits = compare_circuits();
-    return batch && circuits ? 0 : 1;
+    return glint_gate_name((glint_gate)gate);
+}
+
+static const char *pipeline_name(int pipeline)
+{
+    return glint_pipeline_name((glint_pipeline)pipeline);
+}
+
+/* gate-pipeline-lanes */
+static glint_setting setting_of(const char *name)
+{
+    char gate[16], pipeline[16];
+    glint_specular_config config;
+    if (sscanf(name, "%15[a-z]-%15[a-z]-%d", gate, pipeline, &config.lanes) != 3)
+        exit(2);
+    config.gate = (glint_gate)number_of(gate, gate_name, GLINT_GATE_COUNT);
+    config.pipeline = (glint_pipeline)number_of(pipeline, pipeline_name, GLINT_PIPELINE_COUNT);
+    return glint_setting_specular(&config);
+}
+
+int main(int argc, char **argv)
+{
+    bool good = compare_batch();
+    for (int i = 1; i < argc; i++) {
+        const glint_setting setting = setting_of(argv[i]);
+        good &= compare_circuit(&setting);
+    }
+    return good && argc > 1 ? 0 : 1;
 }

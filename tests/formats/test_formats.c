@@ -29,11 +29,14 @@ static const char *build(void)
  * above 1. */
 static int try(const char *name, const char *value, char **said)
 {
-    char directory[1024], run_in[1024];
+    char directory[1024], keep[1024];
     (void)snprintf(directory, sizeof directory, "%s/formats/test-%s-%s", build(), name, value);
-    (void)snprintf(run_in, sizeof run_in, "BUILD=%s", build());
-    const char *const argv[] = {"env", run_in, "tests/formats/try.sh", directory,
-                                name,  value,  "cosine-pipelined-4",   "drawn-pipelined-1",
+    char *base = realpath(build(), NULL);
+    assert_non_null(base);
+    (void)snprintf(keep, sizeof keep, "GLINT_CACHE=%s/circuits", base);
+    free(base);
+    const char *const argv[] = {"env", keep,  "tests/formats/try.sh", directory,
+                                name,  value, "cosine-pipelined-4",   "drawn-pipelined-1",
                                 NULL};
     const int status = child_run(argv, WORKED);
     *said = scratch_read(scratch_path("child.out"), NULL);

@@ -1,12 +1,12 @@
 #!/bin/sh
 # One definition changed by one edit: does all that follows from it follow?
 #
-#   tests/formats/try.sh DIR NAME VALUE CIRCUIT...
+#   tests/formats/try.sh DIR NAME VALUE SETTING...
 #
 # Copies the sources into DIR (made anew), sets NAME in cmodel/glint_formats.h to VALUE, generates what is
-# generated, looks at the Verilog with Verilator's lint, builds the C model and the circuits (names of the
-# Makefile's MODELS), and runs tests/formats/drive.c. BUILD (build) names a build of the tree itself, whose objects of Verilator's own
-# runtime serve again. Exit status 0 when everything builds and nothing differs.
+# generated, looks at the Verilog with Verilator's lint, builds the C model and what drives circuits, and
+# runs tests/formats/drive.c with the settings (cosine-pipelined-4). With $GLINT_CACHE the circuits, and
+# Verilator's own runtime, are kept there. Exit status 0 when everything builds and nothing differs.
 set -eu
 
 scratch=$1
@@ -19,12 +19,8 @@ formats=cmodel/glint_formats.h
 unset MAKEFLAGS MFLAGS MAKELEVEL
 
 rm -rf "$scratch"
-mkdir -p "$scratch/build/verilated"
+mkdir -p "$scratch"
 cp -rp Makefile cmodel rtl sim tests "$scratch"
-runtime=${BUILD:-build}/verilated
-if [ -d "$runtime/runtime" ]; then
-    cp -rp "$runtime/runtime" "$runtime/version" "$scratch/build/verilated"
-fi
 cd "$scratch"
 
 [ "$(grep -c "^#define $name  *[0-9][0-9]*\$" $formats)" -eq 1 ] ||
@@ -40,5 +36,5 @@ quietly make generate
 for gate in 0 1 2; do
     quietly verilator --lint-only -Wall -GGATE=$gate -GLANES=16 -Irtl rtl/specular_device.v
 done
-quietly make -j"$(nproc)" MODELS="$*" DIVIDERS=sequential-6 build/tests/formats/drive
-build/tests/formats/drive
+quietly make -j"$(nproc)" build/tests/formats/drive
+build/tests/formats/drive "$@"
