@@ -298,9 +298,9 @@ static void the_stimulus_reaches_every_situation(void **state)
         for (int clock = 0; clock < 20000; clock++) {
             glint_specular_inputs in;
             glint_stimulus_next(&stimulus, &in);
-            assert_true(in.in_valid >> lanes == 0);
+            assert_true((uint64_t)in.in_valid >> lanes == 0);
             count_controls(&counted, &in, points_are_under_way(&config, signals),
-                           (1u << lanes) - 1u);
+                           (uint32_t)((UINT64_C(1) << lanes) - 1));
             glint_specular_device_clock(device, &in);
             count_points(&counted, &in, signals, lanes);
         }
