@@ -488,8 +488,11 @@ static bool print_json(const verify_options *chosen, const verification *all, co
     return glint_output_json(json);
 }
 
+/* Nothing at all where no circuit could be built, which has been said: that is no verdict. */
 static void print_text(const verify_options *chosen, const sums *sums, double seconds)
 {
+    if (sums->comparisons == 0 && !sums->interrupted)
+        return;
     glint_print_verdict(stdout, sums->mismatches == 0, "%" PRIu64 " mismatches", sums->mismatches);
     printf(" of %" PRIu64 " comparisons: every register and named value, "
            "%" PRIu64 " clocks, %d setting%s, seed %" PRId64 ", %.1f s%s\n",

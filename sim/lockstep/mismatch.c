@@ -82,12 +82,20 @@ void glint_mismatch_bits(const glint_signal_info *signal, const uint64_t *words,
     memmove(text + 2, digits, strlen(digits) + 1);
 }
 
-/* A value as a reader wants it: its bits, and the number they stand for. */
+/* A value as a reader wants it: its bits, and the number they stand for; an integer with all its
+ * digits. */
 static void print_value(FILE *out, const glint_signal_info *signal, const uint64_t *words)
 {
+    const int width = glint_signal_width(signal);
     char text[GLINT_VALUE_TEXT];
-    glint_words_hex(words, glint_signal_width(signal), text);
-    fprintf(out, "%s (%.9g)", text, glint_mismatch_number(signal, words));
+    glint_words_hex(words, width, text);
+    fprintf(out, "%s (", text);
+    if (signal->frac_bits == 0 && width <= 64) {
+        glint_words_decimal(words, width, signal->is_signed, text);
+        fprintf(out, "%s)", text);
+    } else {
+        fprintf(out, "%.9g)", glint_mismatch_number(signal, words));
+    }
 }
 
 void glint_mismatch_print_one(FILE *out, const glint_setting *setting,

@@ -56,16 +56,29 @@ static glint_status run_verilator(const build *b, const char *const *arguments, 
 
 static glint_status lint_probe(const build *b, glint_error *err)
 {
-    const char *arguments[] = {b->product->tools.verilator, "--lint-only", VERILATOR_OPTIONS,
-                               "--top", GLINT_PROBE_MODULE, GLINT_PROBE_FILE, NULL};
+    const char *arguments[] = {b->product->tools.verilator,
+                               "--lint-only",
+                               VERILATOR_OPTIONS,
+                               "--top",
+                               GLINT_PROBE_MODULE,
+                               GLINT_PROBE_FILE,
+                               NULL};
     return run_verilator(b, arguments, err);
 }
 
 static glint_status verilate_probe(const build *b, glint_error *err)
 {
-    const char *arguments[] = {b->product->tools.verilator, "--cc", "--prefix", CLASS, "--Mdir",
-                               ".", VERILATOR_OPTIONS, "--top", GLINT_PROBE_MODULE,
-                               GLINT_PROBE_FILE, NULL};
+    const char *arguments[] = {b->product->tools.verilator,
+                               "--cc",
+                               "--prefix",
+                               CLASS,
+                               "--Mdir",
+                               ".",
+                               VERILATOR_OPTIONS,
+                               "--top",
+                               GLINT_PROBE_MODULE,
+                               GLINT_PROBE_FILE,
+                               NULL};
     return run_verilator(b, arguments, err);
 }
 
@@ -75,8 +88,16 @@ static glint_status verilate_top(const build *b, glint_error *err)
     const glint_circuit *circuit = setting->circuit;
     const char *top = circuit->top(setting->values);
     const char *arguments[32 + GLINT_PARAMETERS_MAX] = {
-        b->product->tools.verilator, "--cc", "--trace-fst", "--prefix", CLASS, "--Mdir", ".",
-        VERILATOR_OPTIONS, "--top", top};
+        b->product->tools.verilator,
+        "--cc",
+        b->product->kind == GLINT_RTL_VCD ? "--trace" : "--trace-fst",
+        "--prefix",
+        CLASS,
+        "--Mdir",
+        ".",
+        VERILATOR_OPTIONS,
+        "--top",
+        top};
     parameter_text parameter[GLINT_PARAMETERS_MAX];
     char file[300];
     int count = 0;
@@ -119,8 +140,8 @@ static glint_status each_word(const char *makefile, const char *variable,
 static glint_status add_class(build *b, const char *word, glint_error *err)
 {
     char *grown;
-    const int size = asprintf(&grown, "%s#include \"%s.cpp\"\n", b->unity != NULL ? b->unity : "",
-                              word);
+    const int size =
+        asprintf(&grown, "%s#include \"%s.cpp\"\n", b->unity != NULL ? b->unity : "", word);
     if (size < 0)
         return no_memory(err);
     free(b->unity);
@@ -227,7 +248,7 @@ static glint_status make(build *b, glint_error *err)
     if (status == GLINT_OK)
         status = glint_runtime_begin(&b->runtime, p->cache, &p->tools, p->kind, err);
     if (status == GLINT_OK)
-        status = p->kind == GLINT_RTL_FAST ? verilate_top(b, err) : verilate_probe(b, err);
+        status = glint_rtl_is_fast(p->kind) ? verilate_top(b, err) : verilate_probe(b, err);
     if (status == GLINT_OK)
         status = list_classes(b, err);
     if (status == GLINT_OK)

@@ -23,8 +23,8 @@ glint_status glint_rtl_is_built(const glint_setting *setting, glint_rtl_kind kin
 typedef struct glint_rtl_build_control {
     int threads;               /* 0: one for each processor */
     const volatile bool *stop; /* may be NULL: ends with GLINT_INTERRUPTED */
-    /* Before each one that is built, number `index` (1…) of `count` missing ones; may be NULL. Calls
-     * come one after the other, from any thread. */
+    /* Before each one that is built, number `index` (1…) of `count` missing ones; may be NULL.
+     * Calls come one after the other, from any thread. */
     void (*show)(void *context, int index, int count, const glint_setting *setting);
     void *context;
 } glint_rtl_build_control;

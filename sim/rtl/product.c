@@ -54,18 +54,19 @@ static void print_table(FILE *out, const glint_product *product)
 {
     const char *clock = product->setting->circuit->clock_port;
     fprintf(out, "#define GLINT_PORTS(X)");
-    if (product->kind == GLINT_RTL_FAST)
+    if (glint_rtl_is_fast(product->kind))
         print_own_ports(out, product);
     else
         print_probe_ports(out, product);
     fprintf(out, "\n");
     if (clock != NULL) {
         fprintf(out, "#define GLINT_CLOCK ");
-        print_member(out, product->kind == GLINT_RTL_FAST ? clock : GLINT_PROBE_CLOCK);
+        print_member(out, glint_rtl_is_fast(product->kind) ? clock : GLINT_PROBE_CLOCK);
         fprintf(out, "\n");
     }
-    if (product->kind == GLINT_RTL_FAST)
-        fprintf(out, "#define GLINT_TRACED\n");
+    if (glint_rtl_is_fast(product->kind))
+        fprintf(out, "#define GLINT_TRACED\n%s",
+                product->kind == GLINT_RTL_VCD ? "#define GLINT_VCD\n" : "");
 }
 
 static glint_status add_table(glint_product *product, glint_error *err)
@@ -101,9 +102,9 @@ static glint_status add_verilog(glint_product *product, glint_error *err)
         if (strncmp(name, top, strlen(top)) == 0 && strcmp(name + strlen(top), ".v") == 0)
             return GLINT_OK;
     }
-    return status != GLINT_OK ? status
-                              : glint_fail(err, GLINT_IO_ERROR, "%s has no %s.v",
-                                           product->verilog, top);
+    return status != GLINT_OK
+               ? status
+               : glint_fail(err, GLINT_IO_ERROR, "%s has no %s.v", product->verilog, top);
 }
 
 static glint_status add_shim(glint_product *product, glint_error *err)
@@ -167,8 +168,7 @@ static glint_status name_stem(glint_product *product, glint_error *err)
     glint_hash_bytes(text, size, hash);
     free(text);
     glint_setting_name(product->setting, name);
-    if (asprintf(&product->stem, "%s-%s-%s", name,
-                 product->kind == GLINT_RTL_FAST ? "fast" : "observed", hash) < 0) {
+    if (asprintf(&product->stem, "%s-%s-%s", name, glint_rtl_kind_name(product->kind), hash) < 0) {
         product->stem = NULL;
         return no_memory(err);
     }

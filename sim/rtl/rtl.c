@@ -122,10 +122,10 @@ static void pack(const input_place *input, const unsigned char *pins)
     glint_bit_writer writer = glint_bits_begin(input->data);
     if (input->width <= 32)
         for (int lane = 0; lane < input->lanes; lane++)
-            glint_bits_put(&writer,
-                           (uint32_t)(load(pins + input->offset[lane], input->pin_size) &
-                                      input->mask),
-                           input->width);
+            glint_bits_put(
+                &writer,
+                (uint32_t)(load(pins + input->offset[lane], input->pin_size) & input->mask),
+                input->width);
     else
         for (int lane = 0; lane < input->lanes; lane++)
             put_pin(&writer, pins + input->offset[lane], input->pin_size, input->width);
@@ -225,9 +225,8 @@ static glint_status place_inputs(glint_rtl *rtl, const glint_setting *setting,
             rtl->input[rtl->input_count - 1].lanes++;
             continue;
         }
-        rtl->input[rtl->input_count++] =
-            (input_place){port->data, port->size,           1, width, glint_bits_mask(width),
-                          pin.size,   &rtl->offsets[i]};
+        rtl->input[rtl->input_count++] = (input_place){
+            port->data, port->size, 1, width, glint_bits_mask(width), pin.size, &rtl->offsets[i]};
         status = check_size(port, ports->port[ports->of_pin[i]].width, err);
     }
     return status;
@@ -240,7 +239,8 @@ static int size_list(size_t size)
 }
 
 /* Bits `at` to at + width of a port that goes to the words from `word` on. */
-static void place_signal(glint_rtl *rtl, const glint_shim_port *port, size_t at, int width, int word)
+static void place_signal(glint_rtl *rtl, const glint_shim_port *port, size_t at, int width,
+                         int word)
 {
     const size_t last = port->size >= 8 ? port->size - 8 : 0;
     const size_t byte = at / 8 < last ? at / 8 : last;

@@ -7,6 +7,7 @@
 #ifndef GLINT_SIM_RTL_H
 #define GLINT_SIM_RTL_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "circuit/setting.h"
@@ -19,6 +20,12 @@ typedef enum glint_rtl_kind {
     GLINT_RTL_VCD,      /* the same, but that its waveforms are VCD */
 } glint_rtl_kind;
 
+/* Whether it is the circuit's own top, with waveforms. */
+static inline bool glint_rtl_is_fast(glint_rtl_kind kind)
+{
+    return kind != GLINT_RTL_OBSERVED;
+}
+
 /* Loads, and builds where needed, and creates an instance: reset for one clock, enable 1.
  * GLINT_BAD_ARGUMENT for a setting out of range; GLINT_DEVICE_FAULT, with the tool's own words,
  * when the Verilog does not build, or has not the pins and signals of the description. */
@@ -29,8 +36,8 @@ void glint_rtl_destroy(glint_rtl *rtl); /* closes an open trace; NULL is allowed
 /* One rising edge of the clock with these pins: the circuit's own struct of them. */
 void glint_rtl_clock(glint_rtl *rtl, const void *pins);
 
-/* Every signal's words as the last edge left them, in the places of glint_signal_places(). Of a fast
- * circuit those of kind GLINT_SIGNAL_OUTPUT alone; the others' words are left as they are. */
+/* Every signal's words as the last edge left them, in the places of glint_signal_places(). Of a
+ * fast circuit those of kind GLINT_SIGNAL_OUTPUT alone; the others' words are left as they are. */
 void glint_rtl_read(const glint_rtl *rtl, uint64_t *words);
 
 /* Rising edges so far, the reset of creation included. */

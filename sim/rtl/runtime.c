@@ -18,14 +18,22 @@
 /* The runtime has no part in a circuit's speed. Verilator's code is nobody's to mend: no warnings.
  */
 static const char *const common_flags[] = {
-    "-std=gnu++17", "-fPIC",           "-fvisibility=hidden", "-w",         "-DVM_COVERAGE=0",
-    "-DVM_SC=0",    "-DVM_TRACE=1",    "-DVM_TRACE_FST=1",    "-DVM_TRACE_VCD=0", NULL,
+    "-std=gnu++17",    "-fPIC",     "-fvisibility=hidden", "-w",
+    "-DVM_COVERAGE=0", "-DVM_SC=0", "-DVM_TRACE=1",        NULL,
 };
 static const char *const runtime_flags[] = {"-O1", NULL};
 /* An observed circuit is there for a first answer soon, a fast one for billions of clocks on this
  * machine. */
 static const char *const observed_flags[] = {"-O1", NULL};
 static const char *const fast_flags[] = {"-O3", "-march=native", NULL};
+
+static const char *const fst_flags[] = {"-DVM_TRACE_FST=1", "-DVM_TRACE_VCD=0", NULL};
+static const char *const vcd_flags[] = {"-DVM_TRACE_FST=0", "-DVM_TRACE_VCD=1", NULL};
+
+const char *glint_rtl_kind_name(glint_rtl_kind kind)
+{
+    return kind == GLINT_RTL_VCD ? "vcd" : kind == GLINT_RTL_FAST ? "fast" : "observed";
+}
 
 void glint_compilation_add(glint_compilation *line, const char *argument)
 {
@@ -51,6 +59,7 @@ static void begin_with(glint_compilation *line, const glint_tools *tools, const 
 void glint_compilation_begin(glint_compilation *line, const glint_tools *tools, glint_rtl_kind kind)
 {
     begin_with(line, tools, kind == GLINT_RTL_FAST ? fast_flags : observed_flags);
+    add_all(line, kind == GLINT_RTL_VCD ? vcd_flags : fst_flags);
 }
 
 /* The arguments, and who they are told to. */
@@ -188,7 +197,9 @@ static glint_status write_header(const glint_runtime *runtime, glint_error *err)
     FILE *out = fopen(beside, "w");
     if (out != NULL) {
         fprintf(out, "#include <exception>\n#include <memory>\n#include <verilated.h>\n%s",
-                runtime->kind == GLINT_RTL_FAST ? "#include <verilated_fst_c.h>\n" : "");
+                runtime->kind == GLINT_RTL_FAST  ? "#include <verilated_fst_c.h>\n"
+                : runtime->kind == GLINT_RTL_VCD ? "#include <verilated_vcd_c.h>\n"
+                                                 : "");
     }
     glint_status status = GLINT_OK;
     if (out == NULL || fclose(out) != 0 || rename(beside, runtime->header) != 0)
@@ -199,7 +210,7 @@ static glint_status write_header(const glint_runtime *runtime, glint_error *err)
 
 static bool name_paths(glint_runtime *runtime)
 {
-    const char *kind = runtime->kind == GLINT_RTL_FAST ? "fast" : "observed";
+    const char *kind = glint_rtl_kind_name(runtime->kind);
     if (asprintf(&runtime->include, "%s/include", runtime->tools->root) < 0)
         runtime->include = NULL;
     if (asprintf(&runtime->standard_include, "%s/include/vltstd", runtime->tools->root) < 0)

@@ -1,5 +1,5 @@
-/* What every circuit is linked with, Verilator's own runtime, and its headers precompiled: made once
- * for each Verilator and compiler, and kept in the cache. */
+/* What every circuit is linked with, Verilator's own runtime, and its headers precompiled: made
+ * once for each Verilator and compiler, and kept in the cache. */
 #ifndef GLINT_SIM_RUNTIME_H
 #define GLINT_SIM_RUNTIME_H
 
@@ -7,7 +7,7 @@
 #include "rtl/rtl.h"
 #include "rtl/tools.h"
 
-#define GLINT_RUNTIME_FILES_MAX 16
+#define GLINT_RUNTIME_FILES_MAX      16
 #define GLINT_COMPILER_ARGUMENTS_MAX 64
 
 /* A compiler's command line, to be added to. */
@@ -17,8 +17,12 @@ typedef struct glint_compilation {
 } glint_compilation;
 
 /* The compiler and the flags that a kind's circuit and its precompiled headers must share. */
-void glint_compilation_begin(glint_compilation *line, const glint_tools *tools, glint_rtl_kind kind);
+void glint_compilation_begin(glint_compilation *line, const glint_tools *tools,
+                             glint_rtl_kind kind);
 void glint_compilation_add(glint_compilation *line, const char *argument);
+
+/* "observed", "fast", "vcd": of the names of files. */
+const char *glint_rtl_kind_name(glint_rtl_kind kind);
 
 /* Those flags as a text, for a hash. To be freed; NULL without memory. */
 char *glint_compilation_text(const glint_tools *tools, glint_rtl_kind kind);

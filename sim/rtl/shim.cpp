@@ -4,7 +4,8 @@
 // build.c compiles it with the circuit, behind a generated glint_ports.h:
 //     GLINT_PORTS(X)   X("name", member) for each port of the class Vcircuit but the clock
 //     GLINT_CLOCK      the member that is the clock; not defined: a circuit without one
-//     GLINT_TRACED     defined: built with --trace-fst
+//     GLINT_TRACED     defined: built with --trace-fst, or
+//     GLINT_VCD        defined too: with --trace
 #include "glint_ports.h"
 #include "shim.h"
 
@@ -13,8 +14,12 @@
 #include <exception>
 #include <memory>
 #include <verilated.h>
-#ifdef GLINT_TRACED
+#ifdef GLINT_VCD
+#include <verilated_vcd_c.h>
+using Waveform = VerilatedVcdC;
+#elif defined GLINT_TRACED
 #include <verilated_fst_c.h>
+using Waveform = VerilatedFstC;
 #endif
 
 namespace
@@ -46,7 +51,7 @@ struct Instance {
     Vcircuit model{&context, "TOP"};
     uint64_t edges = 0;
 #ifdef GLINT_TRACED
-    std::unique_ptr<VerilatedFstC> trace;
+    std::unique_ptr<Waveform> trace;
 #endif
 
     Instance()
@@ -86,7 +91,7 @@ struct Instance {
     bool trace_open(const char *path)
     {
         trace_close();
-        trace.reset(new VerilatedFstC);
+        trace.reset(new Waveform);
         trace->set_time_unit("1ns");
         trace->set_time_resolution("1ns");
         model.trace(trace.get(), 99);

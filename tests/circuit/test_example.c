@@ -15,7 +15,32 @@
 #include "../cli/run.h"
 #include "own.h"
 
-#define MAC "docs/examples/saturating_mac"
+#define MAC  "docs/examples/saturating_mac"
+#define PAGE "docs/your-circuit.md"
+
+/* The page shows the command's words, each line indented. */
+static void assert_page_has(const char *lines)
+{
+    char wanted[256];
+    char *page = scratch_read(PAGE, NULL);
+    for (int i = 0; i < 3 && *lines != '\0'; i++) {
+        const int length = (int)strcspn(lines, "\n");
+        (void)snprintf(wanted, sizeof wanted, "    %.*s\n", length, lines);
+        assert_says(page, wanted);
+        lines += length + (lines[length] == '\n');
+    }
+    free(page);
+}
+
+static void what_it_is_taken_for_is_told(void **state)
+{
+    (void)state;
+    outcome done = own_run(MAC, "", "info");
+    assert_outcome(&done, 0, "");
+    assert_says(done.out, "Saturating multiply-accumulate");
+    assert_says(done.out, "262144 points");
+    forget(&done);
+}
 
 static void it_is_verified(void **state)
 {
@@ -31,7 +56,13 @@ static void it_is_verified(void **state)
 static void every_input_is_tried(void **state)
 {
     (void)state;
-    outcome done = own_run(MAC, "", "verify --exhaustive --width 4 --json");
+    outcome done = own_run(MAC, "", "verify --exhaustive");
+    assert_outcome(&done, 0, "");
+    assert_page_has("saturating_mac, width 8: every a with every b, four times to a sum: 262144 of "
+                    "262144 points\n");
+    assert_says(done.out, "262144 of 262144 points");
+    forget(&done);
+    done = own_run(MAC, "", "verify --exhaustive --width 4 --json");
     assert_outcome(&done, 0, NULL);
     cJSON *json = cJSON_Parse(done.out);
     assert_non_null(json);
@@ -58,6 +89,7 @@ static void eval_has_the_right_numbers(void **state)
         outcome done = own_run(MAC, input, "eval --backend %s", backends[i]);
         assert_outcome(&done, 0, "");
         assert_string_equal(done.out, output);
+        assert_page_has(done.out);
         forget(&done);
     }
 }
@@ -116,6 +148,7 @@ static void the_waveform_and_its_save_file_are_written(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_it_is_taken_for_is_told),
         cmocka_unit_test(it_is_verified),
         cmocka_unit_test(every_input_is_tried),
         cmocka_unit_test(eval_has_the_right_numbers),

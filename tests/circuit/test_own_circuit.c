@@ -75,7 +75,7 @@ static void it_is_verified(void **state)
     outcome done = own_run(directory, "", "verify --clocks 3000");
     assert_outcome(&done, 0, "");
     assert_says(done.out, "0 mismatches of ");
-    assert_says(done.out, circuit->name);
+    assert_null(strstr(done.out, " 0 comparisons"));
     forget(&done);
 }
 

@@ -13,7 +13,8 @@
 #include <cmocka.h>
 
 #include "../record.h"
-#include "rtl/divider_rtl.h"
+#include "circuit/circuits.h"
+#include "rtl/batch.h"
 
 enum {
     N_FIRST = 6,
@@ -34,11 +35,12 @@ static glint_division divisions[DIVISIONS];
 static glint_quotients of_pipelined[DIVISIONS];
 static glint_quotients of_sequential[DIVISIONS_OF_THREE];
 
-static glint_divider_rtl *create(glint_divider_form form, int n)
+static glint_rtl *create(glint_divider_form form, int n)
 {
-    glint_divider_rtl *rtl;
+    glint_rtl *rtl;
     glint_error err;
-    if (glint_divider_rtl_create(form, n, &rtl, &err) != GLINT_OK) {
+    const glint_setting setting = glint_setting_divider(form, n);
+    if (glint_rtl_open(&setting, GLINT_RTL_FAST, &rtl, &err) != GLINT_OK) {
         fail_msg("%s", err.text);
     }
     return rtl;
@@ -56,12 +58,12 @@ static uint64_t clocks_due(glint_divider_form form, int n, size_t count)
 static void divide_all(glint_divider_form form, int n, size_t count, glint_quotients *quotients)
 {
     glint_error err;
-    glint_divider_rtl *rtl = create(form, n);
-    if (glint_divider_rtl_batch(rtl, divisions, count, quotients, &err) != GLINT_OK) {
+    glint_rtl *rtl = create(form, n);
+    if (glint_rtl_divide(rtl, divisions, count, quotients, &err) != GLINT_OK) {
         fail_msg("%s, n = %d: %s", glint_divider_form_name(form), n, err.text);
     }
-    assert_int_equal(glint_divider_rtl_clocks(rtl), clocks_due(form, n, count));
-    glint_divider_rtl_destroy(rtl);
+    assert_int_equal(glint_rtl_clocks(rtl), clocks_due(form, n, count));
+    glint_rtl_destroy(rtl);
 }
 
 /* What the quotient has to be: the model, where it takes the difference. */

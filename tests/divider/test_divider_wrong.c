@@ -14,30 +14,25 @@
 #include <cmocka.h>
 
 #include "../seed.h"
+#include "../wrong.h"
+#include "circuit/circuits.h"
 #include "lockstep/lockstep.h"
-#include "rtl/divider_model.h"
-
-extern const glint_divider_model glint_wrong_divider_logical_shift;
-extern const glint_divider_model glint_wrong_divider_late_done;
-extern const glint_divider_model glint_wrong_divider_restarting;
-extern const glint_divider_model glint_wrong_divider_table_off_by_one;
-extern const glint_divider_model glint_wrong_divider_unsigned_stage;
 
 enum { CLOCKS = 20000, SHIFTS = 12 };
 
 /* A wrong circuit, and the signals that may be named for it first. */
 typedef struct fault {
     const char *name;
-    const glint_divider_model *model;
+    glint_divider_form form;
     const char *signals; /* with a space after each */
 } fault;
 
 static const fault faults[] = {
-    {"logical_shift", &glint_wrong_divider_logical_shift, "shifted "},
-    {"late_done", &glint_wrong_divider_late_done, "done "},
-    {"restarting", &glint_wrong_divider_restarting, "busy bits_rg left "},
-    {"table_off_by_one", &glint_wrong_divider_table_off_by_one, "rom_bits "},
-    {"unsigned_stage", &glint_wrong_divider_unsigned_stage, "quotient_g acc_g "},
+    {"divider_logical_shift", GLINT_DIVIDER_SEQUENTIAL, "shifted "},
+    {"divider_late_done", GLINT_DIVIDER_SEQUENTIAL, "done "},
+    {"divider_restarting", GLINT_DIVIDER_SEQUENTIAL, "busy bits_rg left "},
+    {"divider_table_off_by_one", GLINT_DIVIDER_PIPELINED, "rom_bits "},
+    {"divider_unsigned_stage", GLINT_DIVIDER_PIPELINED, "quotient_g acc_g "},
 };
 #define FAULT_COUNT (sizeof faults / sizeof faults[0])
 
@@ -53,12 +48,9 @@ static int draw_seed(void **state)
 
 static glint_lockstep_options options_for(const fault *fault)
 {
-    return (glint_lockstep_options){.setting = {.is_divider = true,
-                                                .form = fault->model->form,
-                                                .shifts = fault->model->shifts,
-                                                .divider_model = fault->model},
-                                    .clocks = CLOCKS,
-                                    .seed = seed};
+    glint_setting setting = glint_setting_divider(fault->form, SHIFTS);
+    setting.verilog = wrong_rtl(fault->name);
+    return (glint_lockstep_options){.setting = setting, .clocks = CLOCKS, .seed = seed};
 }
 
 static void run_lockstep(const glint_lockstep_options *options)
@@ -112,7 +104,7 @@ static void at_most_sixteen_are_kept_and_all_are_counted(void **state)
         assert_int_equal(found->kept, found->mismatches < 16 ? (int)found->mismatches : 16);
         for (int i = 0; i < found->kept; i++) {
             const glint_mismatch *m = &found->mismatch[i];
-            assert_true(m->model != m->rtl);
+            assert_memory_not_equal(m->model, m->rtl, sizeof m->model);
             assert_true(m->clock >= (i == 0 ? found->first_clock : m[-1].clock));
         }
         assert_true(found->mismatch[0].clock == found->first_clock);
@@ -130,16 +122,16 @@ static void both_values_are_told(void **state)
     (void)state;
     glint_lockstep_options options = options_for(&faults[3]);
     run_lockstep(&options);
-    assert_int_equal(result.mismatch[0].model, 585);
-    assert_int_equal(result.mismatch[0].rtl, 586);
+    assert_int_equal(result.mismatch[0].model[0], 585);
+    assert_int_equal(result.mismatch[0].rtl[0], 586);
     options = options_for(&faults[1]);
     run_lockstep(&options);
-    assert_int_equal(result.mismatch[0].model, 1);
-    assert_int_equal(result.mismatch[0].rtl, 0);
+    assert_int_equal(result.mismatch[0].model[0], 1);
+    assert_int_equal(result.mismatch[0].rtl[0], 0);
     /* 0 instead of the sign from the left: they differ in the highest bit alone. */
     options = options_for(&faults[0]);
     run_lockstep(&options);
-    assert_true((result.mismatch[0].model ^ result.mismatch[0].rtl) ==
+    assert_true((result.mismatch[0].model[0] ^ result.mismatch[0].rtl[0]) ==
                 UINT64_C(1) << (GLINT_DIVIDER_DIFFERENCE_BITS + SHIFTS - 1));
 }
 
@@ -156,8 +148,10 @@ static void a_finding_can_be_replayed(void **state)
         run_lockstep(&options);
         assert_true(result.first_clock == options.clocks && result.mismatches > 0);
         assert_string_equal(result.mismatch[0].signal.name, first.mismatch[0].signal.name);
-        assert_true(result.mismatch[0].model == first.mismatch[0].model);
-        assert_true(result.mismatch[0].rtl == first.mismatch[0].rtl);
+        assert_memory_equal(result.mismatch[0].model, first.mismatch[0].model,
+                            sizeof first.mismatch[0].model);
+        assert_memory_equal(result.mismatch[0].rtl, first.mismatch[0].rtl,
+                            sizeof first.mismatch[0].rtl);
         if (options.clocks > 1) {
             options.clocks--;
             run_lockstep(&options);

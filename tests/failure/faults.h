@@ -3,53 +3,42 @@
 #ifndef GLINT_TESTS_FAULTS_H
 #define GLINT_TESTS_FAULTS_H
 
-#include "circuit/setting.h"
-#include "rtl/divider_model.h"
-#include "rtl/rtl_model.h"
-
-extern const glint_rtl_model glint_wrong_truncating;
-extern const glint_rtl_model glint_wrong_unstallable;
-extern const glint_rtl_model glint_wrong_sigma_off_by_one;
-extern const glint_rtl_model glint_wrong_late_limit;
-extern const glint_rtl_model glint_wrong_silent;
-extern const glint_divider_model glint_wrong_divider_logical_shift;
-extern const glint_divider_model glint_wrong_divider_late_done;
-extern const glint_divider_model glint_wrong_divider_restarting;
-extern const glint_divider_model glint_wrong_divider_table_off_by_one;
-extern const glint_divider_model glint_wrong_divider_unsigned_stage;
+#include "../wrong.h"
+#include "circuit/circuits.h"
 
 typedef struct fault {
     const char *name;
-    const glint_rtl_model *specular; /* or */
-    const glint_divider_model *divider;
+    bool is_divider;
+    glint_divider_form form; /* if is_divider */
 } fault;
 
 static const fault faults[] = {
-    {"truncating", &glint_wrong_truncating, NULL},
-    {"unstallable", &glint_wrong_unstallable, NULL},
-    {"sigma_off_by_one", &glint_wrong_sigma_off_by_one, NULL},
-    {"late_limit", &glint_wrong_late_limit, NULL},
-    {"silent", &glint_wrong_silent, NULL},
-    {"logical_shift", NULL, &glint_wrong_divider_logical_shift},
-    {"late_done", NULL, &glint_wrong_divider_late_done},
-    {"restarting", NULL, &glint_wrong_divider_restarting},
-    {"table_off_by_one", NULL, &glint_wrong_divider_table_off_by_one},
-    {"unsigned_stage", NULL, &glint_wrong_divider_unsigned_stage},
+    {"truncating", false, GLINT_DIVIDER_SEQUENTIAL},
+    {"unstallable", false, GLINT_DIVIDER_SEQUENTIAL},
+    {"sigma_off_by_one", false, GLINT_DIVIDER_SEQUENTIAL},
+    {"late_limit", false, GLINT_DIVIDER_SEQUENTIAL},
+    {"silent", false, GLINT_DIVIDER_SEQUENTIAL},
+    {"divider_logical_shift", true, GLINT_DIVIDER_SEQUENTIAL},
+    {"divider_late_done", true, GLINT_DIVIDER_SEQUENTIAL},
+    {"divider_restarting", true, GLINT_DIVIDER_SEQUENTIAL},
+    {"divider_table_off_by_one", true, GLINT_DIVIDER_PIPELINED},
+    {"divider_unsigned_stage", true, GLINT_DIVIDER_PIPELINED},
 };
 #define FAULT_COUNT (sizeof faults / sizeof faults[0])
+
+/* One lane, gate cosine, pipelined; twelve shifts. */
+static inline glint_setting specular_setting(glint_gate gate, glint_pipeline pipeline, int lanes)
+{
+    return glint_setting_specular(&(glint_specular_config){gate, pipeline, lanes});
+}
 
 /* The setting with the wrong circuit in it; without `wrong`, with the right one. */
 static inline glint_setting setting_of(const fault *fault, bool wrong)
 {
-    glint_setting setting = {.is_divider = fault->divider != NULL};
-    if (setting.is_divider) {
-        setting.form = fault->divider->form;
-        setting.shifts = fault->divider->shifts;
-        setting.divider_model = wrong ? fault->divider : NULL;
-    } else {
-        setting.specular = fault->specular->config;
-        setting.specular_model = wrong ? fault->specular : NULL;
-    }
+    glint_setting setting = fault->is_divider
+                                ? glint_setting_divider(fault->form, 12)
+                                : specular_setting(GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1);
+    setting.verilog = wrong ? wrong_rtl(fault->name) : NULL;
     return setting;
 }
 

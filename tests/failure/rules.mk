@@ -1,15 +1,6 @@
-# The command with a circuit that goes wrong late as its only one: what it does when a mismatch has
-# to be played again from the beginning of a long run.
-$(BUILD)/late/rtl_models.h: tests/failure/rules.mk
-	@mkdir -p $(@D)
-	(echo "#define GLINT_RTL_MODELS(X) X(glint_late_circuit)"; \
-	  echo "#define GLINT_VERILATOR_VERSION \"\"") > $@
+# Programs in which the test's own circuits stand in for the Verilog: see tests/lockstep/mock_rtl.h.
+MOCK_WRAPS := -Wl,--wrap=glint_rtl_open,--wrap=glint_rtl_destroy,--wrap=glint_rtl_clock \
+              -Wl,--wrap=glint_rtl_read,--wrap=glint_rtl_shade
 
-$(BUILD)/late/rtl.o: sim/rtl/rtl.c $(BUILD)/late/rtl_models.h
-	$(CC) -I$(BUILD)/late $(CFLAGS_ALL) -c $< -o $@
-
-$(BUILD)/late/glint: $(CLI_OBJECTS) $(BUILD)/late/rtl.o \
-    $(BUILD)/tests/failure/late_circuit.o $(LIBRARIES)
-	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
-
-build-tests: $(BUILD)/late/glint
+$(addprefix $(BUILD)/tests/,failure/test_packet failure/test_answer \
+    lockstep/test_exhaustive_planted): LDFLAGS += $(MOCK_WRAPS)

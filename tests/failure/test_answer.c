@@ -13,13 +13,13 @@
 
 #include "../scratch.h"
 
+#include "../lockstep/mock_rtl.h"
 #include "circuit/random.h"
 #include "failure/frame.h"
 #include "failure/packet.h"
 #include "faults.h"
 #include "lockstep/exhaustive.h"
 #include "lockstep/mismatch.h"
-#include "wave/waveform.h"
 
 static glint_failure *failure;
 
@@ -61,7 +61,7 @@ static void assert_survives_the_packet(const glint_setting *setting)
     glint_failure *read;
     glint_failure_finding again;
     assert_done(glint_packet_write(failure, NULL, scratch_path("packet"), &err), &err);
-    assert_done(glint_packet_read(scratch_path("packet"), &read, &err), &err);
+    assert_done(glint_packet_read(scratch_path("packet"), NULL, &read, &err), &err);
     assert_int_equal(read->answer.count, failure->answer.count);
     assert_int_equal(read->answer.at, failure->answer.at);
     assert_int_equal(read->answer.value, failure->answer.value);
@@ -69,8 +69,7 @@ static void assert_survives_the_packet(const glint_setting *setting)
     read->setting = *setting;
     assert_done(glint_failure_play(read, NULL, &again, NULL, &err), &err);
     assert_true(glint_failure_same(&again, &failure->finding));
-    read->setting.specular_model = NULL;
-    read->setting.divider_model = NULL;
+    read->setting.verilog = NULL;
     assert_done(glint_failure_play(read, NULL, &again, NULL, &err), &err);
     assert_false(glint_failure_differs(&again));
     glint_failure_destroy(read);
@@ -83,8 +82,9 @@ static int32_t value_of(const glint_capture_clock *clock, const char *name, bool
         const glint_signal_info signal = glint_setting_signal(&failure->setting, i);
         if (strcmp(signal.name, name) == 0 && signal.lane <= 0) {
             const double one = (double)(UINT64_C(1) << signal.frac_bits);
-            return (int32_t)(glint_mismatch_number(&signal, rtl ? clock->rtl[i] : clock->model[i]) *
-                             one);
+            return (
+                int32_t)(glint_mismatch_number(&signal, rtl ? &clock->rtl[i] : &clock->model[i]) *
+                         one);
         }
     }
     fail_msg("no signal %s", name);
@@ -116,15 +116,23 @@ static void assert_reaches_the_answer(const char *output)
     free(report);
 }
 
-/* The report's line that asks the point or division alone, run by a shell with a program in it: a
- * number of the last row. */
-static int32_t run_alone(const char *program, int column)
+static const char *program(void)
+{
+    const char *path = getenv("GLINT");
+    return path != NULL ? path : "build/glint";
+}
+
+/* The report's line that asks the point or division alone, run by a shell: a number of the last
+ * row. By the Verilog of that directory, or Glint's own. */
+static int32_t run_alone(const char *verilog, int column)
 {
     static char command[8192], row[1024];
     glint_error err;
-    failure->program = program;
+    failure->program = program();
+    (void)snprintf(failure->rtl, sizeof failure->rtl, "%s", verilog != NULL ? verilog : "");
     assert_done(glint_packet_write(failure, NULL, scratch_path("alone"), &err), &err);
     failure->program = NULL;
+    glint_failure_name_verilog(failure);
     char *report = scratch_read(scratch_path("alone/" GLINT_PACKET_REPORT), NULL);
     const char *line = strstr(report, "\n  alone: ");
     assert_non_null(line);
@@ -144,22 +152,16 @@ static int32_t run_alone(const char *program, int column)
     return (int32_t)strtol(value, NULL, 10);
 }
 
-static const char *right_program(void)
-{
-    const char *path = getenv("GLINT");
-    return path != NULL ? path : "build/glint";
-}
-
-/* The command with the circuit `truncating` in it, or the divider `table_off_by_one`. */
-static const char *wrong_program(const char *name)
-{
-    static char path[1024];
-    const char *build = getenv("GLINT_BUILD");
-    (void)snprintf(path, sizeof path, "%s/%s", build != NULL ? build : "build", name);
-    return path;
-}
+static const glint_specular_config one_lane = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1};
 
 enum { COLUMN_W = 2, COLUMN_QUOTIENT = 3 }; /* of eval, then red, green and blue; of divide */
+
+static glint_specular_inputs specular_pins(const glint_pins *pins)
+{
+    glint_specular_inputs inputs;
+    memcpy(&inputs, pins, sizeof inputs);
+    return inputs;
+}
 
 /* ---- The specular device ------------------------------------------------------------------------
  */
@@ -176,9 +178,9 @@ static void a_mismatch_of_the_exhaustive_run_is_found_in_its_block(void **state)
     } cases[] = {{"truncating", 20, 13, 15}, {"sigma_off_by_one", 60, 33, 33}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const glint_setting setting = setting_of(fault_of(cases[i].fault), true);
-        const glint_exhaustive_options options = {.config = {setting.specular},
+        const glint_exhaustive_options options = {.config = {one_lane},
                                                   .configs = 1,
-                                                  .model = setting.specular_model,
+                                                  .verilog = setting.verilog,
                                                   .from = cases[i].n,
                                                   .shard = cases[i].n + 1,
                                                   .shards = GLINT_N_COUNT,
@@ -201,13 +203,11 @@ static void a_mismatch_of_the_exhaustive_run_is_found_in_its_block(void **state)
         assert_reaches_the_answer(outputs[first->answer.value]);
         const glint_capture *capture = failure->capture;
         const int taken = capture->failing - (glint_setting_latency(&setting) - 1);
-        assert_int_equal(capture->clock[taken].pins.specular.cos[0],
+        assert_int_equal(specular_pins(&capture->clock[taken].pins).cos[0],
                          first->answer.cos_code[first->answer.at]);
         const int column = COLUMN_W + (int)first->answer.value;
-        assert_int_equal(run_alone(right_program(), column), finding->model);
-        if (strcmp(cases[i].fault, "truncating") == 0) {
-            assert_int_equal(run_alone(wrong_program("wrong/glint"), column), finding->rtl);
-        }
+        assert_int_equal(run_alone(NULL, column), finding->model);
+        assert_int_equal(run_alone(setting.verilog, column), finding->rtl);
     }
 }
 
@@ -222,7 +222,7 @@ static void the_points_about_it_stay_on_their_lanes(void **state)
     for (uint32_t i = 0; i < 2000; i++) {
         cos_code[i] = 1000 + i;
     }
-    for (int lanes = 1; lanes <= GLINT_LANES_MAX; lanes *= 2) {
+    for (int lanes = 1; lanes <= GLINT_LANES_MAX; lanes++) {
         for (size_t at = 0; at < 2000; at += 37) {
             glint_answer_keep_points(&answer, lanes, &material, cos_code, 2000, at);
             assert_int_equal(answer.cos_code[answer.at], 1000 + at);
@@ -238,14 +238,21 @@ static void the_points_about_it_stay_on_their_lanes(void **state)
 
 /* Its batch lies, its clock does not: as two builds of one Verilog would that do not do the same.
  */
-extern const glint_rtl_model glint_rtl_model_cosine_pipelined_4;
-
-static size_t batch_lying(void *instance, const glint_material *material,
-                          const glint_rtl_batch_io *io)
+static glint_status shade_lying(glint_rtl *rtl, const glint_material *material,
+                                const glint_points *points, glint_error *err)
 {
-    const size_t done = glint_rtl_model_cosine_pipelined_4.batch(instance, material, io);
-    io->g[done - 1] ^= 1;
-    return done;
+    const glint_status status = __real_glint_rtl_shade(rtl, material, points, err);
+    points->g[points->count - 1] ^= 1;
+    return status;
+}
+
+/* A setting with the circuit that `mock` then is. */
+static glint_setting mocked(int lanes, mock_rtl circuit)
+{
+    glint_setting setting = specular_setting(GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, lanes);
+    setting.verilog = mock_verilog;
+    mock = circuit;
+    return setting;
 }
 
 static void a_difference_of_the_fast_build_alone_is_told(void **state)
@@ -253,11 +260,9 @@ static void a_difference_of_the_fast_build_alone_is_told(void **state)
     (void)state;
     glint_error err;
     glint_failure_finding again;
-    glint_rtl_model lying = glint_rtl_model_cosine_pipelined_4;
-    lying.batch = batch_lying;
     const uint32_t cos_code[6] = {GLINT_COS_ONE, GLINT_COS_ONE, 0, 0, 0, GLINT_COS_ONE};
     const glint_material material = {50, 255, 190, 110};
-    const glint_setting setting = {.specular = lying.config, .specular_model = &lying};
+    const glint_setting setting = mocked(4, (mock_rtl){.shade = shade_lying});
     glint_answer answer = {.value = GLINT_ANSWER_G, .model = 190, .rtl = 191};
     glint_answer_keep_points(&answer, 4, &material, cos_code, 6, 5);
     make_failure(&setting, &answer);
@@ -273,22 +278,24 @@ static void a_difference_of_the_fast_build_alone_is_told(void **state)
     assert_non_null(
         strstr(report, "nothing differs: the builds of one Verilog do not do the same"));
     assert_non_null(strstr(report, "\n  alone: yes '50 0x40000 255 190 110' | head -n 2 | "));
-    assert_non_null(strstr(report, " --lanes 4\n"));
+    assert_non_null(strstr(report, " --lanes 4 --rtl "));
     free(report);
-    assert_int_equal(run_alone(right_program(), COLUMN_W + GLINT_ANSWER_G), 190);
+    assert_int_equal(run_alone(NULL, COLUMN_W + GLINT_ANSWER_G), 190);
     glint_failure *read;
-    assert_done(glint_packet_read(scratch_path("lying"), &read, &err), &err);
-    read->setting.specular_model = &lying;
+    assert_done(glint_packet_read(scratch_path("lying"), NULL, &read, &err), &err);
+    read->setting.verilog = mock_verilog;
     assert_done(glint_failure_play(read, NULL, &again, NULL, &err), &err);
     assert_true(again.answer_differs && glint_failure_same(&again, &read->finding));
     glint_failure_destroy(read);
 }
 
-static size_t batch_lying_in_company(void *instance, const glint_material *material,
-                                     const glint_rtl_batch_io *io)
+static glint_status shade_lying_in_company(glint_rtl *rtl, const glint_material *material,
+                                           const glint_points *points, glint_error *err)
 {
-    const size_t done = batch_lying(instance, material, io);
-    return io->count <= 2 ? 0 : done; /* the second of two lanes, alone */
+    const glint_status status = shade_lying(rtl, material, points, err);
+    return points->count <= 2 /* the second of two lanes, alone */
+               ? glint_fail(err, GLINT_DEVICE_FAULT, "the circuit returned 0 of 2 results")
+               : status;
 }
 
 /* A packet is no worse for that: the line that asks alone is left out. */
@@ -296,11 +303,9 @@ static void a_circuit_that_keeps_a_lone_answer_back_has_a_packet(void **state)
 {
     (void)state;
     glint_error err;
-    glint_rtl_model lying = glint_rtl_model_cosine_pipelined_4;
-    lying.batch = batch_lying_in_company;
     const uint32_t cos_code[6] = {GLINT_COS_ONE, GLINT_COS_ONE, 0, 0, 0, GLINT_COS_ONE};
     const glint_material material = {50, 255, 190, 110};
-    const glint_setting setting = {.specular = lying.config, .specular_model = &lying};
+    const glint_setting setting = mocked(4, (mock_rtl){.shade = shade_lying_in_company});
     glint_answer answer = {.value = GLINT_ANSWER_G, .model = 190, .rtl = 191};
     glint_answer_keep_points(&answer, 4, &material, cos_code, 6, 5);
     make_failure(&setting, &answer);
@@ -317,8 +322,6 @@ static void a_circuit_that_keeps_a_lone_answer_back_has_a_packet(void **state)
 
 /* A circuit that goes wrong at one clock since it was made, which no signal shows before: it takes
  * another cosine, or none. Of one lane; one at a time. */
-extern const glint_rtl_model glint_rtl_model_cosine_pipelined_1;
-static const glint_rtl_model *const sound = &glint_rtl_model_cosine_pipelined_1;
 enum { WRONG_CLOCK = 300, WRONG_BIT = 0x400 };
 static uint64_t clocks_since_made;
 static bool takes_none;
@@ -327,52 +330,56 @@ static uint64_t wrong_after;
 enum { TRIGGER = 2050 };
 static uint64_t clocks_since_trigger;
 
-static void *make_ageing(void)
+static void begin_ageing(void)
 {
     clocks_since_made = 0;
     clocks_since_trigger = 1000000; /* it has not come */
-    return sound->create();
 }
 
-static void clock_ageing(void *instance, const glint_specular_inputs *pins)
+static void clock_ageing(glint_rtl *rtl, const void *pins)
 {
-    glint_specular_inputs taken = *pins;
+    glint_specular_inputs taken = specular_pins(pins);
+    const bool is_trigger = taken.cos[0] == TRIGGER;
     clocks_since_made++;
     clocks_since_trigger++;
     if (wrong_after == 0 ? clocks_since_made == WRONG_CLOCK : clocks_since_trigger == wrong_after) {
         taken.cos[0] ^= WRONG_BIT;
         taken.in_valid = takes_none ? 0 : taken.in_valid;
     }
-    if (pins->cos[0] == TRIGGER) {
+    if (is_trigger) {
         clocks_since_trigger = 0;
     }
-    sound->clock(instance, &taken);
+    __real_glint_rtl_clock(rtl, &taken);
 }
 
-static size_t batch_ageing(void *instance, const glint_material *material,
-                           const glint_rtl_batch_io *io)
+static glint_status shade_ageing(glint_rtl *rtl, const glint_material *material,
+                                 const glint_points *points, glint_error *err)
 {
     static uint32_t taken[5000];
     const uint64_t before = clocks_since_made;
-    glint_rtl_batch_io wrong = *io;
-    const bool goes_wrong = before < WRONG_CLOCK && WRONG_CLOCK <= before + io->count;
-    assert_true(io->count <= 5000);
-    memcpy(taken, io->cos_code, io->count * sizeof *taken);
+    glint_points wrong = *points;
+    const bool goes_wrong = before < WRONG_CLOCK && WRONG_CLOCK <= before + points->count;
+    assert_true(points->count <= 5000);
+    memcpy(taken, points->cos, points->count * sizeof *taken);
     if (goes_wrong) {
         taken[WRONG_CLOCK - before - 1] ^= WRONG_BIT;
     }
-    wrong.cos_code = taken;
-    clocks_since_made += io->count + GLINT_LATENCY_PIPELINED - 1;
-    return sound->batch(instance, material, &wrong) - (goes_wrong && takes_none);
+    wrong.cos = taken;
+    clocks_since_made += points->count + GLINT_LATENCY_PIPELINED - 1;
+    const glint_status status = __real_glint_rtl_shade(rtl, material, &wrong, err);
+    return goes_wrong && takes_none
+               ? glint_fail(err, GLINT_DEVICE_FAULT, "the circuit returned %zu of %zu results",
+                            points->count - 1, points->count)
+               : status;
 }
 
 /* Runs n = 2 of the exhaustive comparison: nearly every code has a W of its own. */
-static glint_status compare_ageing(const glint_rtl_model *ageing, glint_exhaustive_result *result)
+static glint_status compare_ageing(glint_exhaustive_result *result)
 {
     glint_error err;
-    const glint_exhaustive_options options = {.config = {ageing->config},
+    const glint_exhaustive_options options = {.config = {one_lane},
                                               .configs = 1,
-                                              .model = ageing,
+                                              .verilog = mock_verilog,
                                               .from = 2,
                                               .shard = 3,
                                               .shards = GLINT_N_COUNT,
@@ -382,14 +389,8 @@ static glint_status compare_ageing(const glint_rtl_model *ageing, glint_exhausti
     return glint_exhaustive_run(&options, result, &err);
 }
 
-static glint_rtl_model ageing_circuit(void)
-{
-    glint_rtl_model ageing = *sound;
-    ageing.create = make_ageing;
-    ageing.clock = clock_ageing;
-    ageing.batch = batch_ageing;
-    return ageing;
-}
+static const mock_rtl ageing = {
+    .opened = begin_ageing, .clock = clock_ageing, .shade = shade_ageing};
 
 /* Asked alone it is right; the packet has the clocks that make it wrong. */
 static void what_went_before_is_played(void **state)
@@ -397,10 +398,9 @@ static void what_went_before_is_played(void **state)
     (void)state;
     static glint_exhaustive_result result;
     glint_error err;
-    const glint_rtl_model ageing = ageing_circuit();
-    const glint_setting setting = {.specular = ageing.config, .specular_model = &ageing};
+    const glint_setting setting = mocked(1, ageing);
     takes_none = false;
-    assert_int_equal(compare_ageing(&ageing, &result), GLINT_OK);
+    assert_int_equal(compare_ageing(&result), GLINT_OK);
     assert_true(result.kept > 0);
     const glint_answer *answer = &result.mismatch[0].answer;
     assert_int_equal(answer->cos_code[answer->at], WRONG_CLOCK - 1);
@@ -426,23 +426,15 @@ static void what_went_before_is_played(void **state)
     free(report);
 }
 
-static size_t batch_lying_last(void *instance, const glint_material *material,
-                               const glint_rtl_batch_io *io)
-{
-    const size_t done = sound->batch(instance, material, io);
-    io->g[done - 1] ^= 1;
-    return done;
-}
-
 /* The answer differs in the batch alone; clock by clock something else does, before. */
 static void where_the_answer_is_right_the_first_difference_is_marked(void **state)
 {
     (void)state;
     const uint32_t cos_code[8] = {TRIGGER, 2100, 2200, 2300, 2400, 2500, 2600, 2700};
     const glint_material material = {2, 10, 20, 30};
-    glint_rtl_model lying = ageing_circuit();
-    lying.batch = batch_lying_last;
-    const glint_setting setting = {.specular = lying.config, .specular_model = &lying};
+    mock_rtl lying = ageing;
+    lying.shade = shade_lying;
+    const glint_setting setting = mocked(1, lying);
     glint_answer answer = {.value = GLINT_ANSWER_G, .model = 0, .rtl = 1};
     takes_none = false;
     wrong_after = 2;
@@ -461,13 +453,13 @@ static void a_circuit_that_keeps_an_answer_back_is_found_out(void **state)
     (void)state;
     static glint_exhaustive_result result;
     glint_error err;
-    const glint_rtl_model ageing = ageing_circuit();
+    mock = ageing;
     takes_none = true;
-    assert_int_equal(compare_ageing(&ageing, &result), GLINT_DEVICE_FAULT);
+    assert_int_equal(compare_ageing(&result), GLINT_DEVICE_FAULT);
     assert_int_equal(result.kept, 0);
     assert_non_null(result.history);
     const glint_setting setting = *glint_history_setting(result.history);
-    assert_ptr_equal(setting.specular_model, &ageing);
+    assert_string_equal(setting.verilog, mock_verilog);
     glint_failure_destroy(failure);
     assert_done(glint_failure_of_history(GLINT_FAILURE_EXHAUSTIVE, &setting, NULL, result.history,
                                          NULL, &failure, &err),
@@ -485,8 +477,7 @@ static void what_does_not_matter_is_left_out(void **state)
     static uint32_t cos_code[200];
     glint_error err;
     glint_history *history = NULL;
-    const glint_rtl_model ageing = ageing_circuit();
-    const glint_setting setting = {.specular = ageing.config, .specular_model = &ageing};
+    const glint_setting setting = mocked(1, ageing);
     const glint_material material = {2, 10, 20, 30};
     const glint_batch batch = {.material = &material, .cos_code = cos_code, .count = 200};
     for (uint32_t first = 1000; first <= 2000; first += 500) {
@@ -505,7 +496,7 @@ static void what_does_not_matter_is_left_out(void **state)
     assert_survives_the_packet(&setting);
     wrong_after = 0;
     static const volatile bool stop = true;
-    const glint_setting right = {.specular = ageing.config};
+    const glint_setting right = glint_setting_specular(&one_lane);
     glint_failure *stopped;
     for (int i = 0; i < 100; i++) { /* more clocks than are played whether stopped or not */
         glint_history_add(&history, &right, &batch);
@@ -517,7 +508,7 @@ static void what_does_not_matter_is_left_out(void **state)
     glint_history_destroy(history);
     assert_true(failure->finding.lockstep_differs);
     assert_string_equal(failure->finding.mismatch[0].signal.name, "reg1");
-    assert_int_equal(failure->finding.mismatch[0].model, TRIGGER + 100);
+    assert_int_equal(failure->finding.mismatch[0].model[0], TRIGGER + 100);
     /* 8 clocks and those of the window would not have the trigger, nor twice that. */
     assert_int_equal(failure->finding.clock - failure->first_clock, 4 * (8 + GLINT_CAPTURE_BEFORE));
     assert_int_equal(failure->finding.clock,
@@ -529,8 +520,8 @@ static void a_history_keeps_the_last_clocks(void **state)
 {
     (void)state;
     static uint32_t cos_code[40000];
-    const glint_setting setting = {
-        .specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 2}};
+    const glint_setting setting =
+        specular_setting(GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 2);
     const glint_material material = {9, 1, 2, 3};
     const glint_batch batch = {.material = &material, .cos_code = cos_code, .count = 39999};
     glint_history *history = NULL;
@@ -547,12 +538,13 @@ static void a_history_keeps_the_last_clocks(void **state)
     assert_non_null(pins);
     assert_int_equal(count, GLINT_HISTORY_CLOCKS);
     assert_int_equal(first, 5 * 20000 - GLINT_HISTORY_CLOCKS + 1);
-    const glint_specular_inputs *last = &pins[count - 1].specular;
-    assert_int_equal(last->in_valid, 1);
-    assert_int_equal(last->cos[0], 39998);
-    assert_false(last->n_we);
-    assert_true(pins[count - 20000].specular.n_we && pins[count - 40000].specular.rgb_we);
-    assert_int_equal(pins[count - 20000].specular.n, 9);
+    const glint_specular_inputs last = specular_pins(&pins[count - 1]);
+    assert_int_equal(last.in_valid, 1);
+    assert_int_equal(last.cos[0], 39998);
+    assert_false(last.n_we);
+    assert_true(specular_pins(&pins[count - 20000]).n_we);
+    assert_true(specular_pins(&pins[count - 40000]).rgb_we);
+    assert_int_equal(specular_pins(&pins[count - 20000]).n, 9);
     free(pins);
     glint_history_destroy(history);
 }
@@ -588,24 +580,21 @@ static void assert_division(const char *fault, int component, const glint_divisi
     }
     assert_survives_the_packet(&setting);
     static const char *const outputs[] = {"quotient_r", "quotient_g", "quotient_b"};
-    const bool sequential = setting.form == GLINT_DIVIDER_SEQUENTIAL;
+    const bool sequential = setting.values[GLINT_DIVIDER_FORM] == GLINT_DIVIDER_SEQUENTIAL;
     assert_reaches_the_answer(sequential ? "quotient" : outputs[component]);
-    assert_int_equal(run_alone(right_program(), COLUMN_QUOTIENT), finding->model);
-    if (strcmp(fault, "table_off_by_one") == 0) {
-        assert_int_equal(run_alone(wrong_program("wrong/divider/glint"), COLUMN_QUOTIENT),
-                         finding->rtl);
-    }
+    assert_int_equal(run_alone(NULL, COLUMN_QUOTIENT), finding->model);
+    assert_int_equal(run_alone(setting.verilog, COLUMN_QUOTIENT), finding->rtl);
 }
 
 static void a_divider_is_asked_clock_by_clock(void **state)
 {
     (void)state;
     const glint_division negative = {{5, -200, 9}, 5};
-    assert_division("logical_shift", 1, &negative, "shifted");
-    assert_division("unsigned_stage", 1, &negative, "acc_g quotient_g");
+    assert_division("divider_logical_shift", 1, &negative, "shifted");
+    assert_division("divider_unsigned_stage", 1, &negative, "acc_g quotient_g");
     const glint_division seventh = {{255, 254, 253}, 7};
     for (int component = 0; component < GLINT_DIVIDER_COMPONENTS; component++) {
-        assert_division("table_off_by_one", component, &seventh, "rom_bits");
+        assert_division("divider_table_off_by_one", component, &seventh, "rom_bits");
     }
 }
 
@@ -618,7 +607,7 @@ static void a_frame_without_an_answer_still_says_where(void **state)
     glint_error err;
     glint_failure_finding finding;
     glint_image *image;
-    const glint_setting setting = {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 16}};
+    const glint_setting setting = specular_setting(GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 16);
     glint_failure_destroy(failure);
     assert_done(glint_failure_of_answer(GLINT_FAILURE_FRAME, &setting, NULL, &failure, &err), &err);
     failure->frame = (glint_failure_frame){.width = 10,
@@ -643,7 +632,7 @@ static void a_frame_without_an_answer_still_says_where(void **state)
     assert_int_equal(image->height, 32);
     glint_image_destroy(image);
     glint_failure *read;
-    assert_done(glint_packet_read(scratch_path("frame"), &read, &err), &err);
+    assert_done(glint_packet_read(scratch_path("frame"), NULL, &read, &err), &err);
     assert_int_equal(glint_failure_play(read, NULL, &finding, NULL, &err), GLINT_BAD_INPUT);
     glint_failure_destroy(read);
 }

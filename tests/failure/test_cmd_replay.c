@@ -201,7 +201,10 @@ static const edit edits[] = {
     {RANDOM, "circuit", "\"toaster\"", "circuit is none"},
     {RANDOM, "gate", "\"open\"", "gate is none"},
     {RANDOM, "pipeline", "null", "pipeline is no text"},
-    {RANDOM, "lanes", "3", "3 lanes"},
+    {RANDOM, "circuit_dir", "7", "circuit_dir is no text"},
+    {RANDOM, "rtl", "\"\\u001b[2J\"", "rtl holds what is no printed character"},
+    {RANDOM, "lanes", "33", "lanes is no whole number from 1 to 32"},
+    {RANDOM, "lanes", "3", "names is no list of 12 to 12"},
     {RANDOM, "lanes", "1e300", "lanes is no whole number"},
     {RANDOM, "lanes", "-1", "lanes is no whole number"},
     {RANDOM, "lanes", "2", "names is no list of 11 to 11"},
@@ -231,6 +234,8 @@ static const edit edits[] = {
     {RANDOM, "found.mismatches.0.signal", "\"mul99\"", "no signal that the circuit has"},
     {RANDOM, "found.mismatches.0.lane", "5", "no signal that the circuit has"},
     {RANDOM, "found.mismatches.0.model", "\"0xzz\"", "model is no number"},
+    {RANDOM, "found.mismatches.0.model", "\"0x100\"", "model is no number of 8 bits"},
+    {RANDOM, "found.mismatches.0.rtl", "\"ff\"", "rtl is no number of 8 bits"},
     {RANDOM, "found.mismatches.0", "17", "is no text"},
     {POINTS, "answer", NULL, "answer is missing"},
     {POINTS, "answer.cosines", "[]", "cosines is no list"},
@@ -242,7 +247,7 @@ static const edit edits[] = {
     {POINTS, "answer.value", "\"violet\"", "value is none"},
     {POINTS, "kind", "\"frame\"", "frame is missing"},
     {POINTS, "kind", "\"random\"", "seed is no text"},
-    {DIVISIONS, "shifts", "5", "5 shifts are not in 6 to 16"},
+    {DIVISIONS, "shifts", "5", "shifts is no whole number from 6 to 16"},
     {DIVISIONS, "form", "\"round\"", "form is none"},
     {DIVISIONS, "answer.divisions.0", "[1,2,3]", "divisions is no whole number"},
     {DIVISIONS, "answer.divisions.0.0", "256", "divisions is no whole number"},
@@ -326,35 +331,45 @@ static void what_is_no_regular_file_is_refused(void **state)
     assert_int_equal(unlink(data), 0);
 }
 
-/* The command with late_circuit.c in it: right, but for the clock that GLINT_LATE names. */
-static const char *late_program(void)
+/* Makes the circuit that is right, but for one clock since it was made, when out_valid is inverted;
+ * nothing shows that before. */
+static const char *late_rtl(unsigned long clock)
 {
-    static char path[1024];
-    const char *build = getenv("GLINT_BUILD");
-    (void)snprintf(path, sizeof path, "%s/late/glint", build != NULL ? build : "build");
-    return path;
+    static char directory[1024];
+    static char command[4096];
+    (void)snprintf(directory, sizeof directory, "%s", scratch_path("late-rtl"));
+    /* The reset of creation is a clock too. */
+    (void)snprintf(command, sizeof command,
+                   "rm -rf %s && mkdir %s && cp rtl/*.v rtl/*.vh %s && sed -e "
+                   "'s/out_valid <=/late_valid <=/; s/out_valid = /late_valid = /' -e "
+                   "'s/output reg \\(.*\\)out_valid,/output wire \\1out_valid,/' -e "
+                   "'/^    reg .*reg2;/i reg [LANES-1:0] late_valid; reg [63:0] clocks = 0;\\n"
+                   "always @(posedge clk) clocks <= clocks + 1;\\n"
+                   "assign out_valid = late_valid ^ {LANES{clocks == 64'\\''d%lu}};' "
+                   "rtl/specular_device.v > %s/specular_device.v",
+                   directory, directory, directory, clock + 1, directory);
+    assert_int_equal(system(command), 0);
+    return directory;
 }
+
+/* The one setting that is asked for. */
+#define VERIFY_LATE                                                                                \
+    glint_under_test(), "verify", "--circuit", "specular", "--gate", "cosine", "--pipeline",       \
+        "pipelined", "--lanes", "1"
 
 /* They differ, and that is what the exit status says; that the packet cannot be written is told. */
 static void a_packet_that_cannot_be_written_changes_no_verdict(void **state)
 {
     (void)state;
-    assert_int_equal(setenv("GLINT_LATE", "500", 1), 0);
-    const char *const find[] = {late_program(),
-                                "verify",
-                                "--circuit",
-                                "specular",
-                                "--clocks",
-                                "1000",
-                                "--seed",
-                                "2",
-                                "--out",
-                                scratch_path("found"),
-                                NULL};
-    assert_int_equal(child_run(find, 60), 1);
+    const char *rtl = late_rtl(500);
+    const char *const find[] = {
+        VERIFY_LATE,           "--rtl", rtl, "--clocks", "1000", "--seed", "2", "--out",
+        scratch_path("found"), NULL};
+    assert_int_equal(child_run(find, 120), 1);
     char packet[1100];
     (void)snprintf(packet, sizeof packet, "%s/specular_cosine_pipelined_1", scratch_path("found"));
-    const char *const argv[] = {late_program(), "replay", packet, "--out", "/proc/xx", NULL};
+    const char *const argv[] = {glint_under_test(), "replay", packet, "--rtl", rtl, "--out",
+                                "/proc/xx",         NULL};
     assert_int_equal(child_run(argv, 60), 1);
     char *said = scratch_read(scratch_path("child.err"), NULL);
     assert_int_equal(strncmp(said, "glint replay: /proc/xx: ", 24), 0);
@@ -388,24 +403,34 @@ static void what_is_no_packet_is_refused(void **state)
     }
 }
 
-/* The circuit of this packet is not in the command that has one circuit only. */
+/* Of a circuit that is described elsewhere, or whose Verilog does not build, nobody says that the
+ * mismatch is gone. */
 static void a_circuit_that_is_not_there_is_not_gone(void **state)
 {
     (void)state;
-    static char wrong[1024];
-    static char right[1024];
-    const char *build = getenv("GLINT_BUILD");
-    const edit drawn = {POINTS, "gate", "\"drawn\"", NULL};
-    char *text = edited(&drawn);
+    static const edit unknown[] = {
+        {POINTS, "circuit", "\"toaster\"", NULL},
+        {POINTS, "circuit_dir", "\"some/where\"", NULL},
+    };
+    cJSON *json = cJSON_Parse(packets[POINTS]);
+    for (size_t i = 0; i < sizeof unknown / sizeof unknown[0]; i++) {
+        cJSON_DeleteItemFromObjectCaseSensitive(json, unknown[i].path);
+        cJSON_AddItemToObject(json, unknown[i].path, cJSON_Parse(unknown[i].value));
+    }
+    char *text = cJSON_Print(json);
+    cJSON_Delete(json);
     put_packet(text);
-    free(text);
-    (void)snprintf(right, sizeof right, "GLINT=%s", glint_under_test());
-    (void)snprintf(wrong, sizeof wrong, "GLINT=%s/wrong/glint", build != NULL ? build : "build");
-    assert_int_equal(putenv(wrong), 0);
+    cJSON_free(text);
     outcome done = replay("");
-    assert_int_equal(putenv(right), 0);
-    assert_refused(&done, "no circuit was built for gate drawn, pipeline pipelined, 1 lanes",
-                   "gate drawn");
+    assert_refused(&done, "is given with --circuit-dir", "a circuit of one's own");
+    forget(&done);
+
+    char options[1100];
+    put_packet(packets[POINTS]);
+    assert_int_equal(mkdir(scratch_path("empty"), 0777), 0);
+    (void)snprintf(options, sizeof options, " --rtl %s", scratch_path("empty"));
+    done = replay(options);
+    assert_refused(&done, "empty", "no Verilog");
     forget(&done);
 }
 
@@ -453,10 +478,9 @@ static void interrupt_after(const char *const *argv, const char *progress, int s
 static void the_making_of_a_packet_shows_progress_and_can_be_interrupted(void **state)
 {
     (void)state;
-    assert_int_equal(setenv("GLINT_LATE", "4000000", 1), 0);
     const char *const argv[] = {
-        late_program(), "verify", "--circuit", "specular",           "--clocks", "4000100",
-        "--seed",       "2",      "--out",     scratch_path("late"), NULL};
+        VERIFY_LATE, "--rtl", late_rtl(4000000), "--clocks",           "4000100",
+        "--seed",    "2",     "--out",           scratch_path("late"), NULL};
     interrupt_after(argv, "clocks played again", 1);
     char *said = scratch_read(scratch_path("child.out"), NULL);
     assert_says(said, "gate cosine, pipeline pipelined, lanes 1: ");
@@ -474,17 +498,16 @@ static void a_late_fault_is_played_from_the_beginning(void **state)
 {
     (void)state;
     char packet[1100];
-    const char *const find[] = {
-        late_program(), "verify", "--circuit", "specular",           "--clocks", "4000100",
-        "--seed",       "2",      "--out",     scratch_path("late"), NULL};
+    const char *rtl = late_rtl(4000000);
+    const char *const find[] = {VERIFY_LATE, "--rtl", rtl,     "--clocks",           "4000100",
+                                "--seed",    "2",     "--out", scratch_path("late"), NULL};
     (void)snprintf(packet, sizeof packet, "%s/specular_cosine_pipelined_1", scratch_path("late"));
-    assert_int_equal(setenv("GLINT_LATE", "4000000", 1), 0);
     assert_int_equal(child_run(find, 120), 1);
     char *said = scratch_read(scratch_path("child.out"), NULL);
     assert_says(said, "\n>    4000000 ");
     assert_says(said, "\nplayed from clock 1: no part of the run shows the mismatch by itself\n");
     free(said);
-    const char *const again[] = {late_program(), "replay", packet, NULL};
+    const char *const again[] = {glint_under_test(), "replay", packet, "--rtl", rtl, NULL};
     assert_int_equal(child_run(again, 120), 1);
     said = scratch_read(scratch_path("child.out"), NULL);
     assert_says(said, ": the same mismatch; ");

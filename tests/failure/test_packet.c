@@ -15,17 +15,16 @@
 
 #include "../scratch.h"
 
+#include "../lockstep/mock_rtl.h"
 #include "../record.h"
 #include "../seed.h"
 #include "../wave/saved.h"
 #include "../wave/vcd.h"
 #include "circuit/random_pins.h"
 #include "failure/packet.h"
-#include "failure/pins.h"
 #include "failure/report.h"
 #include "faults.h"
 #include "lockstep/twin.h"
-#include "wave/waveform.h"
 
 enum { CLOCKS = 40000 };
 
@@ -86,6 +85,16 @@ static void find(const fault *fault)
 /* ---- The clocks that are kept ------------------------------------------------------------------
  */
 
+/* The number at a pin of the thesis's circuits. */
+static int64_t pin_value(const glint_pins *pins, int index)
+{
+    uint64_t words[GLINT_VALUE_WORDS];
+    const glint_pin_info pin = glint_setting_pin(&options.setting, index);
+    glint_pin_get(&pin, pins, words);
+    const bool is_negative = pin.is_signed && (words[0] >> (glint_pin_width(&pin) - 1) & 1) != 0;
+    return (int64_t)words[0] - (is_negative ? INT64_C(1) << glint_pin_width(&pin) : 0);
+}
+
 /* The model and the pins of the whole run, from clock 1 on, against what was kept. */
 static void assert_as_in_the_run(void)
 {
@@ -93,12 +102,12 @@ static void assert_as_in_the_run(void)
     glint_twin *twin;
     glint_error err;
     int row = 0;
-    const size_t size = (size_t)glint_setting_signal_count(&options.setting) * sizeof(uint64_t);
     assert_done(glint_twin_create(&options.setting, &twin, &err), &err);
+    const size_t size = (size_t)glint_twin_signals(twin)->words * sizeof(uint64_t);
     glint_random_pins_begin(&source, &options.setting, seed);
     for (uint64_t clock = 1; row < capture->count; clock++) {
         glint_pins pins;
-        uint64_t model[GLINT_SETTING_SIGNALS_MAX], rtl[GLINT_SETTING_SIGNALS_MAX];
+        uint64_t model[GLINT_SIGNAL_WORDS_MAX], rtl[GLINT_SIGNAL_WORDS_MAX];
         glint_random_pins_next(&source, &pins);
         glint_twin_clock(twin, &pins);
         if (clock < capture->clock[row].clock) {
@@ -109,9 +118,8 @@ static void assert_as_in_the_run(void)
         assert_int_equal(kept->clock, clock);
         assert_memory_equal(kept->model, model, size);
         assert_memory_equal(kept->rtl, rtl, size);
-        for (int i = 0; i < glint_pin_count(&options.setting); i++) {
-            assert_int_equal(glint_pin_get(&options.setting, &kept->pins, i),
-                             glint_pin_get(&options.setting, &pins, i));
+        for (int i = 0; i < glint_setting_pin_count(&options.setting); i++) {
+            assert_int_equal(pin_value(&kept->pins, i), pin_value(&pins, i));
         }
     }
     glint_twin_destroy(twin);
@@ -144,32 +152,36 @@ static void a_few_clocks_show_it_again(void **state)
 
 /* Right, but for the clock LATE after its creation, when the lowest bit of out_r is inverted. */
 enum { LATE = 20000 };
-extern const glint_rtl_model glint_rtl_model_sign_combinational_1;
-static int clocks_run;
-static const void *true_place;
-static uint8_t shown;
+static int clocks_run, true_place;
 
-static void *create_counting(void)
+static void start_counting(void)
 {
     clocks_run = 0;
-    return glint_rtl_model_sign_combinational_1.create();
 }
 
-static void clock_counting(void *instance, const glint_specular_inputs *inputs)
+static void clock_counting(glint_rtl *rtl, const void *pins)
 {
-    glint_rtl_model_sign_combinational_1.clock(instance, inputs);
+    __real_glint_rtl_clock(rtl, pins);
     clocks_run++;
-    shown = *(const uint8_t *)true_place ^ (uint8_t)(clocks_run == LATE);
 }
 
-static bool find_counting(void *instance, int lane, const char *name, const void **data, int *size)
+static void read_counting(const glint_rtl *rtl, uint64_t *words)
 {
-    const bool found = glint_rtl_model_sign_combinational_1.find(instance, lane, name, data, size);
-    if (found && strcmp(name, "out_r") == 0) {
-        true_place = *data;
-        *data = &shown;
+    __real_glint_rtl_read(rtl, words);
+    words[true_place] ^= clocks_run == LATE;
+}
+
+/* Where out_r has its word. */
+static int place_of_out_r(const glint_setting *setting)
+{
+    static glint_signals signals;
+    glint_error err;
+    int i = 0;
+    assert_done(glint_signals_find(setting, &signals, &err), &err);
+    while (strcmp(signals.info[i].name, "out_r") != 0) {
+        i++;
     }
-    return found;
+    return signals.place[i];
 }
 
 static void without_a_shorter_way_the_whole_run_is_played(void **state)
@@ -177,11 +189,10 @@ static void without_a_shorter_way_the_whole_run_is_played(void **state)
     (void)state;
     glint_error err;
     glint_failure_finding again;
-    glint_rtl_model counting = glint_rtl_model_sign_combinational_1;
-    counting.create = create_counting;
-    counting.clock = clock_counting;
-    counting.find = find_counting;
-    const glint_setting setting = {.specular = counting.config, .specular_model = &counting};
+    glint_setting setting = specular_setting(GLINT_GATE_SIGN, GLINT_PIPELINE_COMBINATIONAL, 1);
+    setting.verilog = mock_verilog;
+    true_place = place_of_out_r(&setting);
+    mock = (mock_rtl){.opened = start_counting, .clock = clock_counting, .read = read_counting};
     find_in(&setting, LATE + 100);
     assert_true(result.first_clock == LATE);
     assert_null(failure->pins);
@@ -192,16 +203,17 @@ static void without_a_shorter_way_the_whole_run_is_played(void **state)
     assert_non_null(strstr(report, "played from clock 1: no part of the run"));
     free(report);
     glint_failure *read;
-    assert_done(glint_packet_read(scratch_path("whole"), &read, &err), &err);
-    read->setting.specular_model = &counting;
+    assert_done(glint_packet_read(scratch_path("whole"), NULL, &read, &err), &err);
+    assert_string_equal(read->rtl, mock_verilog);
+    assert_null(read->setting.verilog);
+    read->setting.verilog = mock_verilog;
     assert_done(glint_failure_play(read, NULL, &again, NULL, &err), &err);
     assert_true(glint_failure_same(&again, &read->finding));
     static const volatile bool stop = true;
     const glint_capture_control stopped = {.stop = &stop};
     assert_int_equal(glint_failure_play(read, &stopped, &again, NULL, &err), GLINT_INTERRUPTED);
     glint_failure_destroy(read);
-    glint_failure_destroy(failure); /* it points to this function's circuit */
-    failure = NULL;
+    mock = (mock_rtl){0};
 }
 
 /* ---- The text ----------------------------------------------------------------------------------
@@ -249,8 +261,8 @@ static void assert_table(void)
         char *end;
         assert_int_equal(line[0], row == capture->failing ? '>' : ' ');
         assert_true(strtoull(line + 1, &end, 10) == clock->clock);
-        for (int i = 0; i < glint_pin_count(setting); i++) {
-            assert_int_equal(strtoll(end, &end, 0), glint_pin_get(setting, &clock->pins, i));
+        for (int i = 0; i < glint_setting_pin_count(setting); i++) {
+            assert_int_equal(strtoll(end, &end, 0), pin_value(&clock->pins, i));
         }
         assert_true(strtoull(end, &end, 16) == clock->model[signal]);
         assert_true(strtoull(end, &end, 16) == clock->rtl[signal]);
@@ -277,8 +289,9 @@ static void the_text_tells_all_of_it(void **state)
         assert_says("\nplayed from clock %" PRIu64 ", %zu clocks\n", failure->first_clock,
                     failure->pin_count);
         assert_says("\nwhole:  build/glint verify whole\n");
-        assert_says("\nlook:   gtkwave some/where/wave.fst some/where/wave.gtkw\n");
-        assert_says("\nreplay: build/glint replay some/where\n");
+        assert_says("\nlook:   gtkwave some/where/wave.vcd some/where/wave.gtkw\n");
+        assert_says("\nreplay: build/glint replay some/where --rtl %s\n",
+                    wrong_rtl(faults[f].name));
         for (int i = 0; i < result.totals_count; i++) {
             assert_says(" %" PRIu64 "\n", result.totals[i].mismatches);
         }
@@ -300,8 +313,8 @@ static void the_text_shows_values_as_numbers(void **state)
     write_report();
     /* Signed, with twelve fraction bits. */
     const glint_mismatch *m = &result.mismatch[0];
-    assert_says("model 0x%06" PRIx64 " (%.9g), rtl 0x%06" PRIx64 " (%.9g)\n", m->model,
-                ((double)m->model - 2097152.0) / 4096.0, m->rtl, (double)m->rtl / 4096.0);
+    assert_says("model 0x%06" PRIx64 " (%.9g), rtl 0x%06" PRIx64 " (%.9g)\n", m->model[0],
+                ((double)m->model[0] - 2097152.0) / 4096.0, m->rtl[0], (double)m->rtl[0] / 4096.0);
 }
 
 /* ---- The waveform ------------------------------------------------------------------------------
@@ -367,10 +380,10 @@ static void assert_clock(const vcd *wave, const glint_capture_clock *clock)
                           number_of(&signal, clock->model[i]));
         }
     }
-    for (int i = 0; i < glint_pin_count(setting); i++) {
-        const glint_pin_info pin = glint_pin(setting, i);
-        const uint64_t mask = (UINT64_C(1) << pin.width) - 1;
-        const uint64_t value = (uint64_t)glint_pin_get(setting, &clock->pins, i) & mask;
+    for (int i = 0; i < glint_setting_pin_count(setting); i++) {
+        const glint_pin_info pin = glint_setting_pin(setting, i);
+        const uint64_t mask = (UINT64_C(1) << glint_pin_width(&pin)) - 1;
+        const uint64_t value = (uint64_t)pin_value(&clock->pins, i) & mask;
         assert_true(value_at(wave, pin.lane, pin.name, "", edge) == value);
         assert_true(value_at(wave, pin.lane, pin.name, "", edge - 5) == value);
         if (pin.frac_bits > 0) {
@@ -492,9 +505,7 @@ static void the_waveform_has_both_sides(void **state)
         (void)snprintf(wave_name, sizeof wave_name, "%s/%s", directory, GLINT_PACKET_WAVE);
         (void)snprintf(save_name, sizeof save_name, "%s/%s", directory, GLINT_PACKET_SAVE_FILE);
         assert_done(glint_packet_write(failure, NULL, scratch_path(directory), &err), &err);
-        assert_done(glint_wave_fst_to_vcd(scratch_path(wave_name), scratch_path("w.vcd"), &err),
-                    &err);
-        vcd wave = vcd_read(scratch_path("w.vcd"));
+        vcd wave = vcd_read(scratch_path(wave_name));
         assert_true(wave.first_time == capture->clock[0].clock * 10 - 5);
         assert_end(&wave);
         for (int row = 0; row < capture->count; row += 4) {
@@ -514,26 +525,24 @@ static void every_lane_is_there(void **state)
     (void)state;
     static saved file;
     glint_error err;
-    const glint_setting setting = {
-        .specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, GLINT_LANES_MAX}};
+    const int lanes = 16;
+    const glint_setting setting =
+        specular_setting(GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, lanes);
     const glint_material material = {20, 255, 255, 255};
     uint32_t cos_code[100];
     glint_answer answer = {.value = GLINT_ANSWER_R};
     for (uint32_t i = 0; i < 100; i++) {
         cos_code[i] = GLINT_COS_ONE - i;
     }
-    glint_answer_keep_points(&answer, GLINT_LANES_MAX, &material, cos_code, 100, 37);
+    glint_answer_keep_points(&answer, lanes, &material, cos_code, 100, 37);
     glint_failure_destroy(failure);
     assert_done(
         glint_failure_of_answer(GLINT_FAILURE_EXHAUSTIVE, &setting, &answer, &failure, &err), &err);
     assert_false(glint_failure_differs(&failure->finding));
     assert_done(glint_packet_write(failure, NULL, scratch_path("lanes"), &err), &err);
-    assert_done(glint_wave_fst_to_vcd(scratch_path("lanes/" GLINT_PACKET_WAVE),
-                                      scratch_path("w.vcd"), &err),
-                &err);
-    vcd wave = vcd_read(scratch_path("w.vcd"));
+    vcd wave = vcd_read(scratch_path("lanes/" GLINT_PACKET_WAVE));
     saved_read(scratch_path("lanes/" GLINT_PACKET_SAVE_FILE), &file);
-    for (int lane = 0; lane < GLINT_LANES_MAX; lane++) {
+    for (int lane = 0; lane < lanes; lane++) {
         char name[64];
         (void)snprintf(name, sizeof name, "TOP.lane[%d].cos", lane);
         /* The third clock takes points 32 to 47. */
@@ -541,12 +550,12 @@ static void every_lane_is_there(void **state)
         (void)snprintf(name, sizeof name, "TOP.lane[%d].mul13_model", lane);
         assert_non_null(vcd_find(&wave, name));
     }
-    int numbers = GLINT_LANES_MAX; /* of the cosines, and of what else is fixed-point */
+    int numbers = lanes; /* of the cosines, and of what else is fixed-point */
     for (int i = 0; i < glint_setting_signal_count(&setting); i++) {
         numbers += glint_setting_signal(&setting, i).frac_bits > 0;
     }
     /* mismatch, clock, clk; the pins; both sides of all signals */
-    assert_int_equal(file.count, 3 + glint_pin_count(&setting) +
+    assert_int_equal(file.count, 3 + glint_setting_pin_count(&setting) +
                                      2 * glint_setting_signal_count(&setting) + numbers);
     vcd_free(&wave);
 }
@@ -564,7 +573,7 @@ static void a_packet_is_read_and_played(void **state)
         glint_failure_finding again;
         find(&faults[f]);
         assert_done(glint_packet_write(failure, NULL, scratch_path("packet"), &err), &err);
-        assert_done(glint_packet_read(scratch_path("packet"), &read, &err), &err);
+        assert_done(glint_packet_read(scratch_path("packet"), NULL, &read, &err), &err);
         assert_true(read->seed == seed && read->pin_count == failure->pin_count);
         assert_true(glint_failure_same(&read->finding, &failure->finding));
         assert_string_equal(read->command, failure->command);
@@ -591,6 +600,10 @@ static void nothing_but_a_packet_is_replaced(void **state)
     assert_done(glint_packet_write(failure, NULL, scratch_path("old"), &err), &err);
     assert_done(glint_packet_write(failure, NULL, scratch_path("old/"), &err), &err);
     assert_int_equal(scratch_count(), before + 1);
+    /* Older versions wrote the waveform in another format: that is replaced too. */
+    scratch_write(scratch_path("old/" GLINT_PACKET_OLD_WAVE), "x", 1);
+    assert_done(glint_packet_write(failure, NULL, scratch_path("old"), &err), &err);
+    assert_int_equal(access(scratch_path("old/" GLINT_PACKET_OLD_WAVE), F_OK), -1);
     scratch_write(scratch_path("old/mine"), "x", 1);
     assert_int_equal(glint_packet_write(failure, NULL, scratch_path("old"), &err), GLINT_IO_ERROR);
     assert_non_null(strstr(err.text, "old: not replaced, as it holds mine"));

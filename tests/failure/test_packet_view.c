@@ -18,14 +18,15 @@
 
 #include "../wave/gtkwave.h"
 #include "../wave/saved.h"
+#include "../wave/vcd.h"
+#include "circuit/circuits.h"
 #include "failure/wave.h"
-#include "wave/waveform.h"
 
 /* A capture made up: both sides are the same but for one signal, which is one last place larger in
  * the Verilog from the failing clock on. */
 typedef struct shape {
     const char *name;
-    glint_setting setting;
+    glint_setting (*setting)(void);
     const char *signal;
     int lane;
     uint64_t code; /* of the model */
@@ -33,39 +34,45 @@ typedef struct shape {
     int count, failing;
 } shape;
 
-#define ONE_LANE                                                                                   \
-    {                                                                                              \
-        .specular = { GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1 }                             \
-    }
-#define SIXTEEN                                                                                    \
-    {                                                                                              \
-        .specular = { GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 16 }                            \
-    }
-#define SEQUENTIAL                                                                                 \
-    {                                                                                              \
-        .is_divider = true, .form = GLINT_DIVIDER_SEQUENTIAL, .shifts = 12                         \
-    }
-#define PIPELINED_16                                                                               \
-    {                                                                                              \
-        .is_divider = true, .form = GLINT_DIVIDER_PIPELINED, .shifts = 16                          \
-    }
+static glint_setting one_lane(void)
+{
+    return glint_setting_specular(
+        &(glint_specular_config){GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1});
+}
+
+static glint_setting sixteen(void)
+{
+    return glint_setting_specular(
+        &(glint_specular_config){GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 16});
+}
+
+static glint_setting sequential(void)
+{
+    return glint_setting_divider(GLINT_DIVIDER_SEQUENTIAL, 12);
+}
+
+static glint_setting pipelined_16(void)
+{
+    return glint_setting_divider(GLINT_DIVIDER_PIPELINED, 16);
+}
 
 static const shape shapes[] = {
-    {"first of many", ONE_LANE, "reg1", 0, 0x40000, 1, 41, 0},
-    {"the only one", ONE_LANE, "mul7", 0, 0xfffffff, 77, 1, 0},
-    {"as usual", ONE_LANE, "reg1", 0, 0x40000, 583, 41, 32},
-    {"the run's last", ONE_LANE, "reg1", 0, 0x40000, 99968, 33, 32},
-    {"the last of few", ONE_LANE, "adder6", 0, 0, 1, 12, 11},
-    {"the last of sixteen lanes", SIXTEEN, "mul7", 15, 0xfffffff, 1000000, 33, 32},
-    {"a divider's last", SEQUENTIAL, "acc_rg", -1, 0x1fffff, 40, 33, 32},
-    {"a stage's last", PIPELINED_16, "acc_b", 16, 0x1ffffff, 40, 33, 32},
+    {"first of many", one_lane, "reg1", 0, 0x40000, 1, 41, 0},
+    {"the only one", one_lane, "mul7", 0, 0xfffffff, 77, 1, 0},
+    {"as usual", one_lane, "reg1", 0, 0x40000, 583, 41, 32},
+    {"the run's last", one_lane, "reg1", 0, 0x40000, 99968, 33, 32},
+    {"the last of few", one_lane, "adder6", 0, 0, 1, 12, 11},
+    {"the last of sixteen lanes", sixteen, "mul7", 15, 0xfffffff, 1000000, 33, 32},
+    {"a divider's last", sequential, "acc_rg", -1, 0x1fffff, 40, 33, 32},
+    {"a stage's last", pipelined_16, "acc_b", 16, 0x1ffffff, 40, 33, 32},
 };
 #define SHAPE_COUNT (sizeof shapes / sizeof shapes[0])
 
 static int signal_of(const shape *shape)
 {
-    for (int i = 0; i < glint_setting_signal_count(&shape->setting); i++) {
-        const glint_signal_info signal = glint_setting_signal(&shape->setting, i);
+    const glint_setting setting = shape->setting();
+    for (int i = 0; i < glint_setting_signal_count(&setting); i++) {
+        const glint_signal_info signal = glint_setting_signal(&setting, i);
         if (signal.lane == shape->lane && strcmp(signal.name, shape->signal) == 0) {
             return i;
         }
@@ -76,7 +83,8 @@ static int signal_of(const shape *shape)
 
 static uint64_t mask_of(const shape *shape, int index)
 {
-    const glint_signal_info signal = glint_setting_signal(&shape->setting, index);
+    const glint_setting setting = shape->setting();
+    const glint_signal_info signal = glint_setting_signal(&setting, index);
     return (UINT64_C(1) << (signal.int_bits + signal.frac_bits)) - 1;
 }
 
@@ -85,7 +93,9 @@ static glint_capture *capture_of(const shape *shape)
     const int index = signal_of(shape);
     glint_capture *capture = calloc(1, sizeof *capture);
     assert_non_null(capture);
-    capture->setting = shape->setting;
+    glint_error err;
+    capture->setting = shape->setting();
+    assert_int_equal(glint_signals_find(&capture->setting, &capture->signals, &err), GLINT_OK);
     capture->count = shape->count;
     capture->failing = shape->failing;
     for (int i = 0; i < shape->count; i++) {
@@ -103,21 +113,21 @@ static void write_view(const shape *shape)
 {
     glint_error err;
     glint_capture *capture = capture_of(shape);
-    assert_int_equal(glint_failure_write_wave(capture, scratch_path("wave.fst"), &err), GLINT_OK);
+    assert_int_equal(glint_failure_write_wave(capture, scratch_path("wave.vcd"), &err), GLINT_OK);
     assert_int_equal(
-        glint_failure_write_save_file(capture, "wave.fst", scratch_path("wave.gtkw"), &err),
+        glint_failure_write_save_file(capture, "wave.vcd", scratch_path("wave.gtkw"), &err),
         GLINT_OK);
     free(capture);
 }
 
 /* GTKWave's rule, from its source: the view begins where the save file says if it then ends within
  * the waveform, else at the waveform's beginning. */
-static void assert_marker_in_view(const shape *shape, const saved *file,
-                                  const glint_wave_info *info, uint64_t view)
+static void assert_marker_in_view(const shape *shape, const saved *file, const vcd *wave,
+                                  uint64_t view)
 {
     const bool taken =
-        file->first_time >= info->first_time && file->first_time + view <= info->last_time;
-    const uint64_t begin = taken ? file->first_time : info->first_time;
+        file->first_time >= wave->first_time && file->first_time + view <= wave->last_time;
+    const uint64_t begin = taken ? file->first_time : wave->first_time;
     const uint64_t marker = (uint64_t)file->marker;
     if (marker < begin || marker >= begin + view) {
         fail_msg("%s: marker at %lu, a view of %lu ns begins at %lu", shape->name,
@@ -131,18 +141,17 @@ static void the_marker_is_in_view_in_every_window(void **state)
     (void)state;
     static saved file;
     for (size_t i = 0; i < SHAPE_COUNT; i++) {
-        glint_error err;
-        glint_wave_info info;
         write_view(&shapes[i]);
         saved_read(scratch_path("wave.gtkw"), &file);
-        assert_int_equal(glint_wave_read_info(scratch_path("wave.fst"), &info, &err), GLINT_OK);
+        vcd wave = vcd_read(scratch_path("wave.vcd"));
         assert_int_equal(file.marker, (shapes[i].first_clock + (uint64_t)shapes[i].failing) * 10);
-        assert_in_range(file.first_time, info.first_time, info.last_time);
+        assert_in_range(file.first_time, wave.first_time, wave.last_time);
         for (uint64_t view = 100; view <= 1000; view++) {
-            assert_marker_in_view(&shapes[i], &file, &info, view);
+            assert_marker_in_view(&shapes[i], &file, &wave, view);
         }
         /* In its own window all of the view is in the waveform. */
-        assert_true(file.first_time + 200 <= info.last_time);
+        assert_true(file.first_time + 200 <= wave.last_time);
+        vcd_free(&wave);
     }
 }
 
@@ -161,16 +170,17 @@ static int row_of(const gtkwave_shown *shown, const char *label)
 /* Both codes in hex, one last place apart, and both numbers, which must not be the same text. */
 static void assert_difference_is_read(const shape *shape, const gtkwave_shown *shown)
 {
-    const glint_signal_info signal = glint_setting_signal(&shape->setting, signal_of(shape));
+    const glint_setting setting = shape->setting();
+    const glint_signal_info signal = glint_setting_signal(&setting, signal_of(shape));
     const uint64_t mask = mask_of(shape, signal_of(shape));
-    const bool has_place =
-        signal.lane >= 0 && (shape->setting.is_divider || shape->setting.specular.lanes > 1);
+    const bool has_place = signal.lane >= 0 && (setting.circuit == &glint_circuit_divider ||
+                                                setting.values[GLINT_SPECULAR_LANES] > 1);
     char stem[64];
     char label[96];
     (void)snprintf(stem, sizeof stem, "%s", signal.name);
     if (has_place) {
-        (void)snprintf(stem, sizeof stem, "%s%d %s", glint_setting_lane_name(&shape->setting),
-                       signal.lane, signal.name);
+        (void)snprintf(stem, sizeof stem, "%s%d %s", glint_setting_lane_name(&setting), signal.lane,
+                       signal.name);
     }
     double number[2];
     for (int side = 0; side < 2; side++) {
@@ -207,7 +217,7 @@ static void check(const shape *shape, int width, int height)
     static gtkwave_shown shown;
     write_view(shape);
     saved_read(scratch_path("wave.gtkw"), &file);
-    gtkwave_open("wave.fst", "wave.gtkw", width, height, &shown);
+    gtkwave_open("wave.vcd", "wave.gtkw", width, height, &shown);
     print_message("%s, %d pixels wide: marker %ld, view %ld to %ld of %ld to %ld\n", shape->name,
                   width, (long)shown.marker, (long)shown.from, (long)shown.to, (long)shown.first,
                   (long)shown.last);

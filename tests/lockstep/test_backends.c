@@ -12,8 +12,8 @@
 
 #include "../seed.h"
 #include "backend/backend.h"
+#include "circuit/circuits.h"
 #include "circuit/random.h"
-#include "rtl/rtl.h"
 
 enum { LONGEST = 600, FILLER = 0xa5 };
 
@@ -66,6 +66,11 @@ static run expected_run(glint_gate gate, const glint_material *material, const r
     return expected;
 }
 
+static glint_points points_of(run *run, size_t count, bool with_w)
+{
+    return (glint_points){run->cosine, count, with_w ? run->w : NULL, run->r, run->g, run->b};
+}
+
 /* Nothing, less than a clock's worth, whole clocks, one more, one less, and long. */
 static int lengths_for(int lanes, size_t *lengths)
 {
@@ -90,8 +95,8 @@ static void check_batch(glint_rtl *rtl, const glint_specular_config *config, siz
     draw_cosines(material.n, &found);
     const run expected = expected_run(config->gate, &material, &found, count, with_w);
     const uint64_t clocks = glint_rtl_clocks(rtl);
-    if (glint_rtl_batch(rtl, &material, found.cosine, count, with_w ? found.w : NULL, found.r,
-                        found.g, found.b, &err) != GLINT_OK) {
+    const glint_points points = points_of(&found, count, with_w);
+    if (glint_rtl_shade(rtl, &material, &points, &err) != GLINT_OK) {
         fail_msg("%s", err.text);
     }
     if (memcmp(&found, &expected, sizeof found) != 0) {
@@ -105,38 +110,55 @@ static void check_batch(glint_rtl *rtl, const glint_specular_config *config, siz
                 (count + lanes - 1) / lanes + (size_t)glint_specular_latency(config->pipeline) - 1);
 }
 
-typedef glint_status create_circuit(const glint_specular_config *config, glint_rtl **rtl,
-                                    glint_error *err);
-
-static void check_all_circuits(create_circuit *create)
+static void check_circuit(glint_setting setting, glint_rtl_kind kind)
 {
-    const glint_specular_config *config;
+    const glint_specular_config config = glint_specular_config_of(setting.values);
+    size_t lengths[16];
+    const int count = lengths_for(config.lanes, lengths);
+    glint_rtl *rtl;
+    glint_error err;
+    if (glint_rtl_open(&setting, kind, &rtl, &err) != GLINT_OK) {
+        fail_msg("%s", err.text);
+    }
+    assert_true(glint_rtl_clocks(rtl) == 1);
+    for (int i = 0; i < 2 * count; i++) {
+        check_batch(rtl, &config, lengths[i / 2], i % 2 == 0);
+    }
+    glint_rtl_destroy(rtl);
+}
+
+static void check_all_circuits(glint_rtl_kind kind)
+{
+    glint_setting setting;
     int circuits = 0;
-    for (; (config = glint_rtl_built(circuits)) != NULL; circuits++) {
-        size_t lengths[16];
-        const int count = lengths_for(config->lanes, lengths);
-        glint_rtl *rtl;
-        glint_error err;
-        assert_int_equal(create(config, &rtl, &err), GLINT_OK);
-        assert_true(glint_rtl_clocks(rtl) == 1);
-        for (int i = 0; i < 2 * count; i++) {
-            check_batch(rtl, config, lengths[i / 2], i % 2 == 0);
-        }
-        glint_rtl_destroy(rtl);
+    for (; glint_setting_listed(&glint_circuit_specular, circuits, &setting); circuits++) {
+        check_circuit(setting, kind);
     }
     assert_int_equal(circuits, 30);
+}
+
+/* Lanes that are not listed. */
+static void batches_of_any_number_of_lanes(void **state)
+{
+    (void)state;
+    static const int lanes[] = {3, 5, 31, 32};
+    for (size_t i = 0; i < sizeof lanes / sizeof lanes[0]; i++) {
+        const glint_specular_config config = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED,
+                                              lanes[i]};
+        check_circuit(glint_setting_specular(&config), GLINT_RTL_FAST);
+    }
 }
 
 static void batches_of_every_circuit(void **state)
 {
     (void)state;
-    check_all_circuits(glint_rtl_create);
+    check_all_circuits(GLINT_RTL_OBSERVED);
 }
 
 static void batches_of_every_circuit_built_for_speed(void **state)
 {
     (void)state;
-    check_all_circuits(glint_rtl_create_fast);
+    check_all_circuits(GLINT_RTL_FAST);
 }
 
 static void circuits_share_nothing(void **state)
@@ -147,11 +169,15 @@ static void circuits_share_nothing(void **state)
     glint_rtl *a;
     glint_rtl *b;
     glint_error err;
-    assert_int_equal(glint_rtl_create(&config, &a, &err), GLINT_OK);
-    assert_int_equal(glint_rtl_create(&config, &b, &err), GLINT_OK);
+    const glint_setting setting = glint_setting_specular(&config);
+    static uint64_t of_a[GLINT_SIGNAL_WORDS_MAX], of_b[GLINT_SIGNAL_WORDS_MAX];
+    assert_int_equal(glint_rtl_open(&setting, GLINT_RTL_OBSERVED, &a, &err), GLINT_OK);
+    assert_int_equal(glint_rtl_open(&setting, GLINT_RTL_OBSERVED, &b, &err), GLINT_OK);
     assert_string_equal(glint_specular_signal_info(&config, 0).name, "reg2");
     glint_rtl_clock(a, &material);
-    assert_true(glint_rtl_signal_bits(a, 0) == 77 && glint_rtl_signal_bits(b, 0) == 0);
+    glint_rtl_read(a, of_a);
+    glint_rtl_read(b, of_b);
+    assert_true(of_a[0] == 77 && of_b[0] == 0);
     assert_true(glint_rtl_clocks(a) == 2 && glint_rtl_clocks(b) == 1);
     glint_rtl_destroy(a);
     glint_rtl_destroy(b);
@@ -167,22 +193,22 @@ static void an_n_out_of_range_is_refused(void **state)
     uint8_t g = FILLER;
     uint8_t b = FILLER;
     glint_error err;
+    const glint_points point = {&cosine, 1, NULL, &r, &g, &b};
     for (int kind = 0; kind < GLINT_BACKEND_COUNT; kind++) {
         const glint_backend_config config = {(glint_backend_kind)kind, GLINT_GATE_COSINE,
-                                             GLINT_PIPELINE_PIPELINED, 1};
+                                             GLINT_PIPELINE_PIPELINED, 1, NULL};
         glint_backend *backend;
         assert_int_equal(glint_backend_create(&config, &backend, &err), GLINT_OK);
-        assert_int_equal(glint_backend_shade(backend, &bad, &cosine, 1, NULL, &r, &g, &b, &err),
-                         GLINT_BAD_ARGUMENT);
+        assert_int_equal(glint_backend_shade(backend, &bad, &point, &err), GLINT_BAD_ARGUMENT);
         assert_non_null(strstr(err.text, "1024"));
         assert_true(r == FILLER && g == FILLER && b == FILLER);
         glint_backend_destroy(backend);
     }
     glint_rtl *rtl;
     const glint_specular_config config = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1};
-    assert_int_equal(glint_rtl_create(&config, &rtl, &err), GLINT_OK);
-    assert_int_equal(glint_rtl_batch(rtl, &bad, &cosine, 1, NULL, &r, &g, &b, &err),
-                     GLINT_BAD_ARGUMENT);
+    const glint_setting setting = glint_setting_specular(&config);
+    assert_int_equal(glint_rtl_open(&setting, GLINT_RTL_FAST, &rtl, &err), GLINT_OK);
+    assert_int_equal(glint_rtl_shade(rtl, &bad, &point, &err), GLINT_BAD_ARGUMENT);
     glint_rtl_destroy(rtl);
 }
 
@@ -216,9 +242,8 @@ static void check_shade(glint_backend *backend, const glint_backend_config *conf
     if (config->kind == GLINT_BACKEND_REAL) {
         to_real(config->gate, &material, count, with_w, &expected);
     }
-    assert_int_equal(glint_backend_shade(backend, &material, found.cosine, count,
-                                         with_w ? found.w : NULL, found.r, found.g, found.b, &err),
-                     GLINT_OK);
+    const glint_points points = points_of(&found, count, with_w);
+    assert_int_equal(glint_backend_shade(backend, &material, &points, &err), GLINT_OK);
     if (memcmp(&found, &expected, sizeof found) != 0) {
         fail_msg("backend %d, gate %s, pipeline %s, %d lanes: %zu points of n %u",
                  (int)config->kind, glint_gate_name(config->gate),
@@ -251,7 +276,7 @@ static void every_backend_in_every_setting(void **state)
             for (int pipeline = 0; pipeline < GLINT_PIPELINE_COUNT; pipeline++) {
                 for (size_t i = 0; i < sizeof lanes / sizeof lanes[0]; i++) {
                     const glint_backend_config config = {(glint_backend_kind)kind, (glint_gate)gate,
-                                                         (glint_pipeline)pipeline, lanes[i]};
+                                                         (glint_pipeline)pipeline, lanes[i], NULL};
                     check_backend(&config);
                     backends++;
                 }
@@ -275,13 +300,13 @@ static void c_and_real_differ_by_a_step_at_most(void **state)
         real = c;
         for (int kind = 0; kind < 2; kind++) {
             const glint_backend_config config = {kind == 0 ? GLINT_BACKEND_C : GLINT_BACKEND_REAL,
-                                                 GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 0};
+                                                 GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 0,
+                                                 NULL};
             run *to = kind == 0 ? &c : &real;
             glint_backend *backend;
             assert_int_equal(glint_backend_create(&config, &backend, &err), GLINT_OK);
-            assert_int_equal(glint_backend_shade(backend, &material, to->cosine, LONGEST, to->w,
-                                                 to->r, to->g, to->b, &err),
-                             GLINT_OK);
+            const glint_points points = points_of(to, LONGEST, true);
+            assert_int_equal(glint_backend_shade(backend, &material, &points, &err), GLINT_OK);
             glint_backend_destroy(backend);
         }
         for (int i = 0; i < LONGEST; i++) {
@@ -298,13 +323,13 @@ static void backends_that_do_not_exist_are_refused(void **state)
 {
     (void)state;
     static const glint_backend_config bad[] = {
-        {GLINT_BACKEND_COUNT, GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 1},
-        {(glint_backend_kind)-1, GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 1},
-        {GLINT_BACKEND_C, GLINT_GATE_COUNT, GLINT_PIPELINE_COMBINATIONAL, 1},
-        {GLINT_BACKEND_REAL, GLINT_GATE_COSINE, GLINT_PIPELINE_COUNT, 1},
-        {GLINT_BACKEND_RTL, GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 3},
-        {GLINT_BACKEND_RTL, GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, -1},
-        {GLINT_BACKEND_RTL, GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 32},
+        {GLINT_BACKEND_COUNT, GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 1, NULL},
+        {(glint_backend_kind)-1, GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 1, NULL},
+        {GLINT_BACKEND_C, GLINT_GATE_COUNT, GLINT_PIPELINE_COMBINATIONAL, 1, NULL},
+        {GLINT_BACKEND_REAL, GLINT_GATE_COSINE, GLINT_PIPELINE_COUNT, 1, NULL},
+        {GLINT_BACKEND_RTL, GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 33, NULL},
+        {GLINT_BACKEND_RTL, GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, -1, NULL},
+        {GLINT_BACKEND_RTL, GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 1000, NULL},
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         int nothing;
@@ -322,6 +347,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(batches_of_every_circuit),
         cmocka_unit_test(batches_of_every_circuit_built_for_speed),
+        cmocka_unit_test(batches_of_any_number_of_lanes),
         cmocka_unit_test(circuits_share_nothing),
         cmocka_unit_test(an_n_out_of_range_is_refused),
         cmocka_unit_test(every_backend_in_every_setting),

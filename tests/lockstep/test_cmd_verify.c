@@ -15,6 +15,7 @@
 
 #include "../child.h"
 #include "../cli/run.h"
+#include "circuit/circuits.h"
 #include "circuit/random_pins.h"
 #include "glint_specular_device.h"
 #include "lockstep/reach.h"
@@ -191,8 +192,8 @@ static void what_was_reached_is_told(void **state)
     cJSON *json = cJSON_Parse(done.out);
     const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "settings");
     for (int i = 0; i < 5; i++) {
-        const glint_setting setting = {
-            .specular = {GLINT_GATE_SIGN, GLINT_PIPELINE_PIPELINED, 1 << i}};
+        const glint_setting setting = glint_setting_specular(
+            &(glint_specular_config){GLINT_GATE_SIGN, GLINT_PIPELINE_PIPELINED, 1 << i});
         const glint_reach reach = reach_of(&setting, REACH_CLOCKS, REACH_SEED);
         const cJSON *entry = cJSON_GetArrayItem(list, i);
         assert_true(number(entry, "lanes") == 1 << i);
@@ -231,7 +232,7 @@ static void what_a_divider_reached_is_told(void **state)
 {
     (void)state;
     char words[100];
-    const glint_setting setting = {.is_divider = true, .shifts = 7};
+    const glint_setting setting = glint_setting_divider(GLINT_DIVIDER_SEQUENTIAL, 7);
     const glint_reach reach = reach_of(&setting, REACH_CLOCKS, REACH_SEED);
     outcome told = run("verify --shifts 7 --clocks 30000 --seed 12", "");
     outcome done = run("verify --shifts 7 --clocks 30000 --seed 12 --json", "");

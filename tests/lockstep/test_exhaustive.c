@@ -17,6 +17,7 @@
 #include "../child.h"
 #include "../cli/run.h"
 #include "../terminal.h"
+#include "../wrong.h"
 
 enum {
     CODES = GLINT_COS_CODE_MAX + 1, /* of the cosine pin */
@@ -251,7 +252,7 @@ static void what_makes_no_sense_is_refused(void **state)
 {
     (void)state;
     static const char *const options[] = {"--shard 3/2", "--shard 0/2", "--shard x", "--from 1024",
-                                          "--stride 0",  "--seed 1",    "--lanes 3"};
+                                          "--stride 0",  "--seed 1",    "--lanes 33"};
     for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
         char command_line[128];
         (void)snprintf(command_line, sizeof command_line, "verify --exhaustive %s", options[i]);
@@ -269,14 +270,11 @@ static void what_makes_no_sense_is_refused(void **state)
 static void a_wrong_circuit_is_found(void **state)
 {
     (void)state;
-    static char wrong[1024];
-    static char right[1024];
-    const char *build = getenv("GLINT_BUILD");
-    (void)snprintf(right, sizeof right, "GLINT=%s", glint_under_test());
-    (void)snprintf(wrong, sizeof wrong, "GLINT=%s/wrong/glint", build != NULL ? build : "build");
-    assert_int_equal(putenv(wrong), 0);
-    outcome done = run("verify --exhaustive --stride 4093 --seed 3 --threads 4", "");
-    assert_int_equal(putenv(right), 0);
+    char command_line[1024];
+    (void)snprintf(command_line, sizeof command_line,
+                   "verify --exhaustive --stride 4093 --seed 3 --threads 4 --rtl %s --out %s",
+                   wrong_rtl("truncating"), scratch_path("found"));
+    outcome done = run(command_line, "");
     assert_int_equal(done.status, 1);
     assert_says(done.out, "the first mismatches:");
     assert_says(done.out, "red: model ");

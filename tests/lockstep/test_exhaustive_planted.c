@@ -1,7 +1,7 @@
-/* The exhaustive comparison itself, by differences planted in the circuit's answers: a model table
- * of the test's own asks the real circuit and then alters what the plant says. Each run, sweep,
- * lane, thread and each of W, red, green and blue has its turn, and the mismatches must be exactly
- * those planted; the counts are the test's own. */
+/* The exhaustive comparison itself, by differences planted in the circuit's answers: a circuit
+ * of the test's own (mock_rtl.h) asks the real one and then alters what the plant says. Each run,
+ * sweep, lane, thread and each of W, red, green and blue has its turn, and the mismatches must be
+ * exactly those planted; the counts are the test's own. */
 #define _POSIX_C_SOURCE 200809L
 
 #include <errno.h>
@@ -17,11 +17,9 @@
 #include <cmocka.h>
 
 #include "../golden.h"
+#include "../wrong.h"
 #include "lockstep/exhaustive.h"
-#include "rtl/rtl_model.h"
-
-extern const glint_rtl_model glint_rtl_model_cosine_pipelined_16_fast;
-extern const glint_rtl_model glint_wrong_late_saturation;
+#include "mock_rtl.h"
 
 enum {
     LANES = 16,
@@ -49,7 +47,7 @@ typedef struct plant {
     int lane;
 } plant;
 
-static const glint_rtl_model *const sound = &glint_rtl_model_cosine_pipelined_16_fast;
+static const glint_specular_config sound = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, LANES};
 static plant planted;
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t all_have_come = PTHREAD_COND_INITIALIZER;
@@ -79,7 +77,7 @@ static void wait_for_all(void)
     }
 }
 
-static void alter(const glint_rtl_batch_io *io, size_t at)
+static void alter(const glint_points *io, size_t at)
 {
     switch (planted.value) {
     case GLINT_ANSWER_R:
@@ -92,38 +90,33 @@ static void alter(const glint_rtl_batch_io *io, size_t at)
         io->b[at] ^= 1;
         break;
     default:
-        io->w_code[at] ^= 1;
+        io->w[at] ^= 1;
     }
     alterations++;
 }
 
-static size_t batch_planted(void *instance, const glint_material *material,
-                            const glint_rtl_batch_io *io)
+static glint_status shade_planted(glint_rtl *rtl, const glint_material *material,
+                                  const glint_points *points, glint_error *err)
 {
-    const size_t done = sound->batch(instance, material, io);
+    const glint_status status = __real_glint_rtl_shade(rtl, material, points, err);
     pthread_mutex_lock(&lock);
     wait_for_all();
-    for (size_t i = 0; i < io->count; i++) {
-        const point point = {material, io->cos_code[i], (int)(i % LANES), i, io->count};
+    for (size_t i = 0; i < points->count; i++) {
+        const point point = {material, points->cos[i], (int)(i % LANES), i, points->count};
         if (planted.where(&point)) {
-            alter(io, i);
+            alter(points, i);
         }
     }
     batches++;
-    asked += io->count;
+    asked += points->count;
     pthread_mutex_unlock(&lock);
-    return done;
+    return status;
 }
 
-static glint_exhaustive_options options_for(const glint_rtl_model *model)
+static glint_exhaustive_options options_for(glint_specular_config config)
 {
-    return (glint_exhaustive_options){.config = {model->config},
-                                      .configs = 1,
-                                      .model = model,
-                                      .shard = 1,
-                                      .shards = 1,
-                                      .stride = 1,
-                                      .threads = 1};
+    return (glint_exhaustive_options){
+        .config = {config}, .configs = 1, .shard = 1, .shards = 1, .stride = 1, .threads = 1};
 }
 
 static glint_exhaustive_options only_n(glint_exhaustive_options options, uint32_t n)
@@ -148,11 +141,9 @@ static void compare(glint_exhaustive_options options)
 
 static void plant_and_compare(const plant *what, glint_exhaustive_options options)
 {
-    static glint_rtl_model altered;
-    altered = *sound;
-    altered.batch = batch_planted;
+    mock = (mock_rtl){.shade = shade_planted};
     planted = *what;
-    options.model = &altered;
+    options.verilog = mock_verilog;
     compare(options);
 }
 
@@ -272,7 +263,10 @@ static void the_multipliers_see_every_w(void **state)
 static void a_wrong_saturation_of_the_first_code_is_found(void **state)
 {
     (void)state;
-    compare(only_n(options_for(&glint_wrong_late_saturation), 2));
+    const glint_specular_config config = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1};
+    glint_exhaustive_options options = only_n(options_for(config), 2);
+    options.verilog = wrong_rtl("late_saturation");
+    compare(options);
     assert_counts(2 * CODES + QUARTER, 2);
     for (int i = 0; i < 2; i++) {
         const glint_answer *answer = &result.mismatch[i].answer;
@@ -444,19 +438,19 @@ static void the_two_sweeps_of_an_n_take_two_lanes(void **state)
 }
 
 /* Two lanes in the middle answer with each other's W, for one n and one W that one code has. */
-static size_t batch_swapped(void *instance, const glint_material *material,
-                            const glint_rtl_batch_io *io)
+static glint_status shade_swapped(glint_rtl *rtl, const glint_material *material,
+                                  const glint_points *points, glint_error *err)
 {
-    const size_t done = sound->batch(instance, material, io);
-    for (size_t i = 7; i + 1 < io->count; i += LANES) {
-        const uint32_t w = io->w_code[i];
+    const glint_status status = __real_glint_rtl_shade(rtl, material, points, err);
+    for (size_t i = 7; i + 1 < points->count; i += LANES) {
+        const uint32_t w = points->w[i];
         if (material->n == planted.n && w == planted.code) {
-            io->w_code[i] = io->w_code[i + 1];
-            io->w_code[i + 1] = w;
+            points->w[i] = points->w[i + 1];
+            points->w[i + 1] = w;
             alterations++;
         }
     }
-    return done;
+    return status;
 }
 
 /* Once in each of the sweeps white and in colour, two values each time. The multipliers' sweep has
@@ -465,7 +459,6 @@ static void two_lanes_swapped_for_one_point_are_found_by_every_lane(void **state
 {
     (void)state;
     static const uint32_t n = 513;
-    static glint_rtl_model swapped;
     const glint_material material = {(uint16_t)n, 255, 255, 255};
     const uint32_t code = GLINT_COS_ONE - 700;
     uint32_t w;
@@ -473,10 +466,10 @@ static void two_lanes_swapped_for_one_point_are_found_by_every_lane(void **state
     assert_int_equal(glint_specular_batch(GLINT_GATE_COSINE, &material, &code, 1, &w, &r, &g, &b),
                      GLINT_OK);
     assert_in_range(w, 1, GLINT_W_ONE - 1);
-    swapped = *sound;
-    swapped.batch = batch_swapped;
+    mock = (mock_rtl){.shade = shade_swapped};
     planted = (plant){.n = n, .code = w};
-    glint_exhaustive_options options = only_n(options_for(&swapped), n);
+    glint_exhaustive_options options = only_n(options_for(sound), n);
+    options.verilog = mock_verilog;
     options.every_lane = true;
     compare(options);
     assert_int_equal(alterations, 2);
@@ -525,17 +518,45 @@ static void the_differences_of_each_lane_are_found(void **state)
     }
 }
 
+/* The lanes of a number that is no power of two: of a sweep each sees its part, and the codes that
+ * each is given are all of them together. */
+static bool note_code(const point *point)
+{
+    met[WHITE][0][point->code] = 1;
+    return false;
+}
+
+static void any_number_of_lanes_sees_every_code(void **state)
+{
+    (void)state;
+    static const int lanes[] = {3, 32};
+    for (size_t i = 0; i < sizeof lanes / sizeof lanes[0]; i++) {
+        const plant note = {.where = note_code};
+        glint_specular_config config = sound;
+        config.lanes = lanes[i];
+        const uint64_t l = (uint64_t)lanes[i];
+        memset(met, 0, sizeof met);
+        plant_and_compare(&note, only_n(options_for(config), 80));
+        const uint64_t sweep = (CODES + l - 1) / l * l;
+        assert_counts(2 * sweep + (QUARTER + l - 1) / l * l, 0);
+        assert_int_equal(result.circuit[0].pairs, QUARTER);
+        for (uint32_t code = 0; code < CODES; code++) {
+            assert_int_equal(met[WHITE][0][code], 1);
+        }
+    }
+}
+
 /* Lanes that a clock cannot be filled with are refused before anything is planned. */
 static void lanes_that_are_none_are_refused(void **state)
 {
     (void)state;
-    static const int lanes[] = {0, 3, 17, -1};
+    static const int lanes[] = {0, 33, 1000, -1};
     for (size_t i = 0; i < sizeof lanes / sizeof lanes[0]; i++) {
         glint_error err;
         glint_exhaustive_options options = options_for(sound);
         options.config[0].lanes = lanes[i];
         assert_int_equal(glint_exhaustive_run(&options, &result, &err), GLINT_BAD_ARGUMENT);
-        assert_non_null(strstr(err.text, "lanes are not 1, 2, 4, 8 or 16"));
+        assert_non_null(strstr(err.text, "lanes are not 1 to 32"));
     }
 }
 
@@ -555,6 +576,7 @@ int main(void)
         cmocka_unit_test(two_lanes_swapped_for_one_point_are_found_by_every_lane),
         cmocka_unit_test(every_lane_sees_every_code),
         cmocka_unit_test(the_differences_of_each_lane_are_found),
+        cmocka_unit_test(any_number_of_lanes_sees_every_code),
         cmocka_unit_test(lanes_that_are_none_are_refused),
     };
     return golden_run_group_tests(tests, NULL, NULL);

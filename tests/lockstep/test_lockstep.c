@@ -1,4 +1,4 @@
-/* The C model and the real circuits in lockstep, in every setting that is built; and that the
+/* The C model and the real circuits in lockstep, in every setting that is listed; and that the
  * random inputs reach what they are said to reach. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -11,6 +11,7 @@
 
 #include "../seed.h"
 #include "../under_way.h"
+#include "circuit/circuits.h"
 #include "circuit/stimulus.h"
 #include "lockstep/lockstep.h"
 
@@ -29,18 +30,28 @@ static int draw_seed(void **state)
     return 0;
 }
 
-static void every_setting_is_built_once(void **state)
+/* The settings that are tried unasked, by number. */
+static bool listed(int number, glint_setting *setting, glint_specular_config *config)
+{
+    const bool there = glint_setting_listed(&glint_circuit_specular, number, setting);
+    if (there) {
+        *config = glint_specular_config_of(setting->values);
+    }
+    return there;
+}
+
+static void every_setting_is_listed_once(void **state)
 {
     (void)state;
     int count = 0;
-    const glint_specular_config *config;
-    for (; (config = glint_rtl_built(count)) != NULL; count++) {
+    glint_setting setting, other;
+    for (; glint_setting_listed(&glint_circuit_specular, count, &setting); count++) {
         for (int i = 0; i < count; i++) {
-            assert_memory_not_equal(config, glint_rtl_built(i), sizeof *config);
+            assert_true(glint_setting_listed(&glint_circuit_specular, i, &other));
+            assert_false(glint_setting_equal(&setting, &other));
         }
     }
     assert_int_equal(count, SETTINGS);
-    assert_null(glint_rtl_built(-1));
 }
 
 static void the_circuits_equal_the_model(void **state)
@@ -48,22 +59,22 @@ static void the_circuits_equal_the_model(void **state)
     (void)state;
     static glint_lockstep_result result;
     uint64_t comparisons = 0;
-    const glint_specular_config *config;
-    for (int i = 0; (config = glint_rtl_built(i)) != NULL; i++) {
+    glint_setting setting;
+    glint_specular_config config;
+    for (int i = 0; listed(i, &setting, &config); i++) {
         glint_error err;
-        const glint_lockstep_options options = {
-            .setting = {.specular = *config}, .clocks = CLOCKS, .seed = seed};
+        const glint_lockstep_options options = {.setting = setting, .clocks = CLOCKS, .seed = seed};
         assert_int_equal(glint_lockstep_run(&options, &result, &err), GLINT_OK);
         if (result.mismatches != 0) {
             fail_msg("gate %s, pipeline %s, %d lanes, seed %" PRIu64 ": %" PRIu64
                      " mismatches, the first in %s at clock %" PRIu64,
-                     glint_gate_name(config->gate), glint_pipeline_name(config->pipeline),
-                     config->lanes, seed, result.mismatches, result.mismatch[0].signal.name,
+                     glint_gate_name(config.gate), glint_pipeline_name(config.pipeline),
+                     config.lanes, seed, result.mismatches, result.mismatch[0].signal.name,
                      result.first_clock);
         }
         assert_int_equal(result.clocks, CLOCKS);
         assert_true(result.comparisons ==
-                    (uint64_t)CLOCKS * (uint64_t)glint_specular_signal_count(config));
+                    (uint64_t)CLOCKS * (uint64_t)glint_specular_signal_count(&config));
         assert_int_equal(result.kept, 0);
         assert_int_equal(result.totals_count, 0);
         comparisons += result.comparisons;
@@ -75,29 +86,34 @@ static void the_circuits_equal_the_model(void **state)
 /* ---- Refusals and interruption ------------------------------------------------------------------
  */
 
-static const glint_lockstep_options usual = {
-    .setting = {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1}},
-    .clocks = 5000,
-    .seed = 1};
+static const glint_specular_config usual_config = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1};
+
+enum { USUAL_CLOCKS = 5000 };
+
+static glint_lockstep_options usual(void)
+{
+    return (glint_lockstep_options){
+        .setting = glint_setting_specular(&usual_config), .clocks = USUAL_CLOCKS, .seed = 1};
+}
 
 static void zero_clocks_are_refused(void **state)
 {
     (void)state;
     static glint_lockstep_result result;
     glint_error err;
-    glint_lockstep_options options = usual;
+    glint_lockstep_options options = usual();
     options.clocks = 0;
     assert_int_equal(glint_lockstep_run(&options, &result, &err), GLINT_BAD_ARGUMENT);
     assert_string_equal(err.text, "0 clocks would compare nothing");
 }
 
-static void a_setting_that_is_not_built_is_refused(void **state)
+static void a_setting_that_does_not_exist_is_refused(void **state)
 {
     (void)state;
     static glint_lockstep_result result;
     glint_error err;
-    glint_lockstep_options options = usual;
-    options.setting.specular.lanes = 3;
+    glint_lockstep_options options = usual();
+    options.setting.values[GLINT_SPECULAR_LANES] = GLINT_LANES_MAX + 1;
     assert_int_equal(glint_lockstep_run(&options, &result, &err), GLINT_BAD_ARGUMENT);
     assert_int_equal(result.comparisons, 0);
     assert_true(err.text[0] != '\0');
@@ -109,12 +125,12 @@ static void a_stop_ends_the_run_with_what_was_compared(void **state)
     static glint_lockstep_result result;
     static const volatile bool stop = true;
     glint_error err;
-    glint_lockstep_options options = usual;
+    glint_lockstep_options options = usual();
     options.stop = &stop;
     assert_int_equal(glint_lockstep_run(&options, &result, &err), GLINT_INTERRUPTED);
     assert_true(result.clocks > 0 && result.clocks < options.clocks);
     assert_true(result.comparisons ==
-                result.clocks * (uint64_t)glint_specular_signal_count(&options.setting.specular));
+                result.clocks * (uint64_t)glint_specular_signal_count(&usual_config));
     assert_int_equal(result.mismatches, 0);
 }
 
@@ -122,7 +138,7 @@ static void note_progress(void *context, uint64_t done, uint64_t total)
 {
     uint64_t *last = context;
     assert_true(done > *last && done <= total);
-    assert_true(total == usual.clocks);
+    assert_true(total == USUAL_CLOCKS);
     *last = done;
 }
 
@@ -132,7 +148,7 @@ static void progress_is_told(void **state)
     static glint_lockstep_result result;
     uint64_t last = 0;
     glint_error err;
-    glint_lockstep_options options = usual;
+    glint_lockstep_options options = usual();
     options.progress = note_progress;
     options.progress_context = &last;
     assert_int_equal(glint_lockstep_run(&options, &result, &err), GLINT_OK);
@@ -282,9 +298,9 @@ static void the_stimulus_reaches_every_situation(void **state)
         for (int clock = 0; clock < 20000; clock++) {
             glint_specular_inputs in;
             glint_stimulus_next(&stimulus, &in);
-            assert_true(in.in_valid >> lanes == 0);
+            assert_true((uint64_t)in.in_valid >> lanes == 0);
             count_controls(&counted, &in, points_are_under_way(&config, signals),
-                           (1u << lanes) - 1u);
+                           (uint32_t)((UINT64_C(1) << lanes) - 1));
             glint_specular_device_clock(device, &in);
             count_points(&counted, &in, signals, lanes);
         }
@@ -321,8 +337,10 @@ static void every_signal_moves(void **state)
     (void)state;
     static uint64_t ones[SIGNALS_MAX];
     static uint64_t zeros[SIGNALS_MAX];
-    const glint_specular_config *config;
-    for (int setting = 0; (config = glint_rtl_built(setting)) != NULL; setting++) {
+    glint_setting setting;
+    glint_specular_config of_number;
+    for (int number = 0; listed(number, &setting, &of_number); number++) {
+        const glint_specular_config *config = &of_number;
         const int count = glint_specular_signal_count(config);
         glint_stimulus stimulus;
         glint_specular_device *device;
@@ -359,10 +377,10 @@ static void every_signal_moves(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_setting_is_built_once),
+        cmocka_unit_test(every_setting_is_listed_once),
         cmocka_unit_test(the_circuits_equal_the_model),
         cmocka_unit_test(zero_clocks_are_refused),
-        cmocka_unit_test(a_setting_that_is_not_built_is_refused),
+        cmocka_unit_test(a_setting_that_does_not_exist_is_refused),
         cmocka_unit_test(a_stop_ends_the_run_with_what_was_compared),
         cmocka_unit_test(progress_is_told),
         cmocka_unit_test(a_seed_gives_the_same_inputs_again),

@@ -12,16 +12,11 @@
 #include <cmocka.h>
 
 #include "../seed.h"
+#include "../wrong.h"
+#include "circuit/circuits.h"
 #include "circuit/random_pins.h"
 #include "lockstep/lockstep.h"
 #include "lockstep/reach.h"
-#include "rtl/divider_model.h"
-#include "rtl/rtl_model.h"
-
-extern const glint_rtl_model glint_wrong_tired;
-extern const glint_rtl_model glint_wrong_worn_out;
-extern const glint_rtl_model glint_wrong_impatient;
-extern const glint_divider_model glint_wrong_divider_tired;
 
 enum { USUAL = 100000, LONG = 1200000, DEEP = 1 << 16, DEEPER = 1 << 20, LONG_STALL = 64 };
 
@@ -34,7 +29,12 @@ static int draw_seed(void **state)
     return 0;
 }
 
-static const glint_setting settings[] = {
+static const struct {
+    bool is_divider;
+    glint_specular_config specular;
+    glint_divider_form form;
+    int shifts;
+} described[] = {
     {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1}},
     {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 1}},
     {.specular = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 4}},
@@ -43,7 +43,33 @@ static const glint_setting settings[] = {
     {.is_divider = true, .form = GLINT_DIVIDER_SEQUENTIAL, .shifts = 16},
     {.is_divider = true, .form = GLINT_DIVIDER_PIPELINED, .shifts = 12},
 };
-#define SETTINGS (sizeof settings / sizeof settings[0])
+#define SETTINGS (sizeof described / sizeof described[0])
+static glint_setting settings[SETTINGS];
+
+static int prepare(void **state)
+{
+    for (size_t i = 0; i < SETTINGS; i++) {
+        settings[i] = described[i].is_divider
+                          ? glint_setting_divider(described[i].form, described[i].shifts)
+                          : glint_setting_specular(&described[i].specular);
+    }
+    return draw_seed(state);
+}
+
+static bool is_divider(const glint_setting *setting)
+{
+    return setting->circuit == &glint_circuit_divider;
+}
+
+static bool is_sequential(const glint_setting *setting)
+{
+    return is_divider(setting) && setting->values[GLINT_DIVIDER_FORM] == GLINT_DIVIDER_SEQUENTIAL;
+}
+
+static int lanes_of(const glint_setting *setting)
+{
+    return is_divider(setting) ? 0 : setting->values[GLINT_SPECULAR_LANES];
+}
 
 static void drive(const glint_setting *setting, uint64_t clocks, glint_reach_count *count)
 {
@@ -66,26 +92,26 @@ enum { RECOUNTED = 30000 };
 typedef struct recount {
     bool reset[RECOUNTED], en[RECOUNTED], in_flight[RECOUNTED];
     bool changed[RECOUNTED], ignored[RECOUNTED], taken[RECOUNTED];
-    bool pattern[1 << GLINT_LANES_MAX];
+    bool pattern[1 << GLINT_REACH_PATTERN_LANES];
 } recount;
 
 /* Whether a point or a division has not come out yet: with the result at the output only, or in no
  * stage, there is none. */
 static bool device_holds_points(const glint_setting *setting, const glint_specular_signals *s)
 {
-    return setting->specular.pipeline == GLINT_PIPELINE_PIPELINED &&
+    return setting->values[GLINT_SPECULAR_PIPELINE] == GLINT_PIPELINE_PIPELINED &&
            (s->s1_valid != 0 || s->s2_valid != 0 || s->s3_valid != 0);
 }
 
 static bool divider_holds_divisions(const glint_setting *setting,
                                     const glint_divider_device *device)
 {
-    if (setting->form == GLINT_DIVIDER_SEQUENTIAL) {
+    if (is_sequential(setting)) {
         return glint_divider_device_sequential(device)->busy != 0;
     }
     const glint_divider_pipelined_signals *s = glint_divider_device_pipelined(device);
     bool holds = s->s0_valid != 0;
-    for (int j = 1; j < setting->shifts; j++) {
+    for (int j = 1; j < setting->values[GLINT_DIVIDER_SHIFTS]; j++) {
         holds |= s->stage[j].valid != 0;
     }
     return holds;
@@ -113,31 +139,28 @@ static void note_division(recount *all, int clock, const glint_divider_inputs *i
 static void note_all(recount *all, const glint_setting *setting)
 {
     glint_random_pins source;
-    glint_specular_device *specular = NULL;
-    glint_divider_device *divider = NULL;
+    void *model;
     memset(all, 0, sizeof *all);
-    assert_int_equal(setting->is_divider
-                         ? glint_divider_device_create(setting->form, setting->shifts, &divider)
-                         : glint_specular_device_create(&setting->specular, &specular),
-                     GLINT_OK);
+    assert_int_equal(setting->circuit->create(setting->values, &model), GLINT_OK);
     glint_random_pins_begin(&source, setting, seed);
     for (int clock = 0; clock < RECOUNTED; clock++) {
         glint_pins pins;
+        glint_specular_inputs specular;
+        glint_divider_inputs divider;
         glint_random_pins_next(&source, &pins);
-        if (setting->is_divider) {
-            all->in_flight[clock] = divider_holds_divisions(setting, divider);
-            note_division(all, clock, &pins.divider,
-                          setting->form == GLINT_DIVIDER_SEQUENTIAL && all->in_flight[clock]);
-            glint_divider_device_clock(divider, &pins.divider);
+        memcpy(&specular, &pins, sizeof specular);
+        memcpy(&divider, &pins, sizeof divider);
+        if (is_divider(setting)) {
+            all->in_flight[clock] = divider_holds_divisions(setting, model);
+            note_division(all, clock, &divider, is_sequential(setting) && all->in_flight[clock]);
         } else {
             all->in_flight[clock] =
-                device_holds_points(setting, glint_specular_device_signals(specular));
-            note_specular(all, clock, &pins.specular);
-            glint_specular_device_clock(specular, &pins.specular);
+                device_holds_points(setting, glint_specular_device_signals(model));
+            note_specular(all, clock, &specular);
         }
+        setting->circuit->clock(model, &pins);
     }
-    glint_specular_device_destroy(specular);
-    glint_divider_device_destroy(divider);
+    setting->circuit->destroy(model);
 }
 
 static uint64_t sum(const bool *what, const bool *and)
@@ -167,7 +190,7 @@ static void assert_counted(const recount *all, const glint_setting *setting,
                            const glint_reach *found)
 {
     static bool ends_stall[RECOUNTED];
-    const int lanes = setting->is_divider ? 0 : setting->specular.lanes;
+    const int lanes = lanes_of(setting);
     uint64_t patterns = 0;
     int alone = 0;
     for (int i = 0; i < RECOUNTED; i++) {
@@ -240,10 +263,13 @@ static void a_count_by_hand(void **state)
         {.reset = 1},                          /* one that meets none */
         {.en = 1, .in_valid = 3, .n_we = 1},   /* a pattern that was there; nothing in flight */
     };
-    const glint_setting setting = {.specular = {GLINT_GATE_SIGN, GLINT_PIPELINE_PIPELINED, 2}};
+    const glint_setting setting = glint_setting_specular(
+        &(glint_specular_config){GLINT_GATE_SIGN, GLINT_PIPELINE_PIPELINED, 2});
     glint_reach_begin(&count, &setting);
     for (size_t i = 0; i < sizeof clocks / sizeof clocks[0]; i++) {
-        glint_reach_clock(&count, &(glint_pins){.specular = clocks[i]});
+        glint_pins pins = {{0}};
+        memcpy(&pins, &clocks[i], sizeof clocks[i]);
+        glint_reach_clock(&count, &pins);
     }
     assert_int_equal(count.reach.run, 8);
     assert_int_equal(count.reach.run_enabled, 6);
@@ -270,14 +296,14 @@ static void assert_mixed(size_t i, const glint_reach *reach)
 {
     ASSERT_AT_LEAST(reach->stall, LONG_STALL);
     ASSERT_AT_LEAST(reach->resets, 100);
-    if (!settings[i].is_divider) {
+    if (!is_divider(&settings[i])) {
         ASSERT_AT_LEAST(reach->changes, 10000);
-        ASSERT_AT_LEAST(reach->lanes_alone, settings[i].specular.lanes);
+        ASSERT_AT_LEAST(reach->lanes_alone, lanes_of(&settings[i]));
     }
     if (glint_setting_latency(&settings[i]) > 1) {
         ASSERT_AT_LEAST(reach->resets_in_flight, 20);
     }
-    if (!settings[i].is_divider && glint_setting_latency(&settings[i]) > 1) {
+    if (!is_divider(&settings[i]) && glint_setting_latency(&settings[i]) > 1) {
         ASSERT_AT_LEAST(reach->changes_in_flight, 1000);
     }
 }
@@ -331,29 +357,25 @@ static void the_longest_stretch_grows_with_the_run(void **state)
 
 typedef struct deep_fault {
     const char *name;
-    const glint_rtl_model *specular; /* or */
-    const glint_divider_model *divider;
+    bool is_divider;
     const char *signal; /* the first to differ */
     uint64_t clocks;    /* in which it must be found */
     uint64_t earliest;  /* clock at which it can show */
 } deep_fault;
 
 static const deep_fault faults[] = {
-    {"impatient", &glint_wrong_impatient, NULL, "s1_valid", 20000, LONG_STALL},
-    {"tired", &glint_wrong_tired, NULL, "reg3", USUAL, DEEP},
-    {"tired divider", NULL, &glint_wrong_divider_tired, "out_of_table", USUAL, DEEP},
-    {"worn_out", &glint_wrong_worn_out, NULL, "reg4", LONG, DEEPER},
+    {"impatient", false, "s1_valid", 20000, LONG_STALL},
+    {"tired", false, "reg3", USUAL, DEEP},
+    {"divider_tired", true, "out_of_table", USUAL, DEEP},
+    {"worn_out", false, "reg4", LONG, DEEPER},
 };
 
 static glint_setting setting_of(const deep_fault *fault)
 {
-    if (fault->divider != NULL) {
-        return (glint_setting){.is_divider = true,
-                               .form = fault->divider->form,
-                               .shifts = fault->divider->shifts,
-                               .divider_model = fault->divider};
-    }
-    return (glint_setting){.specular = fault->specular->config, .specular_model = fault->specular};
+    glint_setting setting = fault->is_divider ? glint_setting_divider(GLINT_DIVIDER_SEQUENTIAL, 12)
+                                              : glint_setting_specular(&described[0].specular);
+    setting.verilog = wrong_rtl(fault->name);
+    return setting;
 }
 
 static void what_goes_wrong_late_is_found(void **state)
@@ -387,5 +409,5 @@ int main(void)
         cmocka_unit_test(the_longest_stretch_grows_with_the_run),
         cmocka_unit_test(what_goes_wrong_late_is_found),
     };
-    return cmocka_run_group_tests(tests, draw_seed, NULL);
+    return cmocka_run_group_tests(tests, prepare, NULL);
 }
