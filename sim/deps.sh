@@ -28,6 +28,7 @@ packages_of() {
     report) echo "$build $plots" ;;
     test) echo "$checks $view $meshes $plots $solver" ;;
     portability) echo "$checks $foreign" ;;
+    newest) echo "$build libcmocka-dev python3-venv python3-pip liblz4-dev" ;;
     gtkwave) echo "$view" ;;
     *) return 1 ;;
     esac
@@ -55,7 +56,7 @@ installed $package
     done
 }
 
-[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build demo bench wave report install lint test gtkwave mutation netlist formal coverage fuzz portability formats)"
+[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build demo bench wave report install lint test gtkwave mutation netlist formal coverage fuzz portability formats newest)"
 
 needed=
 for goal in "$@"; do

