@@ -15,11 +15,10 @@
 #include <memory>
 #include <verilated.h>
 #ifdef GLINT_VCD
+#include <cstdio>
 #include <verilated_vcd_c.h>
-using Waveform = VerilatedVcdC;
 #elif defined GLINT_TRACED
 #include <verilated_fst_c.h>
-using Waveform = VerilatedFstC;
 #endif
 
 namespace
@@ -41,6 +40,51 @@ struct OneThreadContext : VerilatedContext {
         threads(1);
     }
 };
+
+#ifdef GLINT_VCD
+// A file that does not take all of it is left empty, so that nobody takes it for the waveform;
+// Verilator's own file ends the program.
+class VcdFile final : public VerilatedVcdFile {
+    std::FILE *file = nullptr;
+    std::string path;
+    bool failed = false;
+
+  public:
+    bool open(const std::string &name) override
+    {
+        path = name;
+        failed = false;
+        file = std::fopen(name.c_str(), "wb");
+        return file != nullptr;
+    }
+    ssize_t write(const char *bytes, ssize_t count) override
+    {
+        const auto wanted = static_cast<std::size_t>(count);
+        failed = failed || std::fwrite(bytes, 1, wanted, file) != wanted;
+        return count;
+    }
+    void close() override
+    {
+        if (file == nullptr)
+            return;
+        failed = std::fclose(file) != 0 || failed;
+        file = failed ? std::fopen(path.c_str(), "wb") : nullptr;
+        if (file != nullptr)
+            std::fclose(file);
+        file = nullptr;
+    }
+};
+
+struct Waveform : private VcdFile, public VerilatedVcdC {
+    Waveform() : VerilatedVcdC(static_cast<VcdFile *>(this))
+    {
+    }
+    using VerilatedVcdC::close;
+    using VerilatedVcdC::open;
+};
+#elif defined GLINT_TRACED
+using Waveform = VerilatedFstC;
+#endif
 
 struct Instance {
     static constexpr uint64_t HALF_PERIOD = 5; // ns, in a waveform

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "file/new_file.h"
 #include "file/room.h"
@@ -75,6 +76,17 @@ static void name_target(const char *part, const char *path, glint_error *err)
     *err = told;
 }
 
+/* An FST file is blocks, one after the other: a byte that says which, its length, its content. They
+ * fill the file exactly, and a writer that came to its end has left these. */
+enum {
+    HEADER = 0,
+    GEOMETRY = 3,
+    HIERARCHY = 4, /* or, packed otherwise: */
+    HIERARCHY_LZ4 = 6,
+    HIERARCHY_LZ4_TWICE = 7,
+    UNFINISHED = 255, /* being written */
+};
+
 /* The eight bytes of a block's length, the highest first. */
 static uint64_t read_length(FILE *file)
 {
@@ -84,45 +96,40 @@ static uint64_t read_length(FILE *file)
     return length;
 }
 
-/* The first byte of a block that is still being written. */
-#define UNFINISHED 255
-
-/* An FST file is blocks, one after the other: a byte that says which, its length, its content. They
- * must fill the file exactly. */
 static bool has_whole_blocks(FILE *file)
 {
+    bool header = false, geometry = false, hierarchy = false;
     if (fseeko(file, 0, SEEK_END) != 0)
         return false;
     const int64_t size = ftello(file);
     int64_t at = 0;
     while (at < size) {
-        if (fseeko(file, at, SEEK_SET) != 0 || fgetc(file) == UNFINISHED)
-            return false;
+        const int kind = fseeko(file, at, SEEK_SET) == 0 ? fgetc(file) : EOF;
         const uint64_t length = read_length(file);
-        if (length < 8 || length > (uint64_t)(size - at - 1))
+        if (kind == EOF || kind == UNFINISHED || length < 8 || length > (uint64_t)(size - at - 1))
             return false;
+        header |= at == 0 && kind == HEADER;
+        geometry |= kind == GEOMETRY;
+        hierarchy |= kind == HIERARCHY || kind == HIERARCHY_LZ4 || kind == HIERARCHY_LZ4_TWICE;
         at += 1 + (int64_t)length;
     }
-    return size > 0;
+    return header && geometry && hierarchy;
 }
 
 bool glint_wave_is_whole(const char *fst)
 {
     FILE *file = fopen(fst, "rb");
-    bool whole = file != NULL && has_whole_blocks(file);
+    const bool whole = file != NULL && has_whole_blocks(file);
     if (file != NULL)
         (void)fclose(file);
     return whole;
 }
 
-/* Its last line is a whole one: the times come last, and the writer ends its lines. */
+/* One that did not take all was left empty. */
 static bool is_whole_vcd(const char *path)
 {
-    FILE *file = fopen(path, "rb");
-    const bool whole = file != NULL && fseeko(file, -1, SEEK_END) == 0 && fgetc(file) == '\n';
-    if (file != NULL)
-        (void)fclose(file);
-    return whole;
+    struct stat found;
+    return stat(path, &found) == 0 && found.st_size > 0;
 }
 
 /* A full disk shows here: Verilator's writers do not tell. */

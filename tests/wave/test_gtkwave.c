@@ -18,7 +18,7 @@
 #include "../child.h"
 #include "gtkwave.h"
 #include "saved.h"
-#include "wave/waveform.h"
+#include "wave/specular_scene.h"
 
 enum { SECONDS = 120 };
 
@@ -68,7 +68,7 @@ static glint_specular_device *play_until(const glint_specular_config *config, in
     assert_int_equal(glint_specular_device_create(config, &device), GLINT_OK);
     for (int clock = 1; clock <= last; clock++) {
         glint_specular_inputs in;
-        glint_wave_scene(clock, config->lanes, &in);
+        glint_specular_scene(clock, config->lanes, &in);
         glint_specular_device_clock(device, &in);
     }
     return device;
@@ -134,7 +134,7 @@ static void check_setting(const glint_specular_config *config, const char *forma
     saved_read(scratch_path(save_file), &file);
     gtkwave_open(waveform, save_file, 0, 0, &shown);
 
-    const int centre = glint_wave_scene_centre(config->lanes);
+    const int centre = glint_specular_scene_centre(config->lanes);
     assert_int_equal(shown.marker, file.marker);
     assert_int_equal(shown.marker, (centre + 1) * 10);
     assert_first_look(&shown, &file);

@@ -131,6 +131,20 @@ vcd vcd_read(const char *path)
     return vcd;
 }
 
+vcd vcd_read_fst(const char *path)
+{
+    char made[2048];
+    char command[4500];
+    (void)snprintf(made, sizeof made, "%s.read.vcd", path);
+    (void)snprintf(command, sizeof command, "fst2vcd '%s' > '%s'", path, made);
+    if (system(command) != 0) {
+        fail_msg("fst2vcd cannot read %s; it is installed by sim/deps.sh gtkwave", path);
+    }
+    vcd vcd = vcd_read(made);
+    assert_int_equal(remove(made), 0);
+    return vcd;
+}
+
 void vcd_free(vcd *vcd)
 {
     free(vcd->text);
@@ -188,6 +202,65 @@ void vcd_text(const vcd *vcd, const char *name, uint64_t time, char *text, int s
     }
     if (!known) {
         fail_msg("%s has no value at %llu", name, (unsigned long long)time);
+    }
+}
+
+/* What a signal holds and from when on: "#15 0101", one after the other. To be freed. */
+static char *history_of(const vcd *vcd, const vcd_signal *signal)
+{
+    char *history = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&history, &size);
+    const char *at = vcd->changes;
+    char word[1024];
+    char code[8];
+    char time[32] = "";
+    char last[1024] = "";
+    assert_non_null(out);
+    while (next_word(&at, word, sizeof word)) {
+        const char *value = word;
+        if (word[0] == '#') {
+            (void)snprintf(time, sizeof time, "%s", word);
+            continue;
+        }
+        if (word[0] == '$') {
+            continue;
+        }
+        if (word[0] == 'b' || word[0] == 's') {
+            value = word + 1;
+            assert_true(next_word(&at, code, sizeof code));
+        } else {
+            (void)snprintf(code, sizeof code, "%s", word + 1);
+            word[1] = '\0';
+        }
+        if (strcmp(code, signal->code) == 0 && strcmp(value, last) != 0) {
+            fprintf(out, "%s %s\n", time, value);
+            (void)snprintf(last, sizeof last, "%s", value);
+        }
+    }
+    assert_int_equal(fclose(out), 0);
+    return history;
+}
+
+void vcd_assert_same(const vcd *a, const vcd *b)
+{
+    assert_int_equal(a->signal_count, b->signal_count);
+    assert_true(a->first_time == b->first_time && a->last_time == b->last_time);
+    for (int i = 0; i < a->signal_count; i++) {
+        const vcd_signal *signal = &a->signals[i];
+        const vcd_signal *other = vcd_find(b, signal->name);
+        if (other == NULL) {
+            fail_msg("only one of the waveforms has %s", signal->name);
+            return;
+        }
+        assert_int_equal(signal->width, other->width);
+        char *in_a = history_of(a, signal);
+        char *in_b = history_of(b, other);
+        if (strcmp(in_a, in_b) != 0) {
+            fail_msg("%s: \"%s\" and \"%s\"", signal->name, in_a, in_b);
+        }
+        free(in_a);
+        free(in_b);
     }
 }
 

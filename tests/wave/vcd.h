@@ -22,6 +22,13 @@ typedef struct vcd {
 vcd vcd_read(const char *path);
 void vcd_free(vcd *vcd);
 
+/* The same of an FST, through GTKWave's fst2vcd, which leaves nothing behind. */
+vcd vcd_read_fst(const char *path);
+
+/* Fails the test when two waveforms have not the same signals, of the same widths, with the same
+ * changes at the same times. */
+void vcd_assert_same(const vcd *a, const vcd *b);
+
 /* The signal of this full name; NULL: there is none. */
 const vcd_signal *vcd_find(const vcd *vcd, const char *name);
 
