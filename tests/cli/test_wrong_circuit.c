@@ -1,6 +1,6 @@
-/* What the command does when C and Verilog differ: $GLINT_BUILD/wrong/glint is the command with one
- * circuit, that of tests/lockstep/wrong/truncating, whose multipliers 13, 14, 15 cut off where the
- * C model rounds. */
+/* What the command does when C and Verilog differ: $GLINT_BUILD/wrong/truncating has the Verilog of
+ * tests/lockstep/wrong/truncating, whose multipliers 13, 14, 15 cut off where the C model rounds.
+ */
 #define _XOPEN_SOURCE 700
 
 #include <inttypes.h>
@@ -15,20 +15,32 @@
 #include "../scratch.h"
 
 #include "../child.h"
+#include "../wave/vcd.h"
 #include "image/image.h"
 #include "run.h"
-#include "wave/waveform.h"
 
-static char right_command[1024];
-static char wrong_command[1024];
+static char wrong[1024]; /* the directory */
 
-static int choose_wrong_command(void **state)
+static int choose_wrong_verilog(void **state)
 {
     const char *build = getenv("GLINT_BUILD");
-    (void)snprintf(right_command, sizeof right_command, "GLINT=%s", glint_under_test());
-    (void)snprintf(wrong_command, sizeof wrong_command, "GLINT=%s/wrong/glint",
-                   build != NULL ? build : "build");
-    return putenv(wrong_command) == 0 ? scratch_make(state) : -1;
+    (void)snprintf(wrong, sizeof wrong, "%s/wrong/truncating", build != NULL ? build : "build");
+    return scratch_make(state);
+}
+
+static outcome run_wrong(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* With the wrong Verilog. */
+static outcome run_wrong(const char *format, ...)
+{
+    char line[4096];
+    va_list arguments;
+    va_start(arguments, format);
+    const int length = vsnprintf(line, sizeof line, format, arguments);
+    va_end(arguments);
+    assert_true(length > 0 && (size_t)length < sizeof line);
+    (void)snprintf(line + length, sizeof line - (size_t)length, " --rtl %s", wrong);
+    return run(line, "");
 }
 
 static glint_image *read_picture(const char *path)
@@ -47,10 +59,8 @@ static void a_frame_that_differs_is_a_failure(void **state)
     char command_line[2048];
     glint_error err;
     glint_image_difference difference;
-    (void)snprintf(command_line, sizeof command_line,
-                   "render --model sphere --size 64x48 --lanes 1 --backend both --out %s",
-                   scratch_path("frame.png"));
-    outcome done = run(command_line, "");
+    outcome done = run_wrong("render --model sphere --size 64x48 --lanes 1 --backend both --out %s",
+                             scratch_path("frame.png"));
     assert_int_equal(done.status, 1);
     glint_image *rtl = read_picture(scratch_path("frame.png"));
     glint_image *c = read_picture(scratch_path("frame-c.png"));
@@ -91,8 +101,6 @@ static const char *own_line(const char *name, const char *command)
 static void assert_packet(const char *directory, int files)
 {
     char path[256];
-    glint_error err;
-    glint_wave_info info;
     int found = -2; /* "." and ".." */
     DIR *listing = opendir(scratch_path(directory));
     assert_non_null(listing);
@@ -101,8 +109,10 @@ static void assert_packet(const char *directory, int files)
     }
     closedir(listing);
     assert_int_equal(found, files);
-    (void)snprintf(path, sizeof path, "%s/wave.fst", directory);
-    assert_int_equal(glint_wave_read_info(scratch_path(path), &info, &err), GLINT_OK);
+    (void)snprintf(path, sizeof path, "%s/wave.vcd", directory);
+    vcd wave = vcd_read(scratch_path(path));
+    assert_true(wave.signal_count > 0);
+    vcd_free(&wave);
     (void)snprintf(path, sizeof path, "%s/wave.gtkw", directory);
     assert_int_equal(access(scratch_path(path), R_OK), 0);
 }
@@ -134,9 +144,11 @@ static void assert_replayed(const char *said, char *first, size_t size)
     forget(&replayed);
     assert_packet("fresh/packet", 4);
 
-    assert_int_equal(putenv(right_command), 0);
-    replayed = run(replay, "");
-    assert_int_equal(putenv(wrong_command), 0);
+    char *directory = strstr(replay, " --rtl ");
+    assert_non_null(directory);
+    (void)snprintf(command_line, sizeof command_line, "%.*s --rtl rtl", (int)(directory - replay),
+                   replay);
+    replayed = run(command_line, "");
     assert_outcome(&replayed, 0, "");
     assert_says(replayed.out, ": gone: C model and Verilog do not differ; ");
     forget(&replayed);
@@ -145,12 +157,9 @@ static void assert_replayed(const char *said, char *first, size_t size)
 static void a_mismatch_of_a_random_run_leaves_a_packet(void **state)
 {
     (void)state;
-    char command_line[2048];
     char first[1024];
-    (void)snprintf(command_line, sizeof command_line,
-                   "verify --circuit specular --clocks 3000 --seed 5 --out %s",
-                   scratch_path("failure"));
-    outcome done = run(command_line, "");
+    outcome done = run_wrong("verify --circuit specular --clocks 3000 --seed 5 --out %s",
+                             scratch_path("failure"));
     assert_int_equal(done.status, 1);
     assert_says(done.out, " mismatches of ");
     assert_packet("failure/specular_cosine_pipelined_1", 4);
@@ -168,17 +177,18 @@ static void a_mismatch_of_a_random_run_leaves_a_packet(void **state)
 static void a_mismatch_of_the_exhaustive_run_leaves_a_packet(void **state)
 {
     (void)state;
-    char command_line[2048];
     char first[1024];
-    (void)snprintf(command_line, sizeof command_line,
-                   "verify --exhaustive --lanes 1 --shard 61/1024 --stride 97 --seed 4 --out %s",
-                   scratch_path("failure"));
-    outcome done = run(command_line, "");
+    char whole[2048];
+    outcome done =
+        run_wrong("verify --exhaustive --lanes 1 --shard 61/1024 --stride 97 --seed 4 --out %s",
+                  scratch_path("failure"));
     assert_int_equal(done.status, 1);
     assert_says(done.out, ": a mismatch (exhaustive)\n");
-    assert_says(done.out,
-                own_line("whole:  ", "verify --exhaustive --gate cosine --pipeline pipelined "
-                                     "--lanes 1 --shard 61/1024 --stride 97 --seed 4\n"));
+    (void)snprintf(whole, sizeof whole,
+                   "verify --exhaustive --gate cosine --pipeline pipelined --lanes 1 --shard "
+                   "61/1024 --stride 97 --seed 4 --rtl %s\n",
+                   wrong);
+    assert_says(done.out, own_line("whole:  ", whole));
     assert_packet("failure/specular_cosine_pipelined_1_exhaustive", 4);
     assert_replayed(done.out, first, sizeof first);
     assert_non_null(strstr(first, "mul1"));
@@ -208,14 +218,11 @@ static void assert_crop(const char *crop_path, const char *frame_path, int x, in
 static void a_frame_that_differs_leaves_a_packet(void **state)
 {
     (void)state;
-    char command_line[2048];
     char first[1024];
     int x, y;
     unsigned c[3], rtl[3];
-    (void)snprintf(command_line, sizeof command_line,
-                   "render --model sphere --size 96x80 --lanes 1 --backend both --out %s",
-                   scratch_path("whole.png"));
-    outcome done = run(command_line, "");
+    outcome done = run_wrong("render --model sphere --size 96x80 --lanes 1 --backend both --out %s",
+                             scratch_path("whole.png"));
     assert_int_equal(done.status, 1);
     assert_packet("whole-failure", 7);
     const char *at = strstr(done.out, "frame of 96x80, first at ");
@@ -244,13 +251,11 @@ static void other_shadings_leave_packets_too(void **state)
     (void)state;
     static const char *const shadings[] = {"flat", "gouraud", "gouraud-perspective"};
     for (size_t i = 0; i < 3; i++) {
-        char command_line[2048];
         char first[1024];
-        (void)snprintf(command_line, sizeof command_line,
-                       "render --model sphere --shading %s --size 96x80 --lanes 1 --backend both "
-                       "--out %s",
-                       shadings[i], scratch_path("other.png"));
-        outcome done = run(command_line, "");
+        outcome done =
+            run_wrong("render --model sphere --shading %s --size 96x80 --lanes 1 --backend both "
+                      "--out %s",
+                      shadings[i], scratch_path("other.png"));
         assert_int_equal(done.status, 1);
         assert_says(done.out, "\ntriangle ");
         assert_null(strstr(done.out, "its highlight there"));
@@ -265,10 +270,8 @@ static void a_packet_does_not_replace_itself(void **state)
 {
     (void)state;
     char command_line[2048];
-    (void)snprintf(command_line, sizeof command_line,
-                   "render --model sphere --size 96x80 --lanes 1 --backend both --out %s",
-                   scratch_path("kept.png"));
-    outcome done = run(command_line, "");
+    outcome done = run_wrong("render --model sphere --size 96x80 --lanes 1 --backend both --out %s",
+                             scratch_path("kept.png"));
     assert_int_equal(done.status, 1);
     forget(&done);
     (void)snprintf(command_line, sizeof command_line, "replay %s/ --out %s",
@@ -284,12 +287,9 @@ static void a_packet_does_not_replace_itself(void **state)
 static void a_frame_without_a_packet_names_none(void **state)
 {
     (void)state;
-    char command_line[2048];
-    (void)snprintf(command_line, sizeof command_line,
-                   "render --model sphere --size 96x80 --lanes 1 --backend both --out %s",
-                   scratch_path("bare.png"));
     scratch_write(scratch_path("bare-failure"), "", 0);
-    outcome done = run(command_line, "");
+    outcome done = run_wrong("render --model sphere --size 96x80 --lanes 1 --backend both --out %s",
+                             scratch_path("bare.png"));
     assert_int_equal(done.status, 1);
     assert_says(done.err, "bare-diff.png\n");
     forget(&done);
@@ -311,8 +311,8 @@ static void the_replay_command_can_be_pasted(void **state)
     char command_line[4096];
     char replay[2048];
     (void)snprintf(command_line, sizeof command_line,
-                   "%s verify --circuit specular --clocks 3000 --seed 5 --out \"%s\"",
-                   glint_under_test(), scratch_path("it's a \\$HOME packet"));
+                   "%s verify --circuit specular --clocks 3000 --seed 5 --rtl %s --out \"%s\"",
+                   glint_under_test(), wrong, scratch_path("it's a \\$HOME packet"));
     char *said = run_in_shell(command_line);
     assert_true(find_line(said, "\nreplay: ", replay, sizeof replay));
     free(said);
@@ -321,13 +321,32 @@ static void the_replay_command_can_be_pasted(void **state)
     free(said);
 }
 
-/* A setting that was not built is refused, and named. */
+/* A directory without the circuit's Verilog is refused, and named with what it has not. */
 static void a_circuit_that_is_not_there_is_told(void **state)
 {
     (void)state;
-    outcome done = run("eval --backend rtl --gate sign", "1 1 255 255 255\n");
-    assert_int_equal(done.status, 2);
-    assert_says(done.err, "no circuit was built");
+    static const char *const lines[] = {"eval --backend rtl --rtl %s",
+                                        "verify --rtl %s",
+                                        "render --backend both --out a.png --rtl %s",
+                                        "wave --rtl %s",
+                                        "bench --rtl %s",
+                                        "study --b rtl --out a --rtl %s"};
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        char line[2048];
+        const char *rest = strstr(lines[i], "%s");
+        (void)snprintf(line, sizeof line, "%.*s%s", (int)(rest - lines[i]), lines[i],
+                       scratch_directory);
+        outcome done = run(line, "");
+        assert_int_equal(done.status, 2);
+        assert_says(done.err, scratch_directory);
+        assert_says(done.err, "has no specular_device.v");
+        forget(&done);
+    }
+    outcome done = run("verify --rtl nowhere", "");
+    assert_outcome(&done, 2, "glint verify: --rtl: nowhere: No such file or directory\n");
+    forget(&done);
+    done = run("verify --rtl Makefile", "");
+    assert_outcome(&done, 2, "glint verify: --rtl: Makefile is no directory\n");
     forget(&done);
 }
 
@@ -344,5 +363,5 @@ int main(void)
         cmocka_unit_test(the_replay_command_can_be_pasted),
         cmocka_unit_test(a_circuit_that_is_not_there_is_told),
     };
-    return cmocka_run_group_tests(tests, choose_wrong_command, scratch_remove);
+    return cmocka_run_group_tests(tests, choose_wrong_verilog, scratch_remove);
 }
