@@ -220,7 +220,7 @@ static char *history_of(const vcd *vcd, const vcd_signal *signal)
     while (next_word(&at, word, sizeof word)) {
         const char *value = word;
         if (word[0] == '#') {
-            (void)snprintf(time, sizeof time, "%s", word);
+            (void)snprintf(time, sizeof time, "%.31s", word);
             continue;
         }
         if (word[0] == '$') {
@@ -230,7 +230,7 @@ static char *history_of(const vcd *vcd, const vcd_signal *signal)
             value = word + 1;
             assert_true(next_word(&at, code, sizeof code));
         } else {
-            (void)snprintf(code, sizeof code, "%s", word + 1);
+            (void)snprintf(code, sizeof code, "%.7s", word + 1);
             word[1] = '\0';
         }
         if (strcmp(code, signal->code) == 0 && strcmp(value, last) != 0) {
