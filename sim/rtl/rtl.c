@@ -313,18 +313,25 @@ static glint_status load_object(glint_rtl *rtl, const char *path, glint_error *e
     return rtl->instance != NULL ? GLINT_OK : no_memory(err);
 }
 
-/* One clock in reset, enabled, all else at rest. */
+/* One clock in reset, enabled, all else at rest. What has no reset is not clocked: its registers
+ * are as they begin. */
 static void reset(glint_rtl *rtl, const glint_setting *setting)
 {
     const glint_circuit *circuit = setting->circuit;
     glint_pins pins = {0};
     const uint64_t one[GLINT_VALUE_WORDS] = {1};
+    bool resets = false;
     for (int i = 0; i < circuit->pin_count(setting->values); i++) {
         const glint_pin_info pin = circuit->pin(setting->values, i);
+        resets |= pin.role == GLINT_PIN_RESET || pin.role == GLINT_PIN_RESET_LOW;
         if (pin.role == GLINT_PIN_RESET || pin.role == GLINT_PIN_ENABLE)
             glint_pin_set(&pin, &pins, one);
     }
-    glint_rtl_clock(rtl, pins.bytes);
+    set_pins(rtl, pins.bytes);
+    if (resets)
+        rtl->shim->edge(rtl->instance);
+    else
+        rtl->shim->begin(rtl->instance);
 }
 
 static glint_status open_object(const glint_setting *setting, const char *path, glint_rtl *rtl,

@@ -26,7 +26,8 @@ static inline bool glint_rtl_is_fast(glint_rtl_kind kind)
     return kind != GLINT_RTL_OBSERVED;
 }
 
-/* Loads, and builds where needed, and creates an instance: reset for one clock, enable 1.
+/* Loads, and builds where needed, and creates an instance: reset for one clock, enable 1; without a
+ * reset its registers are as they begin.
  * GLINT_BAD_ARGUMENT for a setting out of range; GLINT_DEVICE_FAULT, with the tool's own words,
  * when the Verilog does not build, or has not the pins and signals of the description. */
 glint_status glint_rtl_open(const glint_setting *setting, glint_rtl_kind kind, glint_rtl **rtl,

@@ -131,6 +131,13 @@ struct Instance {
 #endif
     }
 
+    // Of a circuit that has no reset: its registers stay as they begin.
+    void begin()
+    {
+        model.eval();
+        edges++;
+    }
+
 #ifdef GLINT_TRACED
     bool trace_open(const char *path)
     {
@@ -198,6 +205,11 @@ void edge(void *instance)
     as_instance(instance).edge();
 }
 
+void begin(void *instance)
+{
+    as_instance(instance).begin();
+}
+
 uint64_t edges(const void *instance)
 {
     return static_cast<const Instance *>(instance)->edges;
@@ -246,5 +258,5 @@ constexpr void (*trace_close)(void *) = nullptr;
 
 extern "C" __attribute__((visibility("default"))) const glint_shim GLINT_SHIM_SYMBOL;
 const glint_shim GLINT_SHIM_SYMBOL = {
-    create, destroy, port_count, port, edge, edges, trace_open, trace_close,
+    create, destroy, port_count, port, edge, begin, edges, trace_open, trace_close,
 };

@@ -25,6 +25,7 @@ typedef struct glint_shim {
     int (*port_count)(void);
     glint_shim_port (*port)(void *instance, int index);
     void (*edge)(void *instance); /* one rising edge of the clock with what the ports hold */
+    void (*begin)(void *instance); /* no edge, but counted as one: what stands behind registers */
     uint64_t (*edges)(const void *instance);
     bool (*trace_open)(void *instance, const char *path); /* NULL, both: built without */
     void (*trace_close)(void *instance);

@@ -58,6 +58,10 @@ static const own_circuit circuits[] = {
     {"clip_lanes", "--lanes 3", "clip_lane.v", "-12'sd128 ? -8'sd128", "-12'sd127 ? -8'sd127",
      "clipped", "100 200 -2000\n",
      "x[0],x[1],x[2],out_valid,y[0],y[1],y[2]\n100,200,-2000,7,100,127,-128\n"},
+    {"free_runner", "", "free_runner.v", "step} + 33'd1", "step} + 33'd2", "count__33",
+     "5\n-1\n-16\n", "step,count__33\n5,6\n-1,6\n-16,8589934583\n"},
+    {"serial_mul", "--width 6", "serial_mul.v", "busy && left == 5'd1", "busy && left == 5'd2",
+     "done", "5 7\n63 63\n", "a,b,busy,done,product\n5,7,0,1,35\n63,63,0,1,3969\n"},
 };
 
 enum { CIRCUITS = sizeof circuits / sizeof circuits[0] };
@@ -137,6 +141,29 @@ static void eval_has_the_right_numbers(void **state)
         }
         forget(&done);
     }
+}
+
+/* Of the two that have a domain all points; another says that it has none. */
+static void every_input_is_tried(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name, *options, *points;
+    } domains[] = {{"signed_order", "--width 8", "65536 of 65536 points"},
+                   {"signed_order", "--width 5", "1024 of 1024 points"},
+                   {"serial_mul", "--width 6", "4096 of 4096 points"}};
+    for (size_t i = 0; i < sizeof domains / sizeof domains[0]; i++) {
+        char directory[OWN_PATH];
+        (void)snprintf(directory, sizeof directory, OWN "%s", domains[i].name);
+        outcome done = own_run(directory, "", "verify --exhaustive %s", domains[i].options);
+        assert_outcome(&done, 0, "");
+        assert_says(done.out, domains[i].points);
+        assert_says(done.out, "\n0 mismatches of ");
+        forget(&done);
+    }
+    outcome done = own_run(OWN "ring", "", "verify --exhaustive");
+    assert_own_refused(&done, "no domain");
+    forget(&done);
 }
 
 /* ---- What is wrong in a directory --------------------------------------------------------------
@@ -245,7 +272,7 @@ static void a_blank_in_the_name_does_no_harm(void **state)
 int main(void)
 {
     static char names[4 * CIRCUITS][128];
-    struct CMUnitTest tests[4 * CIRCUITS + 4];
+    struct CMUnitTest tests[4 * CIRCUITS + 5];
     static const struct {
         const char *what;
         CMUnitTestFunction run;
@@ -254,6 +281,7 @@ int main(void)
                 {"has a waveform", its_waveform_has_a_save_file},
                 {"is evaluated", eval_has_the_right_numbers}};
     static const struct CMUnitTest others[] = {
+        cmocka_unit_test(every_input_is_tried),
         cmocka_unit_test(what_is_wrong_is_said),
         cmocka_unit_test(a_directory_without_a_circuit_is_refused),
         cmocka_unit_test(several_files_make_one_circuit),
