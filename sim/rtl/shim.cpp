@@ -44,7 +44,7 @@ struct OneThreadContext : VerilatedContext {
 #ifdef GLINT_VCD
 // A file that does not take all of it is left empty, so that nobody takes it for the waveform;
 // Verilator's own file ends the program.
-class VcdFile final : public VerilatedVcdFile {
+class VcdFile : public VerilatedVcdFile {
     std::FILE *file = nullptr;
     std::string path;
     bool failed = false;
@@ -75,7 +75,7 @@ class VcdFile final : public VerilatedVcdFile {
     }
 };
 
-struct Waveform : private VcdFile, public VerilatedVcdC {
+struct Waveform final : private VcdFile, public VerilatedVcdC {
     Waveform() : VerilatedVcdC(static_cast<VcdFile *>(this))
     {
     }
