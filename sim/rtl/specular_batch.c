@@ -176,8 +176,13 @@ INLINE size_t feed_rest(glint_rtl *rtl, const device *d, const glint_points *poi
     return clock_and_take(rtl, d, points, done, lanes);
 }
 
-INLINE size_t run(glint_rtl *rtl, const device *d, const glint_points *points, int lanes)
+/* The tables are copied: a byte that is written through a pointer might be a part of them else, and
+ * all of them be read again after each. */
+INLINE size_t run(glint_rtl *rtl, const device *shared_device, const glint_points *shared_points,
+                  int lanes)
 {
+    const device copy = *shared_device, *d = &copy;
+    const glint_points points_copy = *shared_points, *points = &points_copy;
     size_t done = 0, fed = 0;
     set_mask(d->in_valid, (uint32_t)glint_bits_mask(lanes), lanes);
     for (; fed + (size_t)lanes <= points->count; fed += (size_t)lanes) {
