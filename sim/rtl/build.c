@@ -82,37 +82,42 @@ static glint_status verilate_probe(const build *b, glint_error *err)
     return run_verilator(b, arguments, err);
 }
 
+/* Arguments of a call of Verilator that differ from setting to setting. */
+typedef struct top_call {
+    const char *argument[32 + GLINT_PARAMETERS_MAX];
+    int count;
+    parameter_text parameter[GLINT_PARAMETERS_MAX];
+    char file[300];
+} top_call;
+
+static void add_parameters(top_call *call, const glint_setting *setting)
+{
+    const glint_circuit *circuit = setting->circuit;
+    for (int i = 0; i < circuit->parameter_count; i++)
+        if (circuit->parameters[i].verilog != NULL) {
+            (void)snprintf(call->parameter[i], sizeof call->parameter[i], "-G%s=%d",
+                           circuit->parameters[i].verilog, setting->values[i]);
+            call->argument[call->count++] = call->parameter[i];
+        }
+}
+
 static glint_status verilate_top(const build *b, glint_error *err)
 {
     const glint_setting *setting = b->product->setting;
-    const glint_circuit *circuit = setting->circuit;
-    const char *top = circuit->top(setting->values);
-    const char *arguments[32 + GLINT_PARAMETERS_MAX] = {
-        b->product->tools.verilator,
-        "--cc",
-        b->product->kind == GLINT_RTL_VCD ? "--trace" : "--trace-fst",
-        "--prefix",
-        CLASS,
-        "--Mdir",
-        ".",
-        VERILATOR_OPTIONS,
-        "--top",
-        top};
-    parameter_text parameter[GLINT_PARAMETERS_MAX];
-    char file[300];
-    int count = 0;
-    while (arguments[count] != NULL)
-        count++;
-    for (int i = 0; i < circuit->parameter_count; i++)
-        if (circuit->parameters[i].verilog != NULL) {
-            (void)snprintf(parameter[i], sizeof parameter[i], "-G%s=%d",
-                           circuit->parameters[i].verilog, setting->values[i]);
-            arguments[count++] = parameter[i];
-        }
-    (void)snprintf(file, sizeof file, "%s.v", top);
-    arguments[count] = file;
+    const char *top = setting->circuit->top(setting->values);
+    top_call call = {.argument = {b->product->tools.verilator, "--cc", "--prefix", CLASS, "--Mdir",
+                                  ".", VERILATOR_OPTIONS, "--top", top}};
+    while (call.argument[call.count] != NULL)
+        call.count++;
+    if (b->product->kind == GLINT_RTL_FST)
+        call.argument[call.count++] = "--trace-fst";
+    if (b->product->kind == GLINT_RTL_VCD)
+        call.argument[call.count++] = "--trace";
+    add_parameters(&call, setting);
+    (void)snprintf(call.file, sizeof call.file, "%s.v", top);
+    call.argument[call.count] = call.file;
     glint_status status = lint_probe(b, err);
-    return status == GLINT_OK ? run_verilator(b, arguments, err) : status;
+    return status == GLINT_OK ? run_verilator(b, call.argument, err) : status;
 }
 
 /* The words that a makefile's `variable += \` continues with, each told to `add`. */
@@ -229,10 +234,12 @@ static glint_status link_object(const build *b, glint_error *err)
     glint_compilation_begin(&line, &b->product->tools, b->product->kind);
     for (size_t i = 0; i < sizeof head / sizeof head[0]; i++)
         glint_compilation_add(&line, head[i]);
-    for (int i = 1; i < b->runtime.count; i++)
+    for (int i = 0; i < b->runtime.count; i++)
         glint_compilation_add(&line, b->runtime.file[i].path);
     glint_compilation_add(&line, "-pthread");
-    if (b->product->kind == GLINT_RTL_FAST) {
+    if (strstr(b->product->tools.compiler_version, "clang") != NULL)
+        glint_compilation_add(&line, "-latomic");
+    if (b->product->kind == GLINT_RTL_FST) {
         if (wants_lz4(b))
             glint_compilation_add(&line, "-llz4");
         glint_compilation_add(&line, "-lz");
@@ -248,7 +255,7 @@ static glint_status make(build *b, glint_error *err)
     if (status == GLINT_OK)
         status = glint_runtime_begin(&b->runtime, p->cache, &p->tools, p->kind, err);
     if (status == GLINT_OK)
-        status = glint_rtl_is_fast(p->kind) ? verilate_top(b, err) : verilate_probe(b, err);
+        status = p->kind != GLINT_RTL_OBSERVED ? verilate_top(b, err) : verilate_probe(b, err);
     if (status == GLINT_OK)
         status = list_classes(b, err);
     if (status == GLINT_OK)
@@ -310,19 +317,41 @@ glint_status glint_rtl_is_built(const glint_setting *setting, glint_rtl_kind kin
     return status;
 }
 
+/* The cache and the tools, without a circuit. */
+static glint_status find_tools(char **cache, glint_tools *tools, glint_error *err)
+{
+    glint_status status = glint_place_cache(cache, err);
+    if (status != GLINT_OK)
+        return status;
+    status = glint_tools_find(*cache, tools, err);
+    if (status != GLINT_OK)
+        free(*cache);
+    return status;
+}
+
+glint_status glint_rtl_precompile(glint_rtl_kind kind, glint_error *err)
+{
+    char *cache;
+    glint_tools tools;
+    glint_status status = find_tools(&cache, &tools, err);
+    if (status != GLINT_OK)
+        return status;
+    status = glint_runtime_precompile(cache, &tools, kind, err);
+    glint_tools_free(&tools);
+    free(cache);
+    return status;
+}
+
 glint_status glint_rtl_verilator_version(char **version, glint_error *err)
 {
     char *cache;
     glint_tools tools;
     *version = NULL;
-    glint_status status = glint_place_cache(&cache, err);
+    const glint_status status = find_tools(&cache, &tools, err);
     if (status != GLINT_OK)
         return status;
-    status = glint_tools_find(cache, &tools, err);
-    if (status == GLINT_OK) {
-        *version = strdup(tools.version);
-        glint_tools_free(&tools);
-    }
+    *version = strdup(tools.version);
+    glint_tools_free(&tools);
     free(cache);
-    return status == GLINT_OK && *version == NULL ? no_memory(err) : status;
+    return *version != NULL ? GLINT_OK : no_memory(err);
 }

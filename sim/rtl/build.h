@@ -34,6 +34,10 @@ typedef struct glint_rtl_build_control {
 glint_status glint_rtl_build_all(const glint_setting *settings, int count, glint_rtl_kind kind,
                                  const glint_rtl_build_control *control, glint_error *err);
 
+/* For who will build many of a kind (glint_rtl_build_all() does so itself): Verilator's headers,
+ * precompiled. */
+glint_status glint_rtl_precompile(glint_rtl_kind kind, glint_error *err);
+
 /* What Verilator calls itself: "Verilator 5.006 2023-01-22 rev (Debian 5.006-3)"; to be freed.
  * GLINT_IO_ERROR when there is none. */
 glint_status glint_rtl_verilator_version(char **version, glint_error *err);

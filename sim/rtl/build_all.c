@@ -8,7 +8,7 @@
 
 #include "rtl/build.h"
 
-enum { THREADS_MAX = 64 };
+enum { THREADS_MAX = 64, MANY = 6 };
 
 typedef struct crew {
     const glint_setting *const *missing;
@@ -77,12 +77,15 @@ static int threads_of(const crew *c)
     return threads < 1 ? 1 : threads > THREADS_MAX ? THREADS_MAX : (int)threads;
 }
 
+/* With many to build, one thread precompiles the headers first; that this fails is no matter. */
 static void build_missing(crew *c)
 {
     pthread_t helper[THREADS_MAX];
     int helpers = 0;
     while (helpers < threads_of(c) - 1 && pthread_create(&helper[helpers], NULL, work, c) == 0)
         helpers++;
+    if (c->count >= MANY && !is_stopped(c))
+        (void)glint_rtl_precompile(c->kind, NULL);
     (void)work(c);
     for (int i = 0; i < helpers; i++)
         pthread_join(helper[i], NULL);

@@ -54,19 +54,18 @@ static void print_table(FILE *out, const glint_product *product)
 {
     const char *clock = product->setting->circuit->clock_port;
     fprintf(out, "#define GLINT_PORTS(X)");
-    if (glint_rtl_is_fast(product->kind))
+    if (product->kind != GLINT_RTL_OBSERVED)
         print_own_ports(out, product);
     else
         print_probe_ports(out, product);
     fprintf(out, "\n");
     if (clock != NULL) {
         fprintf(out, "#define GLINT_CLOCK ");
-        print_member(out, glint_rtl_is_fast(product->kind) ? clock : GLINT_PROBE_CLOCK);
+        print_member(out, product->kind != GLINT_RTL_OBSERVED ? clock : GLINT_PROBE_CLOCK);
         fprintf(out, "\n");
     }
-    if (glint_rtl_is_fast(product->kind))
-        fprintf(out, "#define GLINT_TRACED\n%s",
-                product->kind == GLINT_RTL_VCD ? "#define GLINT_VCD\n" : "");
+    if (product->kind == GLINT_RTL_FST || product->kind == GLINT_RTL_VCD)
+        fprintf(out, "#define GLINT_%s\n", product->kind == GLINT_RTL_FST ? "FST" : "VCD");
 }
 
 static glint_status add_table(glint_product *product, glint_error *err)

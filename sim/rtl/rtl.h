@@ -16,15 +16,10 @@ typedef struct glint_rtl glint_rtl;
 
 typedef enum glint_rtl_kind {
     GLINT_RTL_OBSERVED, /* every signal readable: for lockstep */
-    GLINT_RTL_FAST,     /* inputs and outputs alone, and waveforms: a third faster */
-    GLINT_RTL_VCD,      /* the same, but that its waveforms are VCD */
+    GLINT_RTL_FAST,     /* inputs and outputs alone, made for this machine: for batches */
+    GLINT_RTL_FST,      /* inputs and outputs, and waveforms as FST … */
+    GLINT_RTL_VCD,      /* … or as VCD */
 } glint_rtl_kind;
-
-/* Whether it is the circuit's own top, with waveforms. */
-static inline bool glint_rtl_is_fast(glint_rtl_kind kind)
-{
-    return kind != GLINT_RTL_OBSERVED;
-}
 
 /* Loads, and builds where needed, and creates an instance: reset for one clock, enable 1; without a
  * reset its registers are as they begin.
@@ -38,7 +33,7 @@ void glint_rtl_destroy(glint_rtl *rtl); /* closes an open trace; NULL is allowed
 void glint_rtl_clock(glint_rtl *rtl, const void *pins);
 
 /* Every signal's words as the last edge left them, in the places of glint_signal_places(). Of a
- * fast circuit those of kind GLINT_SIGNAL_OUTPUT alone; the others' words are left as they are. */
+ * circuit that is not observed those of kind GLINT_SIGNAL_OUTPUT alone; the others' words are left as they are. */
 void glint_rtl_read(const glint_rtl *rtl, uint64_t *words);
 
 /* Rising edges so far, the reset of creation included. */

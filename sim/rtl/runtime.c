@@ -19,20 +19,22 @@
  */
 static const char *const common_flags[] = {
     "-std=gnu++17",    "-fPIC",     "-fvisibility=hidden", "-w",
-    "-DVM_COVERAGE=0", "-DVM_SC=0", "-DVM_TRACE=1",        NULL,
+    "-DVM_COVERAGE=0", "-DVM_SC=0", "-DVM_TRACE=1",        "-DVM_TRACE_FST=1",
+    "-DVM_TRACE_VCD=1", NULL,
 };
 static const char *const runtime_flags[] = {"-O1", NULL};
-/* An observed circuit is there for a first answer soon, a fast one for billions of clocks on this
- * machine. */
-static const char *const observed_flags[] = {"-O1", NULL};
+/* A fast circuit is there for billions of clocks on this machine, any other for a first answer
+ * soon. */
+static const char *const soon_flags[] = {"-O1", NULL};
 static const char *const fast_flags[] = {"-O3", "-march=native", NULL};
-
-static const char *const fst_flags[] = {"-DVM_TRACE_FST=1", "-DVM_TRACE_VCD=0", NULL};
-static const char *const vcd_flags[] = {"-DVM_TRACE_FST=0", "-DVM_TRACE_VCD=1", NULL};
 
 const char *glint_rtl_kind_name(glint_rtl_kind kind)
 {
-    return kind == GLINT_RTL_VCD ? "vcd" : kind == GLINT_RTL_FAST ? "fast" : "observed";
+    static const char *const names[] = {[GLINT_RTL_OBSERVED] = "observed",
+                                        [GLINT_RTL_FAST] = "fast",
+                                        [GLINT_RTL_FST] = "fst",
+                                        [GLINT_RTL_VCD] = "vcd"};
+    return names[kind];
 }
 
 void glint_compilation_add(glint_compilation *line, const char *argument)
@@ -58,8 +60,7 @@ static void begin_with(glint_compilation *line, const glint_tools *tools, const 
 
 void glint_compilation_begin(glint_compilation *line, const glint_tools *tools, glint_rtl_kind kind)
 {
-    begin_with(line, tools, kind == GLINT_RTL_FAST ? fast_flags : observed_flags);
-    add_all(line, kind == GLINT_RTL_VCD ? vcd_flags : fst_flags);
+    begin_with(line, tools, kind == GLINT_RTL_FAST ? fast_flags : soon_flags);
 }
 
 /* The arguments, and who they are told to. */
@@ -117,13 +118,20 @@ static glint_status take_lock(glint_runtime *runtime, glint_error *err)
     runtime->lock = glint_cache_lock(runtime->lock_path);
     if (runtime->lock < 0)
         return glint_fail(err, GLINT_IO_ERROR, "%s: %s", runtime->lock_path, strerror(errno));
-    glint_temporary_sweep(runtime->file[0].path);
+    glint_temporary_sweep(runtime->header);
     return GLINT_OK;
 }
 
-/* Runs the compiler over `source` for the file; the header is precompiled, all else compiled. */
-static glint_status start(glint_runtime *runtime, glint_runtime_file *file, bool is_header,
-                          glint_error *err)
+static void add_includes(glint_compilation *line, const glint_runtime *runtime)
+{
+    glint_compilation_add(line, "-isystem");
+    glint_compilation_add(line, runtime->include);
+    glint_compilation_add(line, "-isystem");
+    glint_compilation_add(line, runtime->standard_include);
+}
+
+/* Begins to compile a file, unless another process has done so meanwhile. */
+static glint_status start(glint_runtime *runtime, glint_runtime_file *file, glint_error *err)
 {
     glint_compilation line;
     const int number = (int)(file - runtime->file);
@@ -133,57 +141,69 @@ static glint_status start(glint_runtime *runtime, glint_runtime_file *file, bool
     file->temporary = glint_temporary_name(file->path, GLINT_TEMPORARY_FILES + 100 + number);
     if (file->temporary == NULL)
         return no_memory(err);
-    if (is_header)
-        glint_compilation_begin(&line, runtime->tools, runtime->kind);
-    else
-        begin_with(&line, runtime->tools, runtime_flags);
-    glint_compilation_add(&line, "-isystem");
-    glint_compilation_add(&line, runtime->include);
-    glint_compilation_add(&line, "-isystem");
-    glint_compilation_add(&line, runtime->standard_include);
-    if (is_header) {
-        glint_compilation_add(&line, "-x");
-        glint_compilation_add(&line, "c++-header");
-    } else {
-        glint_compilation_add(&line, "-c");
-    }
+    begin_with(&line, runtime->tools, runtime_flags);
+    add_includes(&line, runtime);
+    glint_compilation_add(&line, "-c");
     glint_compilation_add(&line, file->source);
     glint_compilation_add(&line, "-o");
     glint_compilation_add(&line, file->temporary);
     return glint_command_start(line.argument, NULL, &file->command, err);
 }
 
-/* A file of the runtime's directory that is made from `source`, if it is not there. */
-static glint_status add_file(glint_runtime *runtime, const char *name, const char *ending,
-                             char *source, bool is_header, glint_error *err)
+static bool is_added(const glint_runtime *runtime, const char *source)
 {
-    glint_runtime_file *file = &runtime->file[runtime->count];
-    if (runtime->count == GLINT_RUNTIME_FILES_MAX || source == NULL) {
+    for (int i = 0; i < runtime->count; i++)
+        if (strcmp(runtime->file[i].source, source) == 0)
+            return true;
+    return false;
+}
+
+/* The object of a source, which is taken over. */
+static glint_status add_source(glint_runtime *runtime, const char *name, char *source,
+                               glint_error *err)
+{
+    if (runtime->count == GLINT_RUNTIME_FILES_MAX || is_added(runtime, source)) {
+        const bool is_known = is_added(runtime, source);
         free(source);
-        return source == NULL ? no_memory(err)
-                              : glint_fail(err, GLINT_DEVICE_FAULT,
-                                           "Verilator's runtime has more files than are expected");
+        return is_known ? GLINT_OK
+                        : glint_fail(err, GLINT_DEVICE_FAULT,
+                                     "Verilator's runtime has more files than are expected");
     }
+    glint_runtime_file *file = &runtime->file[runtime->count++];
     *file = (glint_runtime_file){.source = source, .command = {0, -1}};
-    runtime->count++;
-    if (asprintf(&file->path, "%s/%s%s", runtime->directory, name, ending) < 0) {
+    if (asprintf(&file->path, "%s/%s.o", runtime->directory, name) < 0) {
         file->path = NULL;
         return no_memory(err);
     }
-    return access(file->path, R_OK) == 0 ? GLINT_OK : start(runtime, file, is_header, err);
+    return access(file->path, R_OK) == 0 ? GLINT_OK : start(runtime, file, err);
 }
 
 glint_status glint_runtime_add(glint_runtime *runtime, const char *name, glint_error *err)
 {
     char *source;
-    for (int i = 1; i < runtime->count; i++) {
-        const char *known = strrchr(runtime->file[i].path, '/') + 1;
-        if (strncmp(known, name, strlen(name)) == 0 && strcmp(known + strlen(name), ".o") == 0)
-            return GLINT_OK;
-    }
     if (asprintf(&source, "%s/%s.cpp", runtime->include, name) < 0)
-        source = NULL;
-    return add_file(runtime, name, ".o", source, false, err);
+        return no_memory(err);
+    return add_source(runtime, name, source, err);
+}
+
+/* What a circuit will want, before Verilator says so; a version may not have all of it. */
+static glint_status add_expected(glint_runtime *runtime, glint_error *err)
+{
+    const char *const expected[] = {"verilated", "verilated_threads",
+                                    runtime->kind == GLINT_RTL_FST   ? "verilated_fst_c"
+                                    : runtime->kind == GLINT_RTL_VCD ? "verilated_vcd_c"
+                                                                     : "verilated"};
+    glint_status status = GLINT_OK;
+    for (size_t i = 0; status == GLINT_OK && i < sizeof expected / sizeof expected[0]; i++) {
+        char *source;
+        if (asprintf(&source, "%s/%s.cpp", runtime->include, expected[i]) < 0)
+            return no_memory(err);
+        if (access(source, R_OK) == 0)
+            status = add_source(runtime, expected[i], source, err);
+        else
+            free(source);
+    }
+    return status;
 }
 
 /* The text of the header: what a model and the shim include. */
@@ -195,12 +215,8 @@ static glint_status write_header(const glint_runtime *runtime, glint_error *err)
     if (asprintf(&beside, "%s.%ld", runtime->header, (long)gettid()) < 0)
         return no_memory(err);
     FILE *out = fopen(beside, "w");
-    if (out != NULL) {
-        fprintf(out, "#include <exception>\n#include <memory>\n#include <verilated.h>\n%s",
-                runtime->kind == GLINT_RTL_FAST  ? "#include <verilated_fst_c.h>\n"
-                : runtime->kind == GLINT_RTL_VCD ? "#include <verilated_vcd_c.h>\n"
-                                                 : "");
-    }
+    if (out != NULL)
+        fputs("#include <exception>\n#include <memory>\n#include <verilated.h>\n", out);
     glint_status status = GLINT_OK;
     if (out == NULL || fclose(out) != 0 || rename(beside, runtime->header) != 0)
         status = glint_fail(err, GLINT_IO_ERROR, "%s: %s", runtime->header, strerror(errno));
@@ -208,14 +224,15 @@ static glint_status write_header(const glint_runtime *runtime, glint_error *err)
     return status;
 }
 
+/* The header goes with the flags that it is compiled with. */
 static bool name_paths(glint_runtime *runtime)
 {
-    const char *kind = glint_rtl_kind_name(runtime->kind);
     if (asprintf(&runtime->include, "%s/include", runtime->tools->root) < 0)
         runtime->include = NULL;
     if (asprintf(&runtime->standard_include, "%s/include/vltstd", runtime->tools->root) < 0)
         runtime->standard_include = NULL;
-    if (asprintf(&runtime->header, "%s/%s.h", runtime->directory, kind) < 0)
+    if (asprintf(&runtime->header, "%s/%s.h", runtime->directory,
+                 runtime->kind == GLINT_RTL_FAST ? "fast" : "soon") < 0)
         runtime->header = NULL;
     if (asprintf(&runtime->lock_path, "%s.lock", runtime->directory) < 0)
         runtime->lock_path = NULL;
@@ -223,21 +240,22 @@ static bool name_paths(glint_runtime *runtime)
            runtime->header != NULL && runtime->lock_path != NULL;
 }
 
-glint_status glint_runtime_begin(glint_runtime *runtime, const char *cache,
-                                 const glint_tools *tools, glint_rtl_kind kind, glint_error *err)
+/* All but the objects. */
+static glint_status prepare(glint_runtime *runtime, const char *cache, const glint_tools *tools,
+                            glint_rtl_kind kind, glint_error *err)
 {
     *runtime = (glint_runtime){.tools = tools, .kind = kind, .lock = -1};
     glint_status status = make_directory(runtime, cache, err);
     if (status == GLINT_OK && !name_paths(runtime))
         status = no_memory(err);
-    if (status == GLINT_OK)
-        status = write_header(runtime, err);
-    if (status == GLINT_OK)
-        status = add_file(runtime, strrchr(runtime->header, '/') + 1, ".gch",
-                          strdup(runtime->header), true, err);
-    if (status == GLINT_OK)
-        status = glint_runtime_add(runtime, "verilated", err);
-    return status;
+    return status == GLINT_OK ? write_header(runtime, err) : status;
+}
+
+glint_status glint_runtime_begin(glint_runtime *runtime, const char *cache,
+                                 const glint_tools *tools, glint_rtl_kind kind, glint_error *err)
+{
+    const glint_status status = prepare(runtime, cache, tools, kind, err);
+    return status == GLINT_OK ? add_expected(runtime, err) : status;
 }
 
 static glint_status finish(glint_runtime_file *file, glint_error *err)
@@ -289,4 +307,54 @@ void glint_runtime_end(glint_runtime *runtime)
     free(runtime->header);
     free(runtime->lock_path);
     *runtime = (glint_runtime){.lock = -1};
+}
+
+static glint_status precompile(const glint_runtime *runtime, const char *work, glint_error *err)
+{
+    glint_compilation line;
+    bool success;
+    char *said;
+    glint_compilation_begin(&line, runtime->tools, runtime->kind);
+    add_includes(&line, runtime);
+    glint_compilation_add(&line, "-x");
+    glint_compilation_add(&line, "c++-header");
+    glint_compilation_add(&line, runtime->header);
+    glint_compilation_add(&line, "-o");
+    glint_compilation_add(&line, "made");
+    glint_status status = glint_command_run(line.argument, work, &success, &said, err);
+    if (status == GLINT_OK && !success)
+        status = glint_diagnose_compiler(said, err);
+    free(said);
+    return status;
+}
+
+/* header.h.gch: what gcc and clang look for beside header.h. */
+static glint_status precompile_entry(const glint_runtime *runtime, glint_error *err)
+{
+    char *name;
+    glint_cache_entry entry;
+    if (asprintf(&name, "%s.gch", strrchr(runtime->header, '/') + 1) < 0)
+        return no_memory(err);
+    glint_status status = glint_cache_open(runtime->directory, name, &entry, err);
+    free(name);
+    if (status != GLINT_OK)
+        return status;
+    if (entry.work != NULL) {
+        status = precompile(runtime, entry.work, err);
+        if (status == GLINT_OK)
+            status = glint_cache_commit(&entry, "made", err);
+    }
+    glint_cache_close(&entry);
+    return status;
+}
+
+glint_status glint_runtime_precompile(const char *cache, const glint_tools *tools,
+                                      glint_rtl_kind kind, glint_error *err)
+{
+    glint_runtime runtime;
+    glint_status status = prepare(&runtime, cache, tools, kind, err);
+    if (status == GLINT_OK)
+        status = precompile_entry(&runtime, err);
+    glint_runtime_end(&runtime);
+    return status;
 }

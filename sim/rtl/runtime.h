@@ -1,5 +1,5 @@
-/* What every circuit is linked with, Verilator's own runtime, and its headers precompiled: made
- * once for each Verilator and compiler, and kept in the cache. */
+/* What every circuit is linked with, Verilator's own runtime, and its headers: made once for each
+ * Verilator and compiler, and kept in the cache. */
 #ifndef GLINT_SIM_RUNTIME_H
 #define GLINT_SIM_RUNTIME_H
 
@@ -37,8 +37,8 @@ typedef struct glint_runtime {
     const glint_tools *tools;
     glint_rtl_kind kind;
     char *directory, *include, *standard_include;
-    char *header; /* to be included first: precompiled, for this kind */
-    glint_runtime_file file[GLINT_RUNTIME_FILES_MAX]; /* the header's, then objects to link with */
+    char *header; /* to be included first, of this kind: it may be there precompiled */
+    glint_runtime_file file[GLINT_RUNTIME_FILES_MAX]; /* objects to link with */
     int count;
     char *lock_path;
     int lock;
@@ -57,5 +57,10 @@ glint_status glint_runtime_add(glint_runtime *runtime, const char *name, glint_e
 glint_status glint_runtime_wait(glint_runtime *runtime, glint_error *err);
 
 void glint_runtime_end(glint_runtime *runtime);
+
+/* Precompiles Verilator's headers for circuits of this kind: that takes the time of four circuits,
+ * and saves half of each one's. */
+glint_status glint_runtime_precompile(const char *cache, const glint_tools *tools,
+                                      glint_rtl_kind kind, glint_error *err);
 
 #endif

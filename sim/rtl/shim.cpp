@@ -4,8 +4,8 @@
 // build.c compiles it with the circuit, behind a generated glint_ports.h:
 //     GLINT_PORTS(X)   X("name", member) for each port of the class Vcircuit but the clock
 //     GLINT_CLOCK      the member that is the clock; not defined: a circuit without one
-//     GLINT_TRACED     defined: built with --trace-fst, or
-//     GLINT_VCD        defined too: with --trace
+//     GLINT_FST        defined: built with --trace-fst
+//     GLINT_VCD        defined: with --trace; neither: without waveforms
 #include "glint_ports.h"
 #include "shim.h"
 

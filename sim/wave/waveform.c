@@ -164,6 +164,6 @@ glint_status glint_wave_record(const glint_setting *setting, const glint_wave_sc
                                glint_error *err)
 {
     const recording recording = {
-        setting, scene, format == GLINT_WAVE_VCD ? GLINT_RTL_VCD : GLINT_RTL_FAST, first, last};
+        setting, scene, format == GLINT_WAVE_VCD ? GLINT_RTL_VCD : GLINT_RTL_FST, first, last};
     return glint_wave_write(path, format, record_scene, &recording, err);
 }

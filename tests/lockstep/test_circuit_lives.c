@@ -39,7 +39,7 @@ static glint_rtl *created(void)
 
 static glint_rtl *created_divider(glint_divider_form form, int shifts)
 {
-    return opened(glint_setting_divider(form, shifts), GLINT_RTL_FAST);
+    return opened(glint_setting_divider(form, shifts), GLINT_RTL_FST);
 }
 
 /* Register 2 is the first signal. */
@@ -151,7 +151,7 @@ static void with_waveforms_closed_before_they_end(void **state)
     const glint_specular_inputs inputs = {.en = 1};
     const glint_divider_inputs divider_inputs = {.en = 1};
     glint_error err;
-    glint_rtl *rtl = opened(glint_setting_specular(&config), GLINT_RTL_FAST);
+    glint_rtl *rtl = opened(glint_setting_specular(&config), GLINT_RTL_FST);
     glint_rtl *divider = created_divider(GLINT_DIVIDER_SEQUENTIAL, 8);
     assert_int_equal(glint_rtl_trace_open(rtl, scratch_path("rtl.fst"), &err), GLINT_OK);
     assert_int_equal(glint_rtl_trace_open(divider, scratch_path("divider.fst"), &err), GLINT_OK);

@@ -193,7 +193,7 @@ static void open_a_trace_and_fail(void **state)
     glint_error err;
     const glint_specular_inputs in = {.en = 1, .in_valid = 1, .cos = {GLINT_COS_ONE}};
     const glint_setting setting = glint_setting_specular(&config);
-    assert_int_equal(glint_rtl_open(&setting, GLINT_RTL_FAST, &child_rtl, &err), GLINT_OK);
+    assert_int_equal(glint_rtl_open(&setting, GLINT_RTL_FST, &child_rtl, &err), GLINT_OK);
     assert_int_equal(glint_rtl_trace_open(child_rtl, child_file, &err), GLINT_OK);
     for (int i = 0; i < 10; i++) {
         glint_rtl_clock(child_rtl, &in);
