@@ -165,6 +165,18 @@ build-tests: $(TEST_PROGRAMS) $(BUILD)/glint $(BUILD)/glint-gen $(WRONG_CIRCUITS
 run-tests: build-tests
 	GLINT=$(BUILD)/glint GLINT_BUILD=$(BUILD) tests/run.sh $(BUILD)/test-logs $(TEST_PROGRAMS)
 
+# For the edit loop: the C model, the descriptions, and one setting of each circuit in lockstep. No GTKWave,
+# clang or valgrind. One test alone: make build/tests/model/test_device && build/tests/model/test_device
+CHECKS := $(filter %/test_description %/test_words %/test_random_pins $(BUILD)/tests/model/% $(BUILD)/tests/image/% \
+          $(BUILD)/tests/color/%,$(TEST_PROGRAMS))
+.PHONY: check
+check:
+	@sim/deps.sh check
+	@+$(MAKE) --no-print-directory -j$(JOBS) $(CHECKS) $(BUILD)/glint $(BUILD)/glint-gen
+	@$(BUILD)/glint verify --clocks 20000 --lanes 1 --gate cosine --pipeline pipelined --seed 1 --out $(BUILD)/check
+	@$(BUILD)/glint verify --clocks 20000 --circuit divider --shifts 12 --seed 1 --out $(BUILD)/check
+	@GLINT=$(BUILD)/glint GLINT_BUILD=$(BUILD) tests/run.sh $(BUILD)/check-logs $(CHECKS)
+
 test:
 	sim/deps.sh test
 	+$(MAKE) -j$(JOBS) build-tests
@@ -219,19 +231,22 @@ include tests/circuits.mk $(wildcard tests/*/rules.mk)
 
 # ---- What a user calls -----------------------------------------------------------------------------
 
+# The picture, a first verdict and a waveform; only the circuits that they show are built.
+DEMO := $(BUILD)/demo
 demo:
-	sim/deps.sh demo
-	+$(MAKE) -j$(JOBS) $(BUILD)/glint
-	@mkdir -p $(BUILD)/demo
-	$(BUILD)/glint render --model teapot --size 1280x960 --backend both --out $(BUILD)/demo/teapot.png
-	$(BUILD)/glint verify --clocks 20000
-	$(BUILD)/glint wave --out $(BUILD)/demo
+	@sim/deps.sh demo
+	@+$(MAKE) --no-print-directory -s -j$(JOBS) $(BUILD)/glint
+	@mkdir -p $(DEMO)
+	@$(BUILD)/glint render --model teapot --size 1280x960 --backend both --force --out $(DEMO)/teapot.png
+	@$(BUILD)/glint verify --clocks 20000 --lanes 1 --gate cosine --pipeline pipelined --seed 1 --out $(DEMO)/failure
+	@$(BUILD)/glint wave --lanes 1 --pipeline pipelined --circuit specular --out $(DEMO)
 	@echo
-	@echo "the picture:   $(BUILD)/demo/teapot.png"
-	@echo "the waveform:  gtkwave $(BUILD)/demo/specular_cosine_pipelined.fst" \
-	    "$(BUILD)/demo/specular_cosine_pipelined.gtkw"
+	@echo "the picture:   $(DEMO)/teapot.png"
+	@echo "the waveform:  gtkwave $(DEMO)/specular_cosine_pipelined.fst" \
+	    "$(DEMO)/specular_cosine_pipelined.gtkw"
 	@command -v gtkwave >/dev/null || echo "(GTKWave is not installed; sim/deps.sh gtkwave installs it)"
 	@echo "what it shows: docs/waveforms.md"
+	@echo "every setting: $(BUILD)/glint verify (52 circuits are built first); how to work with it: docs/working.md"
 
 bench:
 	sim/deps.sh bench
@@ -296,11 +311,13 @@ help:
 	@echo "               verify, write waveforms, say where to look"
 	@echo "make test      install what is missing, build, run every test"
 	@echo "make test-full the same, and every input of the specular device, C against Verilog"
+	@echo "make check     a light test for the edit loop, well under a minute (docs/working.md)"
 	@echo "make           build the command $(BUILD)/glint"
 	@echo "make verification  all of it, and the table in docs/verification.md"
 	@echo "make netlist   second opinions: synthesised netlists and other Verilator settings against the C model"
 	@echo "make portability  the C model with musl, and on a big-endian machine by qemu"
 	@echo "make reference the C model against exact rationals, every input"
+	@echo "make newest    a shorter pass with the newest Verilator of the package index for Python"
 	@echo "make formal    proofs over every sequence of inputs, by yosys-smtbmc and z3 (docs/formal.md)"
 	@echo "make mutation  1000 single faults of each of four synthesised circuits: killed, or proven equivalent"
 	@echo "make coverage  lines and toggles of rtl/, each covered or explained; the C by gcov"

@@ -20,6 +20,7 @@ foreign='gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user-static'
 packages_of() {
     case $1 in
     build | demo | bench | wave) echo "$build" ;;
+    check) echo "$build libcmocka-dev" ;;
     install) echo "$build help2man" ;;
     lint | mutation | netlist | formats) echo "$checks" ;;
     formal) echo "yosys $solver make" ;;
@@ -56,7 +57,7 @@ installed $package
     done
 }
 
-[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build demo bench wave report install lint test gtkwave mutation netlist formal coverage fuzz portability formats newest)"
+[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build check demo bench wave report install lint test gtkwave mutation netlist formal coverage fuzz portability formats newest)"
 
 needed=
 for goal in "$@"; do
