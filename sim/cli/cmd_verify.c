@@ -406,22 +406,37 @@ static void report_failure(const verify_options *chosen, task *task, glint_failu
     glint_failure_destroy(failure);
 }
 
+/* What is worse of two exit statuses: a difference, whatever else went wrong. */
+static int worse(int a, int b)
+{
+    return a == GLINT_EXIT_DIFFERENT || b == GLINT_EXIT_DIFFERENT ? GLINT_EXIT_DIFFERENT
+           : a != GLINT_EXIT_OK                                   ? a
+                                                                  : b;
+}
+
+static int report_task(const verify_options *chosen, task *task, glint_failure_detail *detail,
+                       FILE *out)
+{
+    if (task->result.mismatches != 0) {
+        report_failure(chosen, task, *detail, out);
+        /* A fault that all settings share would be told over and over. */
+        *detail = GLINT_FAILURE_BRIEFLY;
+        return GLINT_EXIT_DIFFERENT;
+    }
+    return task->status != GLINT_OK && task->status != GLINT_INTERRUPTED
+               ? glint_complain_error("verify", &task->err)
+               : GLINT_EXIT_OK;
+}
+
+/* In the order in which they were tried. */
 static int report_all(const verify_options *chosen, verification *all, FILE *out)
 {
     int status = GLINT_EXIT_OK;
     glint_failure_detail detail = GLINT_FAILURE_REPORT;
-    for (int i = 0; i < all->count; i++) {
-        task *task = &all->tasks[i];
-        if (task->result.mismatches != 0) {
-            report_failure(chosen, task, detail, out);
-            /* A fault that all settings share would be told over and over. */
-            detail = GLINT_FAILURE_BRIEFLY;
-            status = GLINT_EXIT_DIFFERENT;
-        } else if (task->status != GLINT_OK && task->status != GLINT_INTERRUPTED) {
-            const int trouble = glint_complain_error("verify", &task->err);
-            status = status != GLINT_EXIT_DIFFERENT ? trouble : status;
-        }
-    }
+    for (int first = 1; first >= 0; first--)
+        for (int i = 0; i < all->count; i++)
+            if (all->tasks[i].is_first == (first != 0))
+                status = worse(status, report_task(chosen, &all->tasks[i], &detail, out));
     return status;
 }
 

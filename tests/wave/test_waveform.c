@@ -61,7 +61,9 @@ static glint_status try_record(const glint_specular_config *config, glint_wave_f
         glint_wave_scene_make(config->lanes <= GLINT_LANES_MAX ? &setting : &scene_of, &scene, err),
         GLINT_OK);
     assert_int_equal(scene.clocks, LAST);
-    assert_int_equal(scene.marker, glint_specular_scene_centre(config->lanes));
+    if (config->lanes <= GLINT_LANES_MAX) {
+        assert_int_equal(scene.marker, glint_specular_scene_centre(config->lanes));
+    }
     const glint_status status = glint_wave_record(&setting, &scene, format, first, last, path, err);
     free(scene.pins);
     return status;
