@@ -22,7 +22,8 @@ glint_status glint_rtl_shade(glint_rtl *rtl, const glint_material *material,
                              const glint_points *points, glint_error *err);
 
 /* Divides count times: the pipelined form takes one division a clock, the sequential one component
- * after component. GLINT_DEVICE_FAULT when the circuit does not give every quotient back in time. */
+ * after component. GLINT_DEVICE_FAULT when the circuit does not give every quotient back in time.
+ */
 glint_status glint_rtl_divide(glint_rtl *rtl, const glint_division *divisions, size_t count,
                               glint_quotients *quotients, glint_error *err);
 

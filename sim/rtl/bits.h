@@ -1,4 +1,5 @@
-/* Values side by side in the memory of a port, the first one lowest: the one place that packs lanes.
+/* Values side by side in the memory of a port, the first one lowest: the one place that packs
+ * lanes.
  *
  * On a machine whose lowest byte comes first, a port is a row of bits whatever its size: an integer
  * of 1, 2, 4 or 8 bytes, or 32-bit words. */

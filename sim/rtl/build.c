@@ -13,9 +13,10 @@
 #include "rtl/product.h"
 #include "rtl/runtime.h"
 
-#define CLASS  "Vcircuit"
-#define OBJECT "circuit.so"
-#define UNITY  "circuit.cpp"
+#define CLASS     "Vcircuit"
+#define OBJECT    "circuit.so"
+#define UNITY     "circuit.cpp"
+#define PORT_FILE "glint_port.v"
 
 /* A product while it is made, in a work directory that holds its sources. */
 typedef struct build {
@@ -34,6 +35,70 @@ static glint_status no_memory(glint_error *err)
     return glint_fail(err, GLINT_NO_MEMORY, "no memory for building a circuit");
 }
 
+/* Registers that nothing resets begin with 0, as the C models do. */
+#define VERILATOR_OPTIONS                                                                          \
+    "-O3", "--x-assign", "0", "--x-initial", "0", "--noassert", "--no-timing", "-Wno-fatal", "-I."
+
+/* The probe with one more port of the instance, connected to a constant. */
+static glint_status write_port_probe(const build *b, const char *port, glint_error *err)
+{
+    glint_sources probe = {0};
+    char *text;
+    const char *body = strstr(b->product->probe.text, " dut (\n");
+    const char *begin = b->product->probe.text;
+    if (body == NULL)
+        return GLINT_OK;
+    body += strlen(" dut (\n");
+    const int size =
+        asprintf(&text, "%.*s        .%s(1'b0),\n%s", (int)(body - begin), begin, port, body);
+    if (size < 0)
+        return no_memory(err);
+    glint_status status = glint_sources_add(&probe, PORT_FILE, text, (size_t)size, err);
+    if (status == GLINT_OK)
+        status = glint_sources_write(&probe, b->work, err);
+    glint_sources_free(&probe);
+    free(text);
+    return status;
+}
+
+/* Verilator refuses a constant at an output. */
+static glint_status is_output(const build *b, const char *port, bool *output, glint_error *err)
+{
+    const char *arguments[] = {b->product->tools.verilator,
+                               "--lint-only",
+                               VERILATOR_OPTIONS,
+                               "--top",
+                               GLINT_PROBE_MODULE,
+                               PORT_FILE,
+                               NULL};
+    bool success;
+    char *said = NULL;
+    glint_status status = write_port_probe(b, port, err);
+    if (status == GLINT_OK)
+        status = glint_command_run(arguments, b->work, &success, &said, err);
+    *output = status == GLINT_OK && strstr(said, "PORTSHORT") != NULL;
+    free(said);
+    return status;
+}
+
+/* Every input must be a pin; an output may be left alone. */
+static glint_status check_other_ports(const build *b, const char *said, glint_error *err)
+{
+    const glint_product *p = b->product;
+    char port[GLINT_PORT_NAME];
+    glint_status status = GLINT_OK;
+    while (status == GLINT_OK &&
+           (said = glint_diagnose_port(said, p->setting, &p->ports, port)) != NULL) {
+        bool output;
+        status = is_output(b, port, &output, err);
+        if (status == GLINT_OK && !output)
+            status = glint_fail(err, GLINT_DEVICE_FAULT,
+                                "%s has an input %s that the description has not",
+                                p->setting->circuit->top(p->setting->values), port);
+    }
+    return status;
+}
+
 /* Runs Verilator over the probe or the top, and judges what it says. */
 static glint_status run_verilator(const build *b, const char *const *arguments, glint_error *err)
 {
@@ -43,16 +108,14 @@ static glint_status run_verilator(const build *b, const char *const *arguments, 
     glint_status status = glint_command_run(arguments, b->work, &success, &said, err);
     if (status == GLINT_OK)
         status = glint_diagnose_verilator(said, p->setting, &p->ports, &p->probe, p->verilog, err);
+    if (status == GLINT_OK)
+        status = check_other_ports(b, said, err);
     if (status == GLINT_OK && !success)
         status = glint_fail(err, GLINT_DEVICE_FAULT, "Verilator fails: %.*s",
                             (int)strcspn(said, "\n"), said);
     free(said);
     return status;
 }
-
-/* Registers that nothing resets begin with 0, as the C models do. */
-#define VERILATOR_OPTIONS                                                                          \
-    "-O3", "--x-assign", "0", "--x-initial", "0", "--noassert", "--no-timing", "-Wno-fatal", "-I."
 
 static glint_status lint_probe(const build *b, glint_error *err)
 {

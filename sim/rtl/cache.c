@@ -154,9 +154,9 @@ char *glint_cache_newest(const char *cache, const char *begin, const char *end)
         if (!is_between(file->d_name, begin, end) ||
             fstatat(dirfd(listing), file->d_name, &info, 0) != 0)
             continue;
-        if (newest != NULL && (info.st_mtim.tv_sec < latest.tv_sec ||
-                               (info.st_mtim.tv_sec == latest.tv_sec &&
-                                info.st_mtim.tv_nsec < latest.tv_nsec)))
+        if (newest != NULL &&
+            (info.st_mtim.tv_sec < latest.tv_sec ||
+             (info.st_mtim.tv_sec == latest.tv_sec && info.st_mtim.tv_nsec < latest.tv_nsec)))
             continue;
         latest = info.st_mtim;
         free(newest);

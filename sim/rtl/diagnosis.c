@@ -137,33 +137,8 @@ static glint_status about_port(const subject *s, const message *m, int index, gl
     return missing_or_wide(s, m, what, port->width, expects, "", err);
 }
 
-/* Whether a signal of the description is that one of the whole circuit. */
-static bool is_signal(const subject *s, const char *name, size_t length)
-{
-    for (int i = 0; i < s->ports->signals; i++) {
-        const glint_signal_info signal = s->setting->circuit->signal(s->setting->values, i);
-        if (signal.lane < 0 && strlen(signal.name) == length &&
-            strncmp(signal.name, name, length) == 0)
-            return true;
-    }
-    return false;
-}
-
-/* The instance: a port of the Verilog that the description has not. One that is a signal of another
- * kind is an output that is looked at as such. */
 static glint_status about_top(const subject *s, const message *m, glint_error *err)
 {
-    const char *found = find(m, "missing pin: '");
-    if (found != NULL) {
-        const char *name = strchr(found, '\'') + 1;
-        const size_t length = strcspn(name, "'\n");
-        if (is_signal(s, name, length))
-            return GLINT_OK;
-        return glint_fail(err, GLINT_DEVICE_FAULT,
-                          "%s has a port %.*s that the description has not: neither as a pin nor "
-                          "as a signal",
-                          s->top, (int)length, name);
-    }
     return m->is_error ? glint_fail(err, GLINT_DEVICE_FAULT, "%s: %.*s", s->top,
                                     (int)(m->end - m->text), m->text)
                        : GLINT_OK;
@@ -180,10 +155,9 @@ static glint_status about_probe(const subject *s, const message *m, glint_error 
     case GLINT_PROBE_PORT:
         return about_port(s, m, line.index, err);
     case GLINT_PROBE_PARAMETER:
-        return m->is_error
-                   ? glint_fail(err, GLINT_DEVICE_FAULT, "%s has no parameter %s", s->top,
-                                s->setting->circuit->parameters[line.index].verilog)
-                   : GLINT_OK;
+        return m->is_error ? glint_fail(err, GLINT_DEVICE_FAULT, "%s has no parameter %s", s->top,
+                                        s->setting->circuit->parameters[line.index].verilog)
+                           : GLINT_OK;
     case GLINT_PROBE_CLOCK_PIN:
         return m->is_error ? glint_fail(err, GLINT_DEVICE_FAULT, "%s has no clock %s", s->top,
                                         s->setting->circuit->clock_port)
@@ -201,8 +175,9 @@ static glint_status tell_error(const subject *s, const message *m, int others, g
     char more[64] = "";
     if (others > 0)
         (void)snprintf(more, sizeof more, " (and %d more)", others);
-    return glint_fail(err, GLINT_DEVICE_FAULT, "%s%s%.*s%s", m->text != m->begin ? s->directory : "",
-                      m->text != m->begin ? "/" : "", (int)(m->end - m->begin), m->begin, more);
+    return glint_fail(err, GLINT_DEVICE_FAULT, "%s%s%.*s%s",
+                      m->text != m->begin ? s->directory : "", m->text != m->begin ? "/" : "",
+                      (int)(m->end - m->begin), m->begin, more);
 }
 
 /* The first error about the Verilog itself, with how many more there are. */
@@ -242,6 +217,35 @@ glint_status glint_diagnose_verilator(const char *said, const glint_setting *set
     if (status == GLINT_OK)
         status = find_difference(&s, said, false, err);
     return status;
+}
+
+/* Whether a signal of the description is that one of the whole circuit: an output may be looked at
+ * as one of another kind. */
+static bool is_signal(const glint_setting *setting, const glint_ports *ports, const char *name)
+{
+    for (int i = 0; i < ports->signals; i++) {
+        const glint_signal_info signal = setting->circuit->signal(setting->values, i);
+        if (signal.lane < 0 && strcmp(signal.name, name) == 0)
+            return true;
+    }
+    return false;
+}
+
+const char *glint_diagnose_port(const char *said, const glint_setting *setting,
+                                const glint_ports *ports, char name[GLINT_PORT_NAME])
+{
+    static const char words[] = "missing pin: '";
+    message m;
+    while (next_message(&said, &m)) {
+        const char *found = m.in_probe > 0 ? find(&m, words) : NULL;
+        if (found == NULL)
+            continue;
+        found += strlen(words);
+        (void)snprintf(name, GLINT_PORT_NAME, "%.*s", (int)strcspn(found, "'\n"), found);
+        if (!is_signal(setting, ports, name))
+            return said;
+    }
+    return NULL;
 }
 
 glint_status glint_diagnose_compiler(const char *said, glint_error *err)

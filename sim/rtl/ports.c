@@ -15,7 +15,8 @@ static int port_named(glint_ports *ports, const char *name, bool is_output)
     return ports->count++;
 }
 
-/* Lane by lane from the lowest: a pin stands behind those before it, an output where its lane is. */
+/* Lane by lane from the lowest: a pin stands behind those before it, an output where its lane is.
+ */
 static glint_status place(glint_ports *ports, const char *name, bool is_output, int width, int lane,
                           int *of, int *at, glint_error *err)
 {

@@ -33,7 +33,8 @@ void glint_rtl_destroy(glint_rtl *rtl); /* closes an open trace; NULL is allowed
 void glint_rtl_clock(glint_rtl *rtl, const void *pins);
 
 /* Every signal's words as the last edge left them, in the places of glint_signal_places(). Of a
- * circuit that is not observed those of kind GLINT_SIGNAL_OUTPUT alone; the others' words are left as they are. */
+ * circuit that is not observed those of kind GLINT_SIGNAL_OUTPUT alone; the others' words are left
+ * as they are. */
 void glint_rtl_read(const glint_rtl *rtl, uint64_t *words);
 
 /* Rising edges so far, the reset of creation included. */

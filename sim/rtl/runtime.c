@@ -18,8 +18,8 @@
 /* The runtime has no part in a circuit's speed. Verilator's code is nobody's to mend: no warnings.
  */
 static const char *const common_flags[] = {
-    "-std=gnu++17",    "-fPIC",     "-fvisibility=hidden", "-w",
-    "-DVM_COVERAGE=0", "-DVM_SC=0", "-DVM_TRACE=1",        "-DVM_TRACE_FST=1",
+    "-std=gnu++17",     "-fPIC",     "-fvisibility=hidden", "-w",
+    "-DVM_COVERAGE=0",  "-DVM_SC=0", "-DVM_TRACE=1",        "-DVM_TRACE_FST=1",
     "-DVM_TRACE_VCD=1", NULL,
 };
 static const char *const runtime_flags[] = {"-O1", NULL};

