@@ -40,9 +40,10 @@ $(SECOND)/%/made: tests/circuit.sh $(CIRCUIT_SOURCES) $(RTL) $(WRONG_CIRCUITS) |
 	$QVERILATOR=$(VERILATOR) CXX=$(CXX) tests/circuit.sh $* $(BUILD)/settings $(BUILD)/wrong $(@D)
 	@touch $@
 
-# A list of them, for tests/netlist/opinions.h. $1: its file, $2: the forms
+# A list of them, for tests/netlist/opinions.h: absolute, as a compiler is started elsewhere. $1: its file,
+# $2: the forms
 define opinion_list
 $1: $(wildcard tests/circuits.mk tests/circuits/*.mk) $(2:%=$(SECOND)/%/made)
 	@mkdir -p $$(@D)
-	@printf '%s\n' $(2:%=$(SECOND)/%) > $$@
+	@printf '%s\n' $(2:%=$(abspath $(SECOND))/%) > $$@
 endef
