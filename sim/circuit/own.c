@@ -138,7 +138,12 @@ static glint_status run_compiler(own *o, const char *include, const char *map, g
     if (arguments == NULL)
         return no_memory(err);
     glint_status status = glint_command_run(arguments, o->entry.work, &success, &said, err);
-    if (status == GLINT_OK && !success) {
+    if (status == GLINT_OK && !success && strcmp(said, "cannot be started\n") == 0) {
+        status = glint_fail(err, GLINT_IO_ERROR,
+                            "the C compiler, %s, cannot be started: install one (Debian: apt-get "
+                            "install gcc), or set CC",
+                            arguments[0]);
+    } else if (status == GLINT_OK && !success) {
         const char *reason = reason_in(said);
         status = glint_fail(err, GLINT_BAD_INPUT, "%s: its C does not compile: %.*s", o->directory,
                             (int)strcspn(reason, "\n"), reason);

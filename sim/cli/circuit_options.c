@@ -131,6 +131,19 @@ static glint_parameter_option *row_of(glint_circuit_options *options, const char
     return &options->parameter[i];
 }
 
+/* What options of one's own circuit cannot be called: some subcommand has it already. */
+static const char *taken_name(const glint_circuit *circuit)
+{
+    static const char *const taken[] = {
+        "backend", "circuit", "circuit-dir", "clocks", "every-lane", "exhaustive",
+        "force",   "format",  "from",        "help",   "json",       "out",
+        "rtl",     "seed",    "shard",       "stride", "threads",    "to"};
+    for (size_t i = 0; i < sizeof taken / sizeof taken[0]; i++)
+        if (has_parameter(circuit, taken[i]))
+            return taken[i];
+    return NULL;
+}
+
 static void add_circuit(glint_circuit_options *options, const glint_circuit *circuit)
 {
     if (options->circuit_count == GLINT_CIRCUITS_MAX)
@@ -164,6 +177,13 @@ int glint_circuit_options_begin(glint_circuit_options *options, const glint_circ
     if (directory != NULL) {
         if (glint_circuit_load(directory, &circuit, &err) != GLINT_OK)
             return glint_complain_error(use->command, &err);
+        const char *taken = taken_name(circuit);
+        if (taken != NULL)
+            return glint_complain(
+                use->command, GLINT_EXIT_TROUBLE,
+                "%s: circuit %s: a parameter cannot be called %s: --%s is another "
+                "option",
+                directory, circuit->name, taken, taken);
         add_circuit(options, circuit);
     }
     for (int i = 0; directory == NULL && (circuit = glint_circuit_number(i)) != NULL; i++)
