@@ -87,15 +87,6 @@ static bool is_summary(const message *m)
     return find(m, "Exiting due to") == m->text || find(m, "Command Failed") == m->text;
 }
 
-/* "lane 3", "stage 3", "" */
-static void lane_text(const subject *s, int lane, char text[64])
-{
-    const char *name = s->setting->circuit->lane_name;
-    text[0] = '\0';
-    if (lane >= 0)
-        (void)snprintf(text, 64, " (%s %d)", name != NULL ? name : "lane", lane);
-}
-
 /* The numbers of "expects 27 bits … generates 28 bits". */
 static bool read_widths(const message *m, int *expects, int *generates)
 {
@@ -105,26 +96,38 @@ static bool read_widths(const message *m, int *expects, int *generates)
 }
 
 static glint_status missing_or_wide(const subject *s, const message *m, const char *what,
-                                    int described, int found, const char *lane, glint_error *err)
+                                    int described, int found, glint_error *err)
 {
     if (found > 0)
         return glint_fail(err, GLINT_DEVICE_FAULT,
-                          "%s%s has %d bits in the description and %d in the Verilog of %s", what,
-                          lane, described, found, s->top);
+                          "%s has %d bits in the description and %d in the Verilog of %s", what,
+                          described, found, s->top);
     if (m->is_error)
-        return glint_fail(err, GLINT_DEVICE_FAULT, "%s has no %s%s", s->top, what, lane);
+        return glint_fail(err, GLINT_DEVICE_FAULT, "%s has no %s", s->top, what);
     return GLINT_OK;
+}
+
+/* "signal acc", "signal acc (lane[3].u.acc)": by its path where that is another. */
+static void signal_text(const subject *s, const glint_signal_info *signal, char *text, size_t size)
+{
+    char path[GLINT_PROBE_PATH];
+    glint_probe_path(s->setting, signal, path);
+    if (strcmp(path, signal->name) == 0)
+        (void)snprintf(text, size, "signal %s", signal->name);
+    else
+        (void)snprintf(text, size, "signal %s (%s)", signal->name, path);
 }
 
 static glint_status about_signal(const subject *s, const message *m, int index, glint_error *err)
 {
     const glint_signal_info signal = s->setting->circuit->signal(s->setting->values, index);
-    char what[300], lane[64];
+    char what[GLINT_PROBE_PATH + 300];
     int expects = 0, generates = 0;
-    lane_text(s, signal.lane, lane);
-    (void)snprintf(what, sizeof what, "signal %s", signal.name);
+    signal_text(s, &signal, what, sizeof what);
+    if (find(m, "out of range") != NULL) /* mem[10] of 0 to 3: Verilator only warns */
+        return glint_fail(err, GLINT_DEVICE_FAULT, "%s has no %s", s->top, what);
     (void)read_widths(m, &expects, &generates);
-    return missing_or_wide(s, m, what, glint_signal_width(&signal), generates, lane, err);
+    return missing_or_wide(s, m, what, glint_signal_width(&signal), generates, err);
 }
 
 static glint_status about_port(const subject *s, const message *m, int index, glint_error *err)
@@ -134,7 +137,7 @@ static glint_status about_port(const subject *s, const message *m, int index, gl
     int expects = 0, generates = 0;
     (void)snprintf(what, sizeof what, "%s %s", port->is_output ? "output" : "pin", port->name);
     (void)read_widths(m, &expects, &generates);
-    return missing_or_wide(s, m, what, port->width, expects, "", err);
+    return missing_or_wide(s, m, what, port->width, expects, err);
 }
 
 static glint_status about_top(const subject *s, const message *m, glint_error *err)

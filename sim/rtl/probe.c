@@ -97,31 +97,30 @@ static void write_instance(writer *w)
     line(w, GLINT_PROBE_OTHER, 0, "    );");
 }
 
-/* "lane[%d].u" with the signal's lane in it, and a point. */
-static void scope_of(const writer *w, const glint_signal_info *signal, char *text, size_t size)
+void glint_probe_path(const glint_setting *setting, const glint_signal_info *signal,
+                      char path[GLINT_PROBE_PATH])
 {
-    const char *scope = w->setting->circuit->lane_scope;
-    text[0] = '\0';
+    const char *scope = setting->circuit->lane_scope;
+    const char *name = signal->path != NULL ? signal->path : signal->name;
+    const char *number = signal->lane >= 0 && scope != NULL ? strstr(scope, "%d") : NULL;
     if (signal->lane < 0 || scope == NULL)
-        return;
-    const char *number = strstr(scope, "%d");
-    if (number == NULL)
-        (void)snprintf(text, size, "%s.", scope);
+        (void)snprintf(path, GLINT_PROBE_PATH, "%s", name);
+    else if (number == NULL)
+        (void)snprintf(path, GLINT_PROBE_PATH, "%s.%s", scope, name);
     else
-        (void)snprintf(text, size, "%.*s%d%s.", (int)(number - scope), scope, signal->lane,
-                       number + 2);
+        (void)snprintf(path, GLINT_PROBE_PATH, "%.*s%d%s.%s", (int)(number - scope), scope,
+                       signal->lane, number + 2, name);
 }
 
 static void write_signals(writer *w)
 {
     for (int i = 0; i < w->ports->signals; i++) {
         const glint_signal_info signal = w->setting->circuit->signal(w->setting->values, i);
-        char scope[256];
+        char path[GLINT_PROBE_PATH];
         if (!is_below(&signal))
             continue;
-        scope_of(w, &signal, scope, sizeof scope);
-        line(w, GLINT_PROBE_SIGNAL, i, "    assign glint_s%d = dut.%s%s;", i, scope,
-             signal.path != NULL ? signal.path : signal.name);
+        glint_probe_path(w->setting, &signal, path);
+        line(w, GLINT_PROBE_SIGNAL, i, "    assign glint_s%d = dut.%s;", i, path);
     }
 }
 

@@ -39,4 +39,9 @@ glint_status glint_probe_make(const glint_setting *setting, const glint_ports *p
                               glint_probe *probe, glint_error *err);
 void glint_probe_free(glint_probe *probe);
 
+/* Where a signal that is no output is looked for, from the top module on: "lane[3].u.acc". */
+#define GLINT_PROBE_PATH 512
+void glint_probe_path(const glint_setting *setting, const glint_signal_info *signal,
+                      char path[GLINT_PROBE_PATH]);
+
 #endif

@@ -173,39 +173,54 @@ static void what_is_wrong_is_said(void **state)
 {
     (void)state;
     static const struct {
-        const char *name; /* of the copy of rotate_xor */
+        const char *name, *circuit; /* the name is the copy's */
         const char *file, *from, *to;
         const char *words;
     } faults[] = {
-        {"width", "rotate_xor.c", "DATA, 100, 0", "DATA, 90, 0",
+        {"width", "rotate_xor", "rotate_xor.c", "DATA, 100, 0", "DATA, 90, 0",
          "pin word has 90 bits in the description and 100 in the Verilog of rotate_xor"},
-        {"output-width", "rotate_xor.c", "OUTPUT, 100, 0", "OUTPUT, 101, 0",
+        {"output-width", "rotate_xor", "rotate_xor.c", "OUTPUT, 100, 0", "OUTPUT, 101, 0",
          "output state has 101 bits in the description and 100 in the Verilog of rotate_xor"},
-        {"signal-width", "rotate_xor.c", "BLOCK, 100, 0", "BLOCK, 99, 0",
+        {"signal-width", "rotate_xor", "rotate_xor.c", "BLOCK, 100, 0", "BLOCK, 99, 0",
          "signal turned has 99 bits in the description and 100 in the Verilog of rotate_xor"},
-        {"signal", "rotate_xor.c", "GLINT_SIGNAL(signals_now, turned, BLOCK, 100, 0, 0,",
+        {"signal", "rotate_xor", "rotate_xor.c",
+         "GLINT_SIGNAL(signals_now, turned, BLOCK, 100, 0, 0,",
          "GLINT_SIGNAL_OF(signals_now, turned, \"turned\", \"twisted\", BLOCK, 100, 0, 0, -1,",
          "rotate_xor has no signal turned"},
-        {"missing-pin", "rotate_xor.c", "GLINT_PIN(pins, in_valid, VALID, 1, 0, 0,",
+        {"missing-pin", "rotate_xor", "rotate_xor.c", "GLINT_PIN(pins, in_valid, VALID, 1, 0, 0,",
          "GLINT_PIN_OF(pins, in_valid, \"taken\", VALID, 1, 0, 0, -1,",
          "rotate_xor has no pin taken"},
-        {"pin", "rotate_xor.v", "clk,", "clk, input wire more,",
+        {"pin", "rotate_xor", "rotate_xor.v", "clk,", "clk, input wire more,",
          "rotate_xor has a port more that the description has not"},
-        {"clock", "rotate_xor.c", "\"clk\"", "\"clock\"", "rotate_xor has no clock clock"},
-        {"top", "rotate_xor.c", "top, \"rotate_xor\"", "top, \"turn\"", "has no turn.v"},
-        {"compiler", "rotate_xor.c", "glint_status create", "glint_stats create",
+        {"clock", "rotate_xor", "rotate_xor.c", "\"clk\"", "\"clock\"",
+         "rotate_xor has no clock clock"},
+        {"top", "rotate_xor", "rotate_xor.c", "top, \"rotate_xor\"", "top, \"turn\"",
+         "has no turn.v"},
+        {"compiler", "rotate_xor", "rotate_xor.c", "glint_status create", "glint_stats create",
          "its C does not compile: rotate_xor.c:"},
-        {"verilog", "rotate_xor.v", "endmodule", "endmodul", "rotate_xor.v:"},
-        {"name", "rotate_xor.c", "glint_circuit glint_my_circuit", "glint_circuit my_circuit",
+        {"verilog", "rotate_xor", "rotate_xor.v", "endmodule", "endmodul", "rotate_xor.v:"},
+        {"name", "rotate_xor", "rotate_xor.c", "glint_circuit glint_my_circuit",
+         "glint_circuit my_circuit",
          "none of its *.c defines the circuit, const glint_circuit glint_my_circuit"},
-        {"no-title", "rotate_xor.c", ".title = \"Turned and mixed\",", "",
+        {"no-title", "rotate_xor", "rotate_xor.c", ".title = \"Turned and mixed\",", "",
          "circuit rotate_xor: it has no title"},
-        {"heading", "rotate_xor.c", "{.title = \"State\"}", "{.title = \"Stat\"}",
+        {"heading", "rotate_xor", "rotate_xor.c", "{.title = \"State\"}", "{.title = \"Stat\"}",
          "its heading \"State\" is none of the circuit's"},
+        {"submodule", "ring", "ring.c", "\"u_sum.acc\"", "\"u_sum.sum\"",
+         "ring has no signal sum (u_sum.sum)"},
+        {"memory", "ring", "ring.c", "\"mem[\" #i", "\"mem[1\" #i",
+         "ring has no signal mem0 (mem[10])"},
+        {"scope", "clip_lanes", "clip_lanes.c", "\"lane[%d].u\"", "\"line[%d].u\"",
+         "clip_lanes has no signal held (line[0].u.held)"},
+        {"parameter", "wide_sum", "wide_sum.c", "\"WIDTH\"", "\"SIZE\"",
+         "wide_sum has no parameter SIZE"},
+        {"option", "wide_sum", "wide_sum.c", ".name = \"width\"", ".name = \"seed\"",
+         "a parameter cannot be called seed"},
     };
     for (size_t i = 0; i < sizeof faults / sizeof faults[0]; i++) {
-        char directory[OWN_PATH];
-        own_copy(OWN "rotate_xor", faults[i].name, directory);
+        char directory[OWN_PATH], from[OWN_PATH];
+        (void)snprintf(from, sizeof from, OWN "%s", faults[i].circuit);
+        own_copy(from, faults[i].name, directory);
         own_edit(directory, faults[i].file, faults[i].from, faults[i].to);
         outcome done = own_run(directory, "", "verify --clocks 100");
         assert_own_refused(&done, faults[i].words);
