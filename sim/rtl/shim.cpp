@@ -9,6 +9,10 @@
 #include "glint_ports.h"
 #include "shim.h"
 
+#if defined GLINT_FST || defined GLINT_VCD
+#define GLINT_TRACED
+#endif
+
 #include "Vcircuit.h"
 
 #include <exception>
