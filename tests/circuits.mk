@@ -3,7 +3,8 @@
 
 # What the longer checks Verilate or synthesise themselves; of the plain build in make sanitize too.
 VERILATED ?= $(BUILD)/verilated
-VERILATOR_INCLUDE = $(call once,VERILATOR_INCLUDE,$(VERILATOR) --getenv VERILATOR_ROOT)/include
+VERILATOR_ROOT_DIR = $(call once,VERILATOR_ROOT_DIR,$(VERILATOR) --getenv VERILATOR_ROOT)
+VERILATOR_INCLUDE = $(VERILATOR_ROOT_DIR)/include
 
 # Rewritten only when the version changes, so that a new Verilator makes all of it anew.
 $(VERILATED)/version: FORCE
