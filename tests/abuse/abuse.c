@@ -16,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -25,6 +26,7 @@
 
 #include "../scratch.h"
 
+#include "../child.h"
 #include "../record.h"
 #include "image/image.h"
 #include "wave/waveform.h"
@@ -240,11 +242,47 @@ static int run_child(const char *program, char **argv, const abuse *how, outcome
     return status;
 }
 
+const char *abuse_wrong_circuit(const char *name)
+{
+    static char option[1024];
+    const char *build = getenv("GLINT_BUILD");
+    (void)snprintf(option, sizeof option, " --rtl %s/wrong/%s", build != NULL ? build : "build",
+                   name);
+    return option;
+}
+
+int abuse_build_circuits(void)
+{
+    static const char script[] =
+        "set -e\n"
+        "G=${GLINT:-build/glint} W=${GLINT_BUILD:-build}/wrong\n"
+        "$G verify --clocks 1 --out $0/p\n"
+        "$G verify --exhaustive --gate all --pipeline all --shard 1/1000 --stride 4096 --out $0/p\n"
+        "$G bench --seconds 0.01\n"
+        "$G render --size 8x8 --backend both --out $0/a.png\n"
+        "$G wave --out $0/w\n"
+        "$G wave --format vcd --out $0/v\n"
+        "for w in truncating worn_out; do\n"
+        "    $G verify --clocks 1 --lanes 1 --gate cosine --circuit specular --rtl $W/$w --out "
+        "$0/p ||\n"
+        "        [ $? = 1 ]\n"
+        "    $G render --size 8x8 --backend rtl --lanes 1 --rtl $W/$w --out $0/a.png\n"
+        "done\n";
+    const char *const argv[] = {"sh", "-c", script, scratch_path("built"), NULL};
+    if (mkdir(scratch_path("built"), 0777) != 0 || child_run(argv, 3000.0) != 0) {
+        char *err = scratch_read(scratch_path("child.err"), NULL);
+        print_error("the circuits cannot be built: %s\n", err);
+        free(err);
+        return -1;
+    }
+    return 0;
+}
+
 outcome abuse_run(const char *heading, const char *command_line, const abuse *how)
 {
     static char words[4096];
     char *argv[WORDS_MAX + 2] = {NULL};
-    const char *program = how->program != NULL ? how->program : getenv("GLINT");
+    const char *program = getenv("GLINT");
     program = program != NULL ? program : "build/glint";
     if (begun == 0.0) {
         begun = child_seconds();

@@ -17,8 +17,6 @@ enum { ABUSE_TIMED_OUT = -1 };
 
 /* What is done to a run. */
 typedef struct abuse {
-    const char
-        *program;    /* NULL: the command; else a path, such as the command with a wrong circuit */
     const char *in;  /* a path for standard input; NULL: /dev/null */
     const char *out; /* a path for standard output; NULL: kept */
     bool close_in, close_out, close_err;
@@ -38,6 +36,13 @@ typedef struct outcome {
     bool caught;   /* it had a handler of its own for the signal when that was sent */
     bool survived; /* a process that it had started was still there one second after it ended */
 } outcome;
+
+/* Builds every circuit that the runs below need, with the command, so that what is tried is the
+ * command and not Verilator; not counted. To be called by a group's set-up; 0 when it went well. */
+int abuse_build_circuits(void);
+
+/* " --rtl DIR" for a command line: the circuit of that name that is wrong on purpose. */
+const char *abuse_wrong_circuit(const char *name);
 
 /* Runs a command line (words apart by spaces) and counts it under a heading. */
 outcome abuse_run(const char *heading, const char *command_line, const abuse *how);

@@ -43,20 +43,13 @@ static const writer writers[] = {
 #define WRITERS (sizeof writers / sizeof writers[0])
 #define REPORT  (WRITERS - 1)
 
-static const char *wrong_program(void)
-{
-    static char path[1024];
-    const char *build = getenv("GLINT_BUILD");
-    (void)snprintf(path, sizeof path, "%s/wrong/glint", build != NULL ? build : "build");
-    return path;
-}
-
 static void line_of(const writer *w, const char *directory, char line[2048])
 {
     /* The only %s is the directory. */
     const char *place = strstr(w->line, "%s");
     assert_non_null(place);
-    (void)snprintf(line, 2048, "%.*s%s%s", (int)(place - w->line), w->line, directory, place + 2);
+    (void)snprintf(line, 2048, "%.*s%s%s%s", (int)(place - w->line), w->line, directory, place + 2,
+                   w->wrong ? abuse_wrong_circuit("truncating") : "");
 }
 
 static void keep(char copy[1024], const char *path)
@@ -78,7 +71,6 @@ static bool write_fails(const char *reason, const char *heading, const writer *w
 {
     char line[2048];
     line_of(w, directory, line);
-    how.program = w->wrong ? wrong_program() : NULL;
     outcome done = abuse_run(heading, line, &how);
     const bool failed = strstr(done.err, reason) != NULL;
     if (!w->wrong) { /* that one has a report and a packet to tell of as well */
@@ -153,8 +145,7 @@ static void a_directory_that_is_none(void **state)
         for (size_t k = 0; k < sizeof places / sizeof places[0]; k++) {
             char line[2048];
             line_of(&writers[i], places[k], line);
-            const abuse how = {.program = writers[i].wrong ? wrong_program() : NULL};
-            outcome done = abuse_run("a directory that cannot be written", line, &how);
+            outcome done = abuse_run("a directory that cannot be written", line, &(abuse){0});
             if (done.status != writers[i].failed || strstr(done.err, places[k]) == NULL) {
                 fail_msg("%s: exit status %d, \"%s\"", line, done.status, done.err);
             }
@@ -175,8 +166,8 @@ static void a_directory_of_someone_else(void **state)
     for (size_t i = 0; i < WRITERS; i++) {
         char line[2048];
         line_of(&writers[i], closed, line);
-        const abuse how = {.program = writers[i].wrong ? wrong_program() : NULL, .as_nobody = true};
-        outcome done = abuse_run("a directory that cannot be written", line, &how);
+        outcome done =
+            abuse_run("a directory that cannot be written", line, &(abuse){.as_nobody = true});
         if (done.status != writers[i].failed || strstr(done.err, "Permission denied") == NULL) {
             fail_msg("%s: exit status %d, \"%s\"", line, done.status, done.err);
         }
@@ -304,6 +295,11 @@ static void the_counts_are_documented(void **state)
         "outputs", "output that cannot be written is told; what has a final name is whole", TESTS);
 }
 
+static int set_up(void **state)
+{
+    return scratch_make(state) != 0 ? -1 : abuse_build_circuits();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -317,5 +313,5 @@ int main(void)
         cmocka_unit_test(the_counts_are_documented),
     };
     _Static_assert(sizeof tests / sizeof tests[0] == TESTS + 1, "the tests before the last");
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
+    return cmocka_run_group_tests(tests, set_up, scratch_remove);
 }

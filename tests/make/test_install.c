@@ -241,21 +241,6 @@ static void every_option_is_completed(void **state)
         "");
 }
 
-/* make would build the circuits anew where it does not know where they are. */
-static int set_up(void **state)
-{
-    char circuits[1024];
-    const char *build = getenv("GLINT_BUILD");
-    build = build != NULL ? build : "build";
-    (void)snprintf(circuits, sizeof circuits, "%s/verilated", build);
-    if (access(circuits, F_OK) != 0 && getenv("MAKEFLAGS") == NULL) {
-        print_error("run it by make, or with MAKEFLAGS='VERILATED=DIR': %s is not there\n",
-                    circuits);
-        return -1;
-    }
-    return scratch_make(state);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -268,5 +253,5 @@ int main(void)
         cmocka_unit_test(bash_completes),
         cmocka_unit_test(every_option_is_completed),
     };
-    return cmocka_run_group_tests(tests, set_up, scratch_remove);
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
