@@ -90,7 +90,7 @@ static inline void own_only_entry(const char *directory, char path[OWN_PATH])
     assert_non_null(listing);
     while ((entry = readdir(listing)) != NULL) {
         if (entry->d_name[0] != '.') {
-            (void)snprintf(path, OWN_PATH, "%s/%s", directory, entry->d_name);
+            (void)snprintf(path, OWN_PATH, "%.700s/%.300s", directory, entry->d_name);
             count++;
         }
     }

@@ -206,7 +206,7 @@ static void no_k_is_silently_wrong(void **state)
                                           "rtl --form pipelined"};
     for (size_t i = 0; i < 4; i++) {
         for (int k = 0; k < 256; k += k < 17 ? 1 : 17) {
-            char command_line[64], input[16], expected[96];
+            char command_line[64], input[32], expected[96];
             snprintf(command_line, sizeof command_line, "divide --backend %s", options[i]);
             snprintf(input, sizeof input, "100 %d\n", k);
             snprintf(expected, sizeof expected,

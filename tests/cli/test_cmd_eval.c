@@ -68,16 +68,28 @@ static void the_input_is_read_generously_in_its_blanks(void **state)
     }
 }
 
-static void lanes_are_a_power_of_two(void **state)
+/* Any number of them; 0 is the usual one. */
+static void lanes_have_a_range(void **state)
 {
     (void)state;
-    outcome done = run("eval --backend rtl --lanes 3", "");
-    assert_outcome(&done, 2, "glint eval: --lanes: 3 is not 1, 2, 4, 8, 16 or 0\n");
-    forget(&done);
-    done = run("eval --lanes 32", "");
-    assert_outcome(&done, 2, NULL);
-    assert_says(done.err, "--lanes");
-    forget(&done);
+    static const char *const refused[] = {"33", "-1", "3.5", "all"};
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        char line[64];
+        char expected[128];
+        (void)snprintf(line, sizeof line, "eval --backend rtl --lanes %s", refused[i]);
+        (void)snprintf(expected, sizeof expected,
+                       "glint eval: --lanes: \"%s\" is not an integer from 1 to 32\n", refused[i]);
+        outcome done = run(line, "");
+        assert_outcome(&done, 2, expected);
+        forget(&done);
+    }
+    outcome three = run("eval --backend rtl --lanes 3", "80 0.99 255 190 110\n");
+    outcome usual = run("eval --backend rtl --lanes 0", "80 0.99 255 190 110\n");
+    assert_outcome(&three, 0, "");
+    assert_outcome(&usual, 0, "");
+    assert_string_equal(three.out, usual.out);
+    forget(&three);
+    forget(&usual);
 }
 
 static void an_empty_input_has_no_rows(void **state)
@@ -127,6 +139,8 @@ typedef struct refusal {
 
 #define CODES "a code: 0x0 to 0x7ffff or code:0 to code:524287"
 
+#define MANY "a,a,a,a,a,a,a,a,a,a,a,a,a,a,a,a,"
+
 static void malformed_lines_are_named(void **state)
 {
     (void)state;
@@ -142,7 +156,10 @@ static void malformed_lines_are_named(void **state)
          "line 2: cos_code: \"0.5\" is not an integer from 0 to 524287 or " CODES},
         {"n,cos_code,r,g,b\n1,524288,1,1,1\n", 0,
          "line 2: cos_code: \"524288\" is not an integer from 0 to 524287 or " CODES},
-        {"a,b,c,d,e,f,g,h,i,j,k,l,m,n,o,p,q\n", 0, "line 1: this header has no column n"},
+        {"a,b,c,d,e,f,g,h,i,j,k,l,m,n,o,p,q\n", 0,
+         "line 1: this header has no column cos or cos_code"},
+        {MANY MANY MANY MANY MANY MANY MANY MANY "n,cos,r,g,b\n", 0,
+         "line 1: this header has no column n"}, /* more than there may be */
         {"1 2 1 1 1", 0, "line 1: cos: \"2\" is not a number from 0 to 1 or " CODES},
         {"1 code:524288 1 1 1", 0,
          "line 1: cos: \"code:524288\" is not a number from 0 to 1 or " CODES},
@@ -569,7 +586,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_point_is_answered),
         cmocka_unit_test(the_input_is_read_generously_in_its_blanks),
-        cmocka_unit_test(lanes_are_a_power_of_two),
+        cmocka_unit_test(lanes_have_a_range),
         cmocka_unit_test(an_empty_input_has_no_rows),
         cmocka_unit_test(a_code_above_one_saturates),
         cmocka_unit_test(a_real_cosine_is_rounded_half_up),

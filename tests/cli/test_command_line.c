@@ -236,7 +236,7 @@ static void options_are_read_strictly(void **state)
          "glint render: --backend: \"gpu\" is not one of c, rtl, real, both\n"},
         {"render --gate Sign",
          "glint render: --gate: \"Sign\" is not one of cosine, sign, drawn (did you mean "
-         "cosine?)\n"},
+         "sign?)\n"},
         {"render --pipeline p",
          "glint render: --pipeline: \"p\" is not one of combinational, pipelined\n"},
         {"render --lanes 33",

@@ -47,8 +47,9 @@ static int run_in_scratch(const char *line)
 static void try_example(const char *line)
 {
     const int status = run_in_scratch(line);
-    /* The pictures of the examples differ, and so does the mesh. */
-    const bool compares = strncmp(line, "glint compare", 13) == 0;
+    /* The pictures of the examples differ, and the packet is of a circuit that is wrong. */
+    const bool compares =
+        strncmp(line, "glint compare", 13) == 0 || strncmp(line, "glint replay", 12) == 0;
     if (status != 0 && !(compares && status == 1)) {
         char *said = scratch_read(scratch_path("err"), NULL);
         fail_msg("%s: exit status %d, %s", line, status, said);
@@ -79,7 +80,7 @@ static void every_example_works(void **state)
     }
 }
 
-/* What the examples read: the command by its name, a mesh, a packet. */
+/* What the examples read: the command by its name, a mesh, a packet, a copy of the Verilog. */
 static int set_up(void **state)
 {
     static const char mesh[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -92,16 +93,21 @@ static int set_up(void **state)
     (void)snprintf(program, sizeof program, "%s%s%s", glint[0] == '/' ? "" : here,
                    glint[0] == '/' ? "" : "/", glint);
     build = build != NULL ? build : "build";
-    (void)snprintf(wrong, sizeof wrong, "%s%s%s/wrong/glint", build[0] == '/' ? "" : here,
+    (void)snprintf(wrong, sizeof wrong, "%s%s%s/wrong/truncating", build[0] == '/' ? "" : here,
                    build[0] == '/' ? "" : "/", build);
     (void)snprintf(path, sizeof path, "%s/bin", scratch_directory);
     scratch_write(scratch_path("mesh.obj"), mesh, sizeof mesh - 1);
     if (mkdir(path, 0777) != 0 || symlink(program, strcat(path, "/glint")) != 0) {
         return -1;
     }
-    (void)snprintf(
-        line, sizeof line,
-        "'%s' verify --gate cosine --pipeline pipelined --lanes 1 --clocks 2000 --seed 1", wrong);
+    (void)snprintf(line, sizeof line, "ln -s '%s/rtl' '%s/my-rtl'", here, scratch_directory);
+    if (system(line) != 0) {
+        return -1;
+    }
+    (void)snprintf(line, sizeof line,
+                   "glint verify --gate cosine --pipeline pipelined --lanes 1 --clocks 2000 "
+                   "--seed 1 --rtl '%s'",
+                   wrong);
     return run_in_scratch(line) == 1 ? 0 : -1;
 }
 

@@ -14,12 +14,12 @@
 #define PNG   "tests/fuzz/corpus/png/rgba.png"
 #define FRAME "render --model quad --size 24x18 "
 
-enum { RIGHT, WRONG }; /* the command, or the one with a circuit that is wrong on purpose */
+enum { RIGHT, WRONG }; /* the Verilog as it is, or one that is wrong on purpose: --rtl */
 
 /* %s: the scratch directory. A packet is left there by the first that differs. */
 static const struct {
     const char *line, *input;
-    int program, status;
+    int verilog, status;
 } cases[] = {
     {"--help", "", RIGHT, 0},
     {"-V", "", RIGHT, 0},
@@ -37,7 +37,9 @@ static const struct {
     {"eval --backend rtl", "80 1 1 1 1\n", RIGHT, 0},
     {"eval", "80 1 1 1\n", RIGHT, 2},
     {"eval --json", "80 2 1 1 1\n", RIGHT, 2},
-    {"eval --backend rtl --gate sign", "80 1 1 1 1\n", WRONG, 2}, /* which was not built */
+    {"eval --backend rtl --rtl %s", "80 1 1 1 1\n", RIGHT, 2}, /* which has no Verilog */
+    {"eval --rtl rtl", "80 1 1 1 1\n", RIGHT, 2},
+    {"eval --circuit divider", "255 7\n", RIGHT, 0},
     {"divide", "255 7\n", RIGHT, 0},
     {"divide", "255 0\n", RIGHT, 2},
     {"divide", "256 1\n", RIGHT, 2},
@@ -67,13 +69,14 @@ static const struct {
     /* A mismatch is one, whatever becomes of its packet. */
     {"verify --clocks 2000 --seed 1 --gate cosine --lanes 1 --out /dev/null/p", "", WRONG, 1},
     {"verify --clocks 0", "", RIGHT, 2},
-    {"verify --lanes 3", "", RIGHT, 2},
+    {"verify --lanes 33", "", RIGHT, 2},
     {"verify --exhaustive --stride 8192 --shard 1/512 --out %s/p", "", RIGHT, 0},
     {"verify --exhaustive --lanes 1 --from 50 --stride 4096 --shard 51/1000 --out %s/p", "", WRONG,
      1},
     {"verify --exhaustive --from 9 --shard 1/1024", "", RIGHT, 2}, /* nothing compared */
     {"verify --exhaustive --shard 2/1", "", RIGHT, 2},
-    {"replay %s/p/specular_cosine_pipelined_1", "", RIGHT, 0},
+    {"replay %s/p/specular_cosine_pipelined_1 --rtl rtl", "", RIGHT, 0},
+    {"replay %s/p/specular_cosine_pipelined_1", "", RIGHT, 1}, /* by the Verilog that it names */
     {"replay %s/p/specular_cosine_pipelined_1", "", WRONG, 1},
     {"replay %s/p/specular_cosine_pipelined_1 --out /dev/null/r", "", WRONG, 1},
     {"replay %s/none", "", RIGHT, 2},
@@ -109,16 +112,15 @@ static void fill(const char *line, char *text, size_t size)
 
 static outcome run_case(size_t i, const plumbing *pipes)
 {
-    static char right[1024], wrong[1024];
     char line[2048];
     const char *build = getenv("GLINT_BUILD");
-    (void)snprintf(right, sizeof right, "%s", glint_under_test());
-    (void)snprintf(wrong, sizeof wrong, "%s/wrong/glint", build != NULL ? build : "build");
     fill(cases[i].line, line, sizeof line);
-    assert_int_equal(setenv("GLINT", cases[i].program == WRONG ? wrong : right, 1), 0);
-    outcome done = run_plumbed(line, cases[i].input, pipes);
-    assert_int_equal(setenv("GLINT", right, 1), 0);
-    return done;
+    const size_t length = strlen(line);
+    if (cases[i].verilog == WRONG) {
+        (void)snprintf(line + length, sizeof line - length, " --rtl %s/wrong/truncating",
+                       build != NULL ? build : "build");
+    }
+    return run_plumbed(line, cases[i].input, pipes);
 }
 
 static void every_status_has_its_meaning(void **state)

@@ -184,17 +184,32 @@ static void it_opens_a_failure_packet(void **state)
     (void)state;
     static saved file;
     static gtkwave_shown shown;
-    char glint[1024];
+    char wrong[1024];
     int next = 0;
     int differing = 0;
     const char *build = getenv("GLINT_BUILD");
-    (void)snprintf(glint, sizeof glint, "%s/wrong/glint", build != NULL ? build : "build");
-    const char *const argv[] = {glint,  "verify", "--circuit", "specular", "--clocks",
-                                "3000", "--seed", "5",         "--out",    scratch_directory,
+    const char *glint = getenv("GLINT");
+    (void)snprintf(wrong, sizeof wrong, "%s/wrong/truncating", build != NULL ? build : "build");
+    const char *const argv[] = {glint != NULL ? glint : "build/glint",
+                                "verify",
+                                "--gate",
+                                "cosine",
+                                "--pipeline",
+                                "pipelined",
+                                "--lanes",
+                                "1",
+                                "--clocks",
+                                "3000",
+                                "--seed",
+                                "5",
+                                "--rtl",
+                                wrong,
+                                "--out",
+                                scratch_directory,
                                 NULL};
     assert_int_equal(child_run(argv, SECONDS), 1);
     saved_read(scratch_path("specular_cosine_pipelined_1/wave.gtkw"), &file);
-    gtkwave_open("specular_cosine_pipelined_1/wave.fst", "specular_cosine_pipelined_1/wave.gtkw", 0,
+    gtkwave_open("specular_cosine_pipelined_1/wave.vcd", "specular_cosine_pipelined_1/wave.gtkw", 0,
                  0, &shown);
     assert_int_equal(shown.marker, file.marker);
     assert_true(shown.from < shown.marker && shown.marker < shown.to);
