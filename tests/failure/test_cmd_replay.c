@@ -108,16 +108,19 @@ static void assert_refused(const outcome *done, const char *part, const char *wh
     }
 }
 
+/* Glint's own Verilog, in the place of the directory that the packets name. */
+#define RIGHT " --rtl rtl"
+
 static void a_right_circuit_has_none_of_them(void **state)
 {
     (void)state;
     for (int i = 0; i < PACKETS; i++) {
         put_packet(packets[i]);
-        outcome done = replay("");
+        outcome done = replay(RIGHT);
         assert_outcome(&done, 0, "");
         assert_says(done.out, ": gone: C model and Verilog do not differ; ");
         forget(&done);
-        done = replay(" --json --out /nowhere/at/all");
+        done = replay(RIGHT " --json --out /nowhere/at/all");
         assert_outcome(&done, 0, ""); /* nothing to write */
         cJSON *json = cJSON_Parse(done.out);
         assert_true(cJSON_IsFalse(cJSON_GetObjectItemCaseSensitive(json, "mismatch")));
@@ -125,6 +128,17 @@ static void a_right_circuit_has_none_of_them(void **state)
         cJSON_Delete(json);
         forget(&done);
     }
+}
+
+/* The directory that a packet names is where its Verilog is looked for. */
+static void a_packet_names_its_verilog(void **state)
+{
+    (void)state;
+    put_packet(packets[RANDOM]);
+    outcome done = replay("");
+    assert_outcome(&done, 1, "");
+    assert_says(done.out, ": the same mismatch; ");
+    forget(&done);
 }
 
 static uint64_t refused;
@@ -264,7 +278,7 @@ static void what_is_out_of_range_is_refused(void **state)
         char *text = edited(&edits[i]);
         put_packet(text);
         free(text);
-        outcome done = replay("");
+        outcome done = replay(RIGHT);
         if (edits[i].said[0] == '\0') {
             assert_outcome(&done, 0, ""); /* played from its seed */
         } else {
@@ -336,7 +350,7 @@ static void what_is_no_regular_file_is_refused(void **state)
 static const char *late_rtl(unsigned long clock)
 {
     static char directory[1024];
-    static char command[4096];
+    static char command[8192];
     (void)snprintf(directory, sizeof directory, "%s", scratch_path("late-rtl"));
     /* The reset of creation is a clock too. */
     (void)snprintf(command, sizeof command,
@@ -447,7 +461,8 @@ static void it_can_be_interrupted(void **state)
     cJSON_Delete(json);
     put_packet(text);
     free(text);
-    const char *const argv[] = {glint_under_test(), "replay", scratch_path("packet"), NULL};
+    const char *const argv[] = {
+        glint_under_test(), "replay", scratch_path("packet"), "--rtl", "rtl", NULL};
     const pid_t child = child_start(argv, scratch_path("child.out"), scratch_path("child.err"));
     child_wait_for_handler(child);
     for (int i = 0; i < 10; i++) {
@@ -487,7 +502,7 @@ static void the_making_of_a_packet_shows_progress_and_can_be_interrupted(void **
     assert_says(said, "\n  clock 4000000: out_valid, an output is valid: model 0x");
     assert_says(said, "\ninterrupted before it was played again: there is no packet\n");
     assert_says(said, "\nwhole:  ");
-    assert_says(said, " clocks, 1 settings, seed 2, ");
+    assert_says(said, " clocks, 1 setting, seed 2, ");
     assert_null(strstr(said, "packet: "));
     free(said);
     assert_int_equal(access(scratch_path("late"), F_OK), -1);
@@ -522,6 +537,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_right_circuit_has_none_of_them),
+        cmocka_unit_test(a_packet_names_its_verilog),
         cmocka_unit_test(what_is_cut_short_is_refused),
         cmocka_unit_test(what_is_out_of_range_is_refused),
         cmocka_unit_test(what_is_there_twice_is_refused),

@@ -267,7 +267,7 @@ static void a_missing_signal_is_a_device_fault(void **state)
 {
     (void)state;
     static char directory[1024];
-    char command[4096];
+    char command[8192];
     (void)snprintf(directory, sizeof directory, "%s", scratch_path("blind"));
     (void)snprintf(command, sizeof command,
                    "mkdir %s && cp rtl/*.v rtl/*.vh %s && sed 's/\\breg2\\b/register2/g' "
