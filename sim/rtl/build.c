@@ -300,7 +300,7 @@ static glint_status link_object(const build *b, glint_error *err)
     for (int i = 0; i < b->runtime.count; i++)
         glint_compilation_add(&line, b->runtime.file[i].path);
     glint_compilation_add(&line, "-pthread");
-    if (strstr(b->product->tools.compiler_version, "clang") != NULL)
+    if (glint_tools_are_clang(&b->product->tools))
         glint_compilation_add(&line, "-latomic");
     if (b->product->kind == GLINT_RTL_FST) {
         if (wants_lz4(b))

@@ -254,6 +254,11 @@ glint_status glint_tools_find(const char *cache, glint_tools *tools, glint_error
     return status;
 }
 
+bool glint_tools_are_clang(const glint_tools *tools)
+{
+    return strstr(tools->compiler_version, "clang") != NULL;
+}
+
 void glint_tools_free(glint_tools *tools)
 {
     free(tools->verilator);

@@ -2,6 +2,8 @@
 #ifndef GLINT_SIM_TOOLS_H
 #define GLINT_SIM_TOOLS_H
 
+#include <stdbool.h>
+
 #include "glint_status.h"
 
 #define GLINT_TOOL_WORDS_MAX 8
@@ -19,6 +21,7 @@ typedef struct glint_tools {
 /* GLINT_IO_ERROR, saying what to install, when one is missing. The versions are asked once and then
  * kept in the cache directory, beside which files they are of. */
 glint_status glint_tools_find(const char *cache, glint_tools *tools, glint_error *err);
+bool glint_tools_are_clang(const glint_tools *tools);
 void glint_tools_free(glint_tools *tools); /* all zeros: nothing happens */
 
 #endif
