@@ -125,6 +125,21 @@ static void what_is_named_is_installed(void **state)
         said);
 }
 
+/* With what is installed alone: the installed Verilog, and the example's circuit of one's own; built
+ * circuits go below $XDG_CACHE_HOME. */
+static void the_installed_command_verifies(void **state)
+{
+    (void)state;
+    expect_lines("cd /\nexport XDG_CACHE_HOME=$S/cache\nunset GLINT_CACHE\nG=$HOME/glint\n"
+                 "$G/bin/glint verify --circuit divider --form sequential --shifts 6 --clocks 500 "
+                 ">$S/verdict\n"
+                 "E=$G/share/doc/glint/docs/examples/saturating_mac\n"
+                 "$G/bin/glint --circuit-dir $E verify --width 8 --clocks 500 >>$S/verdict\n"
+                 "grep -o '^0 mismatches of [0-9]* comparisons' $S/verdict\n"
+                 "ls $XDG_CACHE_HOME/glint | grep -c '\\.so$'\n",
+                 "0 mismatches of 6500 comparisons\n0 mismatches of 4500 comparisons\n3\n");
+}
+
 static void nothing_is_left_of_it(void **state)
 {
     (void)state;
@@ -246,6 +261,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_lines_of_the_readme_work),
         cmocka_unit_test(what_is_named_is_installed),
+        cmocka_unit_test(the_installed_command_verifies),
         cmocka_unit_test(nothing_is_left_of_it),
         cmocka_unit_test(a_package_is_put_together),
         cmocka_unit_test(another_version_leaves_nothing_behind),
