@@ -93,7 +93,7 @@ static void committed_files_are_what_the_generator_writes(void **state)
 {
     (void)state;
     print_message("%d files\n", file_count);
-    assert_true(file_count >= 6);
+    assert_true(file_count >= 4);
     for (int i = 0; i < file_count; i++) {
         assert_int_equal(generate(scratch_path("fresh"), files[i].kind), 0);
         char *fresh = scratch_read(scratch_path("fresh"), NULL);
