@@ -125,8 +125,8 @@ static void what_is_named_is_installed(void **state)
         said);
 }
 
-/* With what is installed alone: the installed Verilog, and the example's circuit of one's own; built
- * circuits go below $XDG_CACHE_HOME. */
+/* With what is installed alone: the installed Verilog, and the example's circuit of one's own;
+ * built circuits go below $XDG_CACHE_HOME. */
 static void the_installed_command_verifies(void **state)
 {
     (void)state;
