@@ -81,11 +81,19 @@ static void append_values(const glint_parameter *parameter, const char *separato
     append_choice(text, size, separator, number);
 }
 
+/* What the subcommand takes when nothing is said; NULL: what the circuit does. That it has 16 lanes
+ * is for circuits that it knows. */
+static const char *usual_of(const glint_circuit_options *options, const char *parameter)
+{
+    const char *usual = options->use.usual(parameter);
+    return usual != NULL && options->is_own && strcmp(usual, all) != 0 ? NULL : usual;
+}
+
 /* What is taken when nothing is said: of several circuits, if it is the same. */
 static void describe_usual(const glint_circuit_options *options, const glint_parameter *parameter,
                            glint_parameter_option *row)
 {
-    const char *usual = options->use.usual(parameter->name);
+    const char *usual = usual_of(options, parameter->name);
     char number[32];
     if (usual == NULL && parameter->choices != NULL)
         usual = parameter->choices[parameter->standard];
@@ -184,6 +192,7 @@ int glint_circuit_options_begin(glint_circuit_options *options, const glint_circ
                 "%s: circuit %s: a parameter cannot be called %s: --%s is another "
                 "option",
                 directory, circuit->name, taken, taken);
+        options->is_own = true;
         add_circuit(options, circuit);
     }
     for (int i = 0; directory == NULL && (circuit = glint_circuit_number(i)) != NULL; i++)
@@ -334,7 +343,7 @@ static int read_values(glint_circuit_options *options, int chosen)
         const glint_parameter *parameter = &circuit->parameters[i];
         const glint_parameter_option *row = row_of(options, parameter->name);
         const bool is_given = row != NULL && row->text != NULL;
-        const char *usual = options->use.usual(parameter->name);
+        const char *usual = usual_of(options, parameter->name);
         const char *text =
             !is_given || means_usual(options, parameter, row->text) ? usual : row->text;
         int *value = &options->value[chosen][i];

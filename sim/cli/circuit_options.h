@@ -48,6 +48,7 @@ typedef struct glint_parameter_option {
 /* Not to be moved once rows were made of it. */
 typedef struct glint_circuit_options {
     glint_circuit_use use;
+    bool is_own;       /* of --circuit-dir: what a parameter usually is, its description says */
     int circuit_count; /* that there are */
     const glint_circuit *circuit[GLINT_CIRCUITS_MAX];
     const char *names[GLINT_CIRCUITS_MAX + 2]; /* theirs, "all", NULL */

@@ -91,12 +91,14 @@ static int parse(int argc, char **argv, eval_options *chosen)
     const size_t count =
         OWN_ROWS + glint_circuit_options_add(&chosen->circuits, options + OWN_ROWS);
     const glint_setting first = glint_setting_standard(chosen->circuits.circuit[0]);
-    if (first.circuit == &glint_circuit_specular)
+    const bool is_device = first.circuit == &glint_circuit_specular;
+    if (is_device)
         write_details(details, sizeof details);
     else
         glint_eval_circuit_details(&first, details, sizeof details);
     (void)snprintf(by_code, sizeof by_code, "echo '80 code:%u 255 190 110' | glint eval --json",
                    glint_cos_code(0.99));
+    static const glint_example none[] = {{NULL, NULL}};
     const glint_example examples[] = {
         {"one point by the Verilog", "echo '80 0.99 255 190 110' | glint eval --backend rtl"},
         {"a code of register 1, as eval prints it", by_code},
@@ -104,10 +106,13 @@ static int parse(int argc, char **argv, eval_options *chosen)
     };
     const glint_command_line line = {
         .command = "eval",
-        .summary = "Reads points from standard input, one a line, and prints what the device "
-                   "answers for each, in order.",
+        .summary = is_device
+                       ? "Reads points from standard input, one a line, and prints what the device "
+                         "answers for each, in order."
+                       : "Reads numbers from standard input, those of a clock a line, and prints "
+                         "what the circuit answers to each line, in order.",
         .details = details,
-        .examples = examples,
+        .examples = is_device ? examples : none,
         .options = options,
         .option_count = count,
     };

@@ -237,7 +237,9 @@ static void print_statuses(const glint_command_line *line)
 
 static void print_examples(const glint_example *example)
 {
-    printf("\nExamples:\n");
+    if (example->what != NULL) {
+        printf("\nExamples:\n");
+    }
     for (; example->what != NULL; example++) {
         printf("  # %s\n  %s\n", example->what, example->command);
     }
