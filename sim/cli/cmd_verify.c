@@ -339,7 +339,7 @@ static void run_all(verification *all, const verify_options *chosen)
     choose_turn(all, true);
     run_turn(all, chosen, all->turns < all->count);
     choose_turn(all, false);
-    if (all->turns == 0)
+    if (all->turns == 0 || glint_stop_requested())
         return;
     build_turn(all, chosen);
     run_turn(all, chosen, false);
@@ -363,7 +363,8 @@ static sums add_up(const verification *all)
         sums.settings += result->comparisons != 0;
         if (result->clocks != 0)
             glint_reach_sum_add(&sums.reach, &all->tasks[i].options.setting, &result->reach);
-        sums.interrupted |= all->tasks[i].status == GLINT_INTERRUPTED;
+        sums.interrupted |= all->tasks[i].status == GLINT_INTERRUPTED ||
+                            (!all->tasks[i].has_ended && !all->tasks[i].is_left_out);
     }
     return sums;
 }
@@ -527,9 +528,10 @@ static int verify(const verify_options *chosen)
     sums sums = add_up(all);
     /* The report of a failure is for people; with --json it must not mix with the result. */
     int status = report_all(chosen, all, chosen->json ? stderr : stdout);
-    if (!chosen->json)
+    /* Where nothing was compared, the error has been told and there is nothing to sum up. */
+    if (!chosen->json && (sums.comparisons != 0 || sums.interrupted))
         print_text(chosen, &sums, seconds);
-    else if (!print_json(chosen, all, &sums, seconds))
+    else if (chosen->json && !print_json(chosen, all, &sums, seconds))
         status = glint_complain("verify", GLINT_EXIT_TROUBLE, "out of memory");
     if (sums.mismatches == 0 && (sums.interrupted || sums.comparisons == 0))
         status = GLINT_EXIT_TROUBLE;
