@@ -337,7 +337,11 @@ static glint_status make_entry(const glint_product *product, glint_cache_entry *
     glint_status status = make(&b, err);
     glint_runtime_end(&b.runtime);
     free(b.unity);
-    return status == GLINT_OK ? glint_cache_commit(entry, OBJECT, err) : status;
+    if (status == GLINT_OK)
+        status = glint_cache_commit(entry, OBJECT, err);
+    if (status == GLINT_OK)
+        glint_product_prune(product);
+    return status;
 }
 
 static glint_status build_product(const glint_product *product, char **path, glint_error *err)

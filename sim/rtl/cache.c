@@ -143,27 +143,59 @@ static bool is_between(const char *name, const char *begin, const char *end)
            strcmp(name + length - last, end) == 0;
 }
 
-char *glint_cache_newest(const char *cache, const char *begin, const char *end)
+void glint_cache_touch(const char *path)
+{
+    (void)utimensat(AT_FDCWD, path, NULL, 0);
+}
+
+static bool is_older(const struct timespec *a, const struct timespec *b)
+{
+    return a->tv_sec != b->tv_sec ? a->tv_sec < b->tv_sec : a->tv_nsec < b->tv_nsec;
+}
+
+/* How many files are so, and the one that is first by age: the newest, or the oldest. To be freed.
+ */
+static char *first_of(const char *cache, const char *begin, const char *end, bool newest,
+                      int *count)
 {
     DIR *listing = opendir(cache);
     const struct dirent *file;
     struct stat info;
-    struct timespec latest = {0};
-    char *newest = NULL;
+    struct timespec time = {0};
+    char *first = NULL;
+    *count = 0;
     while (listing != NULL && (file = readdir(listing)) != NULL) {
         if (!is_between(file->d_name, begin, end) ||
             fstatat(dirfd(listing), file->d_name, &info, 0) != 0)
             continue;
-        if (newest != NULL &&
-            (info.st_mtim.tv_sec < latest.tv_sec ||
-             (info.st_mtim.tv_sec == latest.tv_sec && info.st_mtim.tv_nsec < latest.tv_nsec)))
+        (*count)++;
+        if (first != NULL && is_older(&info.st_mtim, &time) == newest)
             continue;
-        latest = info.st_mtim;
-        free(newest);
-        if (asprintf(&newest, "%s/%s", cache, file->d_name) < 0)
-            newest = NULL;
+        time = info.st_mtim;
+        free(first);
+        if (asprintf(&first, "%s/%s", cache, file->d_name) < 0)
+            first = NULL;
     }
     if (listing != NULL)
         (void)closedir(listing);
-    return newest;
+    return first;
+}
+
+char *glint_cache_newest(const char *cache, const char *begin, const char *end)
+{
+    int count;
+    return first_of(cache, begin, end, true, &count);
+}
+
+void glint_cache_prune(const char *cache, const char *begin, const char *end, int keep)
+{
+    int count = keep + 1;
+    while (count > keep) {
+        char *oldest = first_of(cache, begin, end, false, &count);
+        const bool removed = oldest == NULL || count <= keep || unlink(oldest) == 0;
+        free(oldest);
+        if (!removed)
+            return;
+        count--;
+    }
 }

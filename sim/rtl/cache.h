@@ -28,6 +28,12 @@ void glint_cache_close(glint_cache_entry *entry);
 int glint_cache_lock(const char *path);
 void glint_cache_unlock(const char *path, int lock);
 
+/* Says that a file is used: of those alike, the ones that were not for longest go first. */
+void glint_cache_touch(const char *path);
+
+/* Keeps so many of the files whose names begin and end so. */
+void glint_cache_prune(const char *cache, const char *begin, const char *end, int keep);
+
 /* The newest file of the directory whose name begins and ends so; NULL: there is none. To be
  * freed. */
 char *glint_cache_newest(const char *cache, const char *begin, const char *end);

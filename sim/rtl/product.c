@@ -12,6 +12,9 @@
 #include "rtl/place.h"
 #include "rtl/runtime.h"
 
+/* Edits of a setting's Verilog that are kept. */
+enum { KEPT_ALIKE = 64 };
+
 static glint_status no_memory(glint_error *err)
 {
     return glint_fail(err, GLINT_NO_MEMORY, "no memory for building a circuit");
@@ -214,10 +217,22 @@ char *glint_product_find(const glint_product *product)
         return glint_cache_newest(product->cache, product->stem, ".so");
     if (asprintf(&path, "%s/%s", product->cache, product->file) < 0)
         return NULL;
-    if (access(path, R_OK) == 0)
+    if (access(path, R_OK) == 0) {
+        glint_cache_touch(path);
         return path;
+    }
     free(path);
     return NULL;
+}
+
+void glint_product_prune(const glint_product *product)
+{
+    char *alike = strdup(product->stem);
+    if (alike != NULL) {
+        strrchr(alike, '-')[1] = '\0';
+        glint_cache_prune(product->cache, alike, ".so", KEPT_ALIKE);
+    }
+    free(alike);
 }
 
 void glint_product_end(glint_product *product)

@@ -31,4 +31,7 @@ void glint_product_end(glint_product *product);
 /* The path in the cache when it is there, else NULL. To be freed. */
 char *glint_product_find(const glint_product *product);
 
+/* Lets go of what the cache has of earlier edits of the same setting: all but the latest ones. */
+void glint_product_prune(const glint_product *product);
+
 #endif

@@ -18,9 +18,9 @@
 /* The runtime has no part in a circuit's speed. Verilator's code is nobody's to mend: no warnings.
  */
 static const char *const common_flags[] = {
-    "-std=gnu++17",     "-fPIC",     "-fvisibility=hidden", "-w",
-    "-DVM_COVERAGE=0",  "-DVM_SC=0", "-DVM_TRACE=1",        "-DVM_TRACE_FST=1",
-    "-DVM_TRACE_VCD=1", NULL,
+    "-std=gnu++17",     "-fPIC",           "-fvisibility=hidden", "-w",
+    "-DVM_COVERAGE=0",  "-DVM_SC=0",       "-DVM_TRACE=1",        "-DVM_TRACE_FST=1",
+    "-DVM_TRACE_VCD=1", "-DVL_USER_FATAL", "-DVL_USER_FINISH",    NULL,
 };
 static const char *const runtime_flags[] = {"-O1", NULL};
 /* A fast circuit is there for billions of clocks on this machine (-O3 gives nothing more, docs/ has

@@ -15,14 +15,37 @@
 
 #include "Vcircuit.h"
 
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <verilated.h>
 #ifdef GLINT_VCD
-#include <cstdio>
 #include <verilated_vcd_c.h>
 #elif defined GLINT_TRACED
 #include <verilated_fst_c.h>
+#endif
+
+#ifdef VL_USER_FATAL
+// The Verilog ends the simulation, or cannot be simulated (a loop that never settles): there is nothing
+// to go on with. Verilator's own would end the program as if all were well, or with a core dump.
+[[noreturn]] static void give_up(const char *file, int line, const char *what)
+{
+    std::fflush(stdout);
+    std::fprintf(stderr, "glint: the Verilog cannot be simulated: %s (%s:%d)\n", what, file, line);
+    std::fflush(stderr);
+    std::_Exit(2);
+}
+
+void vl_finish(const char *file, int line, const char *)
+{
+    give_up(file, line, "$finish");
+}
+
+void vl_fatal(const char *file, int line, const char *, const char *what)
+{
+    give_up(file, line, what);
+}
 #endif
 
 namespace

@@ -430,6 +430,51 @@ static void ports_that_the_description_has_not(void **state)
     (void)builds();
 }
 
+/* ---- What does not run ----------------------------------------------------------------------- */
+
+static void run_it(void)
+{
+    const glint_setting setting = setting_of(8);
+    const counter_pins pins = {.en = 1, .step = 5};
+    glint_error err = {""};
+    glint_rtl *rtl;
+    if (glint_rtl_open(&setting, GLINT_RTL_OBSERVED, &rtl, &err) != GLINT_OK)
+        fprintf(stderr, "%s\n", err.text);
+    else
+        glint_rtl_clock(rtl, &pins);
+    (void)fflush(stderr);
+}
+
+/* In a process of its own, which ends with one line. */
+static void assert_gives_up(const char *from, const char *to, const char *words)
+{
+    int status;
+    write_verilog(from, to);
+    scratch_write(scratch_path("said"), "", 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        if (freopen(scratch_path("said"), "w", stderr) != NULL)
+            run_it();
+        _exit(99);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    char *said = scratch_read(scratch_path("said"), NULL);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 2 || strncmp(said, "glint: ", 7) != 0 ||
+        strstr(said, words) == NULL || strchr(said, '\n')[1] != '\0')
+        fail_msg("status %#x, said: %s", (unsigned)status, said);
+    free(said);
+    write_verilog("", "");
+    (void)builds();
+}
+
+static void a_circuit_that_cannot_go_on(void **state)
+{
+    (void)state;
+    assert_gives_up("next = count", "loop = ~loop;\n    wire [WIDTH-1:0] next = loop + count",
+                    "converge");
+    assert_gives_up("else if (en)", "else if (en && step == 5) $finish; else if (en)", "$finish");
+}
+
 /* ---- Tools ----------------------------------------------------------------------------------- */
 
 static void without_verilator_what_is_built_is_used(void **state)
@@ -495,6 +540,7 @@ int main(void)
         cmocka_unit_test(a_directory_without_the_top),
         cmocka_unit_test(a_description_that_is_another_circuit_s),
         cmocka_unit_test(ports_that_the_description_has_not),
+        cmocka_unit_test(a_circuit_that_cannot_go_on),
         cmocka_unit_test(without_verilator_what_is_built_is_used),
         cmocka_unit_test(a_compiler_that_fails),
         cmocka_unit_test(a_cache_with_a_blank_in_its_path),
