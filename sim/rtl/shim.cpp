@@ -6,6 +6,7 @@
 //     GLINT_CLOCK      the member that is the clock; not defined: a circuit without one
 //     GLINT_FST        defined: built with --trace-fst
 //     GLINT_VCD        defined: with --trace; neither: without waveforms
+// VM_COVERAGE is 1 where the circuit counts its lines and toggles (tests/coverage).
 #include "glint_ports.h"
 #include "shim.h"
 
@@ -24,6 +25,12 @@
 #include <verilated_vcd_c.h>
 #elif defined GLINT_TRACED
 #include <verilated_fst_c.h>
+#endif
+#if VM_COVERAGE
+#include <cstdlib>
+#include <string>
+#include <unistd.h>
+#include <verilated_cov.h>
 #endif
 
 #ifdef VL_USER_FATAL
@@ -50,6 +57,24 @@ void vl_fatal(const char *file, int line, const char *, const char *what)
 
 namespace
 {
+#if VM_COVERAGE
+// Each instance leaves its counts in a file of its own, the next of $GLINT_COVERAGE-1.dat, …
+void write_counts(VerilatedContext &context)
+{
+    const char *name = std::getenv("GLINT_COVERAGE");
+    if (name == nullptr)
+        return;
+    int number = 1;
+    std::string path;
+    do {
+        path = std::string(name) + "-" + std::to_string(number++) + ".dat";
+    } while (access(path.c_str(), F_OK) == 0);
+    // Else instances of one module would be added up.
+    context.coveragep()->forcePerInstance(true);
+    context.coveragep()->write(path.c_str());
+}
+#endif
+
 // Verilator keeps a pointer to the context that a thread used last, and takes signals' scopes out of
 // that one when a model goes. Declared first, so that it goes last and leaves no dangling pointer.
 struct ThreadContextGuard {
@@ -138,6 +163,9 @@ struct Instance {
         // Whichever circuit and thread came last: this model's scopes are in this context.
         Verilated::threadContextp(&context);
         model.final();
+#if VM_COVERAGE
+        write_counts(context);
+#endif
     }
 
     // The pins must stand before the rising edge; in a waveform they change with the falling one.

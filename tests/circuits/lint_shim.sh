@@ -1,6 +1,6 @@
 #!/bin/sh
-# Lint of sim/rtl/shim.cpp, by both compilers, over a circuit that is Verilated with and without a
-# waveform: where it runs it is compiled without warnings, as Verilator's code is nobody's to mend.
+# Lint of sim/rtl/shim.cpp, by both compilers, over a circuit that is Verilated with waveforms of
+# either kind, and without but with counters: where it runs it is compiled without warnings, as Verilator's code is nobody's to mend.
 #
 #   tests/circuits/lint_shim.sh DIR INCLUDE
 #
@@ -9,8 +9,9 @@
 set -eu
 
 dir=$1 include=$2
-for traced in '' --trace-fst; do
+for traced in '' --trace-fst --trace; do
     made=$dir/circuit$traced
+    [ -z "$traced" ] && counting=1 || counting=0
     rm -rf "$made"
     mkdir -p "$made"
     # shellcheck disable=SC2086  # nothing, or a word
@@ -18,10 +19,11 @@ for traced in '' --trace-fst; do
     {
         echo '#define GLINT_PORTS(X) X("done", done) X("quotient", quotient)'
         echo '#define GLINT_CLOCK clk'
-        [ -z "$traced" ] || echo '#define GLINT_TRACED'
+        [ "$traced" != --trace-fst ] || echo '#define GLINT_FST'
+        [ "$traced" != --trace ] || echo '#define GLINT_VCD'
     } >"$made/glint_ports.h"
     for compiler in g++ clang++; do
         $compiler -std=gnu++17 -fsyntax-only -Wall -Wextra -Werror -Isim/rtl -isystem "$made" \
-            -isystem "$include" -isystem "$include/vltstd" -DVM_COVERAGE=0 sim/rtl/shim.cpp
+            -isystem "$include" -isystem "$include/vltstd" -DVM_COVERAGE="$counting" sim/rtl/shim.cpp
     done
 done
