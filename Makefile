@@ -196,7 +196,7 @@ sanitize:
 
 # ---- Lint ------------------------------------------------------------------------------------------
 
-C_SOURCES  := $(wildcard cmodel/*.c sim/*/*.c tests/*/*.c)
+C_SOURCES  := $(wildcard cmodel/*.c sim/*/*.c tests/*/*.c docs/examples/*/*.c tests/circuit/own/*/*.c)
 
 .PHONY: lint-verilog lint-c lint-cpp
 lint:

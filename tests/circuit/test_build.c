@@ -179,7 +179,7 @@ static void link_runtime(const char *cache)
 
 static int set_up(void **state)
 {
-    char *cache, *built, real[1000];
+    char *cache, *built = NULL, real[1000];
     glint_error err = {""};
     if (scratch_make(state) != 0)
         return -1;
@@ -253,7 +253,7 @@ static void who_comes_second_waits(void **state)
             const glint_setting settings[] = {setting_of(70), setting_of(70)};
             const glint_rtl_build_control control = {.threads = 2};
             glint_error err;
-            _exit(glint_rtl_build_all(settings, 2, GLINT_RTL_OBSERVED, &control, &err));
+            _exit((int)glint_rtl_build_all(settings, 2, GLINT_RTL_OBSERVED, &control, &err));
         }
     for (int i = 0; i < 2; i++) {
         int status;
@@ -285,7 +285,7 @@ static pid_t begin_to_build(pid_t *verilator)
         glint_error err;
         (void)setpgid(0, 0);
         (void)signal(SIGINT, go_on);
-        _exit(glint_rtl_build(&setting, GLINT_RTL_OBSERVED, &path, &err));
+        _exit((int)glint_rtl_build(&setting, GLINT_RTL_OBSERVED, &path, &err));
     }
     int number = 0;
     for (int i = 0; i < 3000 && number == 0; i++) {
