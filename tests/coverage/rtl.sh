@@ -17,7 +17,14 @@ status=0
 awk -f tests/coverage/report.awk tests/coverage/impossible.txt "$dir"/counts/*.dat >"$dir/rtl.txt" ||
     status=$?
 cat "$dir/rtl.txt"
-verilator_coverage --annotate "$dir/annotated" --annotate-all "$dir"/counts/*.dat >"$dir/annotate.log"
+# The sources lay where they were built: named as those of rtl/, without the probe.
+separator=$(printf '\001') equals=$(printf '\002')
+mkdir -p "$dir/counts/named"
+for counts in "$dir"/counts/*.dat; do
+    sed "/${separator}f${equals}glint_probe\.v/d; s:${separator}f${equals}:&rtl/:" "$counts" \
+        >"$dir/counts/named/${counts##*/}"
+done
+verilator_coverage --annotate "$dir/annotated" --annotate-all "$dir"/counts/named/*.dat >"$dir/annotate.log"
 echo "line by line: $dir/annotated"
 seconds=$(($(date +%s) - begin))
 

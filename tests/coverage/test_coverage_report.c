@@ -134,6 +134,21 @@ static void no_lines_and_no_toggles_fail(void **state)
     assert_int_equal(report("# nothing\n", "# SystemC::Coverage-3\n"), 1);
 }
 
+/* A circuit whose signals are read stands in a probe, as "dut": the same circuit, and the probe is
+ * none of ours. */
+static void a_probe_is_looked_through(void **state)
+{
+    (void)state;
+    const char *const probe =
+        "C '\001f\002probe.v\001l\0027\001n\0021\001page\002v_toggle/glint_probe\001o\002p"
+        "\001h\002TOP.glint_probe' 0\n";
+    char counts[2048];
+    snprintf(counts, sizeof counts, "%s%s%s%s", COVERED, TOGGLE("b", "glint_probe.dut.x", "2"),
+             TOGGLE("b", "top.x", "0"), probe);
+    assert_int_equal(report("# nothing\n", counts), 0);
+    assert_printed("toggles: 2 items, 0 failed\n");
+}
+
 /* Of two runs of one circuit the larger count: a constant 1 that comes up in each is no toggle. */
 static void runs_are_not_added_up(void **state)
 {
@@ -214,6 +229,7 @@ int main(void)
         cmocka_unit_test(a_reason_for_what_is_covered_fails),
         cmocka_unit_test(a_reason_for_nothing_and_half_a_reason_fail),
         cmocka_unit_test(no_lines_and_no_toggles_fail),
+        cmocka_unit_test(a_probe_is_looked_through),
         cmocka_unit_test(runs_are_not_added_up),
         cmocka_unit_test(a_function_that_is_not_entered_needs_a_reason),
         cmocka_unit_test(a_reason_of_an_entered_or_no_function_fails),
