@@ -228,7 +228,8 @@ static void print_first(const verify_options *chosen, const verification *all, c
     FILE *out = chosen->json ? stderr : stdout;
     char setting[GLINT_SETTING_TEXT];
     const int left = all->count - told;
-    if (task->result.comparisons == 0)
+    /* A script has all of it at the end, and standard error for what went wrong. */
+    if (task->result.comparisons == 0 || (chosen->json && !isatty(STDERR_FILENO)))
         return;
     glint_setting_describe(&task->options.setting, setting);
     fprintf(out, "first verdict: %s: ", setting);

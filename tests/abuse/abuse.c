@@ -251,7 +251,7 @@ const char *abuse_wrong_circuit(const char *name)
     return option;
 }
 
-int abuse_build_circuits(void)
+int abuse_build_circuits(const char *scratch)
 {
     static const char script[] =
         "set -e\n"
@@ -268,11 +268,15 @@ int abuse_build_circuits(void)
         "        [ $? = 1 ]\n"
         "    $G render --size 8x8 --backend rtl --lanes 1 --rtl $W/$w --out $0/a.png\n"
         "done\n";
-    const char *const argv[] = {"sh", "-c", script, scratch_path("built"), NULL};
-    if (mkdir(scratch_path("built"), 0777) != 0 || child_run(argv, 3000.0) != 0) {
-        char *err = scratch_read(scratch_path("child.err"), NULL);
-        print_error("the circuits cannot be built: %s\n", err);
-        free(err);
+    char place[1024], out[1100], err[1100];
+    (void)snprintf(place, sizeof place, "%s/built", scratch);
+    (void)snprintf(out, sizeof out, "%s.out", place);
+    (void)snprintf(err, sizeof err, "%s.err", place);
+    const char *const argv[] = {"sh", "-c", script, place, NULL};
+    if (mkdir(place, 0777) != 0 || child_wait(child_start(argv, out, err), 3000.0) != 0) {
+        char *said = scratch_read(err, NULL);
+        print_error("the circuits cannot be built: %s\n", said);
+        free(said);
         return -1;
     }
     return 0;

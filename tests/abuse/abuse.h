@@ -38,8 +38,9 @@ typedef struct outcome {
 } outcome;
 
 /* Builds every circuit that the runs below need, with the command, so that what is tried is the
- * command and not Verilator; not counted. To be called by a group's set-up; 0 when it went well. */
-int abuse_build_circuits(void);
+ * command and not Verilator; not counted. scratch is the test's
+ * directory. To be called by a group's set-up; 0 when it went well. */
+int abuse_build_circuits(const char *scratch);
 
 /* " --rtl DIR" for a command line: the circuit of that name that is wrong on purpose. */
 const char *abuse_wrong_circuit(const char *name);

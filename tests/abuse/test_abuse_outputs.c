@@ -297,7 +297,7 @@ static void the_counts_are_documented(void **state)
 
 static int set_up(void **state)
 {
-    return scratch_make(state) != 0 ? -1 : abuse_build_circuits();
+    return scratch_make(state) != 0 ? -1 : abuse_build_circuits(scratch_directory);
 }
 
 int main(void)

@@ -210,7 +210,7 @@ static int set_up(void **state)
 {
     ignore_no_signal();
     if (scratch_make(state) != 0 || write_far_packet() != 0 || make_pipes() != 0 ||
-        abuse_build_circuits() != 0) {
+        abuse_build_circuits(scratch_directory) != 0) {
         return -1;
     }
     (void)snprintf(out, sizeof out, "%s", scratch_path("out"));
