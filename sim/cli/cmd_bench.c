@@ -7,6 +7,7 @@
 
 #include "bench/bench.h"
 #include "circuit/circuits.h"
+#include "cli/build_first.h"
 #include "cli/circuit_options.h"
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -269,11 +270,26 @@ static int check_verilog(const bench_options *chosen)
     return status;
 }
 
+/* What is measured is not how long it takes to build. */
+static glint_status build(const bench_options *chosen, glint_error *err)
+{
+    glint_setting settings[GLINT_BENCH_CANDIDATES + 2];
+    int count = 0;
+    for (int lanes = 1; lanes <= 16; lanes *= 2)
+        settings[count++] = glint_setting_specular(
+            &(glint_specular_config){GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, lanes});
+    settings[count++] = glint_setting_divider(GLINT_DIVIDER_SEQUENTIAL, GLINT_BENCH_SHIFTS);
+    settings[count++] = glint_setting_divider(GLINT_DIVIDER_PIPELINED, GLINT_BENCH_SHIFTS);
+    for (int i = 0; i < count; i++)
+        settings[i].verilog = chosen->verilog;
+    return glint_build_first("bench", settings, count, GLINT_RTL_FAST, 0, err);
+}
+
 static int bench(const bench_options *chosen)
 {
     bench_results results;
     glint_error err;
-    if (measure(chosen, &results, &err) != GLINT_OK)
+    if (build(chosen, &err) != GLINT_OK || measure(chosen, &results, &err) != GLINT_OK)
         return glint_complain_error("bench", &err);
     if (chosen->json && !print_json(&results, (int)chosen->threads))
         return glint_complain("bench", GLINT_EXIT_TROUBLE, "out of memory");

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "circuit/circuits.h"
+#include "cli/build_first.h"
 #include "cli/circuit_options.h"
 #include "cli/commands.h"
 #include "cli/divide.h"
@@ -299,6 +300,11 @@ int glint_cmd_divide(int argc, char **argv)
     glint_setting setting = glint_setting_divider(config.form, config.shifts);
     setting.verilog = chosen.verilog;
     status = glint_rtl_option_settle("divide", &setting, config.kind == GLINT_BACKEND_RTL);
-    return status == GLINT_OPTIONS_RUN ? glint_divide_lines("divide", &config, chosen.json)
-                                       : status;
+    if (status != GLINT_OPTIONS_RUN)
+        return status;
+    glint_error err;
+    if (config.kind == GLINT_BACKEND_RTL &&
+        glint_build_first("divide", &setting, 1, GLINT_RTL_FAST, 0, &err) != GLINT_OK)
+        return glint_complain_error("divide", &err);
+    return glint_divide_lines("divide", &config, chosen.json);
 }

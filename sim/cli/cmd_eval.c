@@ -8,6 +8,7 @@
 
 #include "backend/backend.h"
 #include "circuit/circuits.h"
+#include "cli/build_first.h"
 #include "cli/circuit_options.h"
 #include "cli/commands.h"
 #include "cli/divide.h"
@@ -258,6 +259,15 @@ static int eval_setting(const eval_options *chosen, const glint_setting *setting
     const bool is_rtl = chosen->backend == GLINT_BACKEND_RTL;
     if (chosen->circuits.verilog != NULL && !is_rtl) {
         return glint_rtl_option_settle("eval", setting, false);
+    }
+    if (is_rtl) {
+        const bool is_typed = setting->circuit == &glint_circuit_specular ||
+                              setting->circuit == &glint_circuit_divider;
+        glint_error err;
+        if (glint_build_first("eval", setting, 1, is_typed ? GLINT_RTL_FAST : GLINT_RTL_OBSERVED, 0,
+                              &err) != GLINT_OK) {
+            return glint_complain_error("eval", &err);
+        }
     }
     if (setting->circuit == &glint_circuit_specular) {
         return eval_points(chosen, setting);

@@ -5,6 +5,8 @@
 #include <strings.h>
 #include <unistd.h>
 
+#include "circuit/circuits.h"
+#include "cli/build_first.h"
 #include "cli/commands.h"
 #include "cli/failure_output.h"
 #include "cli/options.h"
@@ -104,6 +106,22 @@ static glint_status compare_frames(glint_render_result *result, glint_error *err
                                err);
 }
 
+/* The circuits of a frame by the Verilog. */
+static glint_status build(const glint_render_options *chosen, glint_error *err)
+{
+    glint_setting settings[] = {
+        glint_backend_setting(&chosen->backend),
+        glint_setting_divider(GLINT_DIVIDER_PIPELINED, chosen->scene.shifts),
+    };
+    settings[1].verilog = chosen->backend.verilog;
+    if (chosen->backend.kind != GLINT_BACKEND_RTL) {
+        return GLINT_OK;
+    }
+    return glint_build_first("render", settings,
+                             chosen->scene.shading == GLINT_SHADING_GOURAUD ? 2 : 1, GLINT_RTL_FAST,
+                             0, err);
+}
+
 static glint_status render_all(const glint_render_options *chosen, const glint_mesh *mesh,
                                glint_render_result *result, glint_error *err)
 {
@@ -111,7 +129,10 @@ static glint_status render_all(const glint_render_options *chosen, const glint_m
     scene.mesh = mesh;
     const glint_backend_kind first = chosen->both ? GLINT_BACKEND_C : chosen->backend.kind;
     result->frame_count = chosen->both ? 2 : 1;
-    glint_status status = render_frame(chosen, first, &scene, &result->frame[0], err);
+    glint_status status = build(chosen, err);
+    if (status == GLINT_OK) {
+        status = render_frame(chosen, first, &scene, &result->frame[0], err);
+    }
     if (status != GLINT_OK || !chosen->both) {
         return status;
     }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "circuit/circuits.h"
+#include "cli/build_first.h"
 #include "cli/circuit_options.h"
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -166,26 +167,45 @@ static int read_methods(const study_options *chosen, glint_study_setup *setup)
     return GLINT_OPTIONS_RUN;
 }
 
-/* Backend rtl is the specular device, and divides with Gouraud's shading. */
-static int check_verilog(const glint_study_setup *setup)
+/* The circuits of the methods by the Verilog: the specular device, and with Gouraud's shading the
+ * divider. Returns how many. */
+static int circuits_of(const glint_study_setup *setup, glint_setting settings[2])
 {
-    glint_setting device = glint_setting_standard(&glint_circuit_specular);
-    glint_setting divider = glint_setting_divider(GLINT_DIVIDER_PIPELINED, setup->scene.shifts);
-    bool shades = false, divides = false;
+    const glint_backend_config config = {
+        .gate = GLINT_GATE_COSINE, .pipeline = GLINT_PIPELINE_PIPELINED, .verilog = setup->verilog};
+    int count = 0;
+    settings[0] = glint_backend_setting(&config);
+    settings[1] = glint_setting_divider(GLINT_DIVIDER_PIPELINED, setup->scene.shifts);
+    settings[1].verilog = setup->verilog;
     for (int i = 0; i < 2; i++) {
         const glint_study_method *method = &setup->method[i];
         const bool is_rtl = !method->by_model && method->backend == GLINT_BACKEND_RTL;
-        shades |= is_rtl;
-        divides |= is_rtl && method->shading == GLINT_SHADING_GOURAUD;
+        const int needed = !is_rtl ? 0 : method->shading == GLINT_SHADING_GOURAUD ? 2 : 1;
+        count = needed > count ? needed : count;
     }
-    if (setup->verilog != NULL && !shades) {
+    return count;
+}
+
+static glint_status build(const glint_study_setup *setup, glint_error *err)
+{
+    glint_setting settings[2];
+    const int count = circuits_of(setup, settings);
+    return glint_build_first("study", settings, count, GLINT_RTL_FAST, 0, err);
+}
+
+static int check_verilog(const glint_study_setup *setup)
+{
+    glint_setting settings[2];
+    const int count = circuits_of(setup, settings);
+    int status = GLINT_OPTIONS_RUN;
+    if (setup->verilog != NULL && count == 0) {
         return glint_complain("study", GLINT_EXIT_TROUBLE,
                               "--rtl is the Verilog's directory: it goes with the method rtl");
     }
-    device.verilog = divider.verilog = setup->verilog;
-    const int status = glint_rtl_option_check("study", &device);
-    return status == GLINT_OPTIONS_RUN && divides ? glint_rtl_option_check("study", &divider)
-                                                  : status;
+    for (int i = 0; i < count && status == GLINT_OPTIONS_RUN; i++) {
+        status = glint_rtl_option_check("study", &settings[i]);
+    }
+    return status;
 }
 
 static int read_study(const study_options *chosen, glint_study_options *study)
@@ -296,6 +316,9 @@ static glint_status work(const study_options *chosen, glint_study_options *study
     glint_status status = chosen->force ? GLINT_OK : check_files(study, err);
     if (status == GLINT_OK) {
         status = glint_scene_options_mesh(&chosen->scene, &mesh, err);
+    }
+    if (status == GLINT_OK) {
+        status = build(&study->setup, err);
     }
     if (status == GLINT_OK) {
         glint_tell_remarks("study", chosen->scene.model, mesh->remarks);

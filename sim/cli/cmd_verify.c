@@ -9,6 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "cli/build_first.h"
 #include "cli/circuit_options.h"
 #include "cli/commands.h"
 #include "cli/failure_output.h"
@@ -19,7 +20,6 @@
 #include "failure/shell.h"
 #include "lockstep/lockstep.h"
 #include "lockstep/mismatch.h"
-#include "rtl/build.h"
 
 #define SETTINGS_MAX 4096
 #define THREADS_MAX  64
@@ -256,7 +256,9 @@ static void watch(const verification *all, int threads, const verify_options *ch
             told++;
             print_first(chosen, all, &all->tasks[all->turn[told - 1]], told);
         }
-        if (done != 0) /* else it builds, and tells of that */
+        if (done == 0)
+            glint_progress_say(&progress, "building");
+        else
             glint_progress_update(&progress, done, (uint64_t)chosen->clocks * (uint64_t)all->turns);
         if (!last)
             nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
@@ -306,31 +308,18 @@ static void choose_turn(verification *all, bool first)
     }
 }
 
-static void show_build(void *context, int index, int count, const glint_setting *setting)
+/* Builds what is not in the cache, before any of it runs. False: interrupted. */
+static bool build_turn(const verification *all, const verify_options *chosen)
 {
-    (void)setting;
-    glint_progress_update(context, (uint64_t)index, (uint64_t)count);
-}
-
-/* Builds what is not in the cache, before any of it runs. What does not build says so when its turn
- * comes. */
-static void build_turn(const verification *all, const verify_options *chosen)
-{
-    glint_progress progress;
-    glint_error err;
     glint_setting *settings = calloc((size_t)all->turns, sizeof *settings);
     if (settings == NULL)
-        return;
+        return true; /* each is built when it runs */
     for (int i = 0; i < all->turns; i++)
         settings[i] = all->tasks[all->turn[i]].options.setting;
-    const glint_rtl_build_control control = {.threads = (int)chosen->threads,
-                                             .stop = glint_stop_flag(),
-                                             .show = show_build,
-                                             .context = &progress};
-    glint_progress_begin(&progress, "verify", "circuits built");
-    (void)glint_rtl_build_all(settings, all->turns, GLINT_RTL_OBSERVED, &control, &err);
-    glint_progress_end(&progress);
+    const glint_status status = glint_build_first("verify", settings, all->turns,
+                                                  GLINT_RTL_OBSERVED, (int)chosen->threads, NULL);
     free(settings);
+    return status == GLINT_OK;
 }
 
 /* The first of each circuit, then the others; one alone, or one of each circuit, is its own
@@ -342,8 +331,8 @@ static void run_all(verification *all, const verify_options *chosen)
     choose_turn(all, false);
     if (all->turns == 0 || glint_stop_requested())
         return;
-    build_turn(all, chosen);
-    run_turn(all, chosen, false);
+    if (build_turn(all, chosen))
+        run_turn(all, chosen, false);
 }
 
 typedef struct sums {

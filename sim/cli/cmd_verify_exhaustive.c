@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "circuit/circuits.h"
+#include "cli/build_first.h"
 #include "cli/commands.h"
 #include "cli/exhaustive_options.h"
 #include "cli/failure_output.h"
@@ -357,6 +358,17 @@ static int end(const glint_exhaustive_choice *chosen, run *run)
                                              : report(chosen, run);
 }
 
+static glint_status build(const glint_exhaustive_options *options, glint_error *err)
+{
+    glint_setting settings[GLINT_EXHAUSTIVE_CIRCUITS_MAX];
+    for (int c = 0; c < options->configs; c++) {
+        settings[c] = glint_setting_specular(&options->config[c]);
+        settings[c].verilog = options->verilog;
+    }
+    return glint_build_first("verify", settings, options->configs, GLINT_RTL_FAST, options->threads,
+                             err);
+}
+
 static int verify(const glint_exhaustive_choice *chosen)
 {
     run run = {.options = {.verilog = chosen->circuits.verilog,
@@ -372,6 +384,8 @@ static int verify(const glint_exhaustive_choice *chosen)
                            .progress_context = &run,
                            .keep_history = true}};
     choose_configs(chosen, &run.options);
+    if (build(&run.options, &run.err) != GLINT_OK)
+        return glint_complain_error("verify", &run.err);
     glint_progress_begin(&run.progress, "verify", run.unit);
     run.start = glint_seconds();
     run.status = glint_exhaustive_run(&run.options, &run.result, &run.err);

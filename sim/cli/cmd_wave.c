@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "circuit/circuits.h"
+#include "cli/build_first.h"
 #include "cli/circuit_options.h"
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -240,9 +241,25 @@ static int write_circuit(const wave_options *chosen, int circuit, cJSON *list)
     return status;
 }
 
+/* All that is missing at once; without memory, each when it is its turn. */
+static int build_all(const wave_options *chosen)
+{
+    int count = 0;
+    glint_setting *settings = calloc(SETTINGS_MAX, sizeof *settings);
+    while (settings != NULL && count < SETTINGS_MAX &&
+           glint_circuit_options_setting(&chosen->circuits, count, &settings[count]))
+        count++;
+    glint_error err;
+    const glint_status status = glint_build_first(
+        "wave", settings, count, chosen->format == GLINT_WAVE_VCD ? GLINT_RTL_VCD : GLINT_RTL_FST,
+        0, &err);
+    free(settings);
+    return status == GLINT_OK ? GLINT_EXIT_OK : glint_complain_error("wave", &err);
+}
+
 static int write_all(const wave_options *chosen, cJSON *list)
 {
-    int status = GLINT_EXIT_OK;
+    int status = build_all(chosen);
     for (int c = 0; c < chosen->circuits.chosen_count && status == GLINT_EXIT_OK; c++)
         status = write_circuit(chosen, c, list);
     return status;

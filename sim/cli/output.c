@@ -192,12 +192,29 @@ void glint_progress_begin(glint_progress *progress, const char *command, const c
     progress->next = 0.0;
 }
 
-void glint_progress_update(glint_progress *progress, uint64_t done, uint64_t total)
+/* Whether the line is due anew. */
+static bool is_due(glint_progress *progress)
 {
     if (!progress->shown || glint_seconds() < progress->next) {
-        return;
+        return false;
     }
     progress->next = glint_seconds() + 0.1;
+    return true;
+}
+
+void glint_progress_say(glint_progress *progress, const char *what)
+{
+    if (is_due(progress)) {
+        fprintf(stderr, "\rglint %s: %s\033[K", progress->command, what);
+        fflush(stderr);
+    }
+}
+
+void glint_progress_update(glint_progress *progress, uint64_t done, uint64_t total)
+{
+    if (!is_due(progress)) {
+        return;
+    }
     const double percent = total > 0 ? 100.0 * (double)done / (double)total : 100.0;
     fprintf(stderr, "\rglint %s: %" PRIu64 " of %" PRIu64 " %s, %.0f %%\033[K", progress->command,
             done, total, progress->unit, percent);

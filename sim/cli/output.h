@@ -72,7 +72,8 @@ typedef struct glint_progress {
 
 void glint_progress_begin(glint_progress *progress, const char *command, const char *unit);
 void glint_progress_update(glint_progress *progress, uint64_t done, uint64_t total);
-void glint_progress_end(glint_progress *progress); /* wipes the line */
+void glint_progress_say(glint_progress *progress, const char *what); /* before there are numbers */
+void glint_progress_end(glint_progress *progress);                   /* wipes the line */
 
 /* Seconds of a clock that never goes back. */
 double glint_seconds(void);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/build_first.h"
 #include "cli/exhaustive_options.h"
 #include "cli/failure_output.h"
 #include "cli/info_circuit.h"
@@ -52,6 +53,11 @@ static void run_setting(const glint_exhaustive_choice *chosen, const glint_setti
                                           .progress = show_progress,
                                           .progress_context = run};
     run->has_run = true;
+    run->status = glint_build_first("verify", setting, 1, GLINT_RTL_OBSERVED, (int)chosen->threads,
+                                    &run->err);
+    run->result.next = (uint64_t)chosen->from;
+    if (run->status != GLINT_OK)
+        return;
     run->start = glint_seconds();
     glint_progress_begin(&run->progress, "verify", run->unit);
     run->status = glint_domain_run(&run->options, &run->result, &run->err);
