@@ -157,11 +157,16 @@ INLINE size_t take(const device *d, const glint_points *points, size_t done, int
     return done;
 }
 
+/* The material is written with the first cosines. */
+INLINE void end_writing(const device *d)
+{
+    *d->n_we = *d->rgb_we = 0;
+}
+
 INLINE size_t clock_and_take(glint_rtl *rtl, const device *d, const glint_points *points,
                              size_t done, int lanes)
 {
     glint_rtl_edge(rtl);
-    *d->n_we = *d->rgb_we = 0;
     return take(d, points, done, lanes);
 }
 
@@ -188,9 +193,12 @@ INLINE size_t run(glint_rtl *rtl, const device *shared_device, const glint_point
     for (; fed + (size_t)lanes <= points->count; fed += (size_t)lanes) {
         set_cosines(d->cos, points->cos + fed, lanes);
         done = clock_and_take(rtl, d, points, done, lanes);
+        if (fed == 0)
+            end_writing(d);
     }
     if (fed < points->count)
         done = feed_rest(rtl, d, points, fed, done, lanes);
+    end_writing(d);
     set_mask(d->in_valid, 0, lanes);
     for (int i = 1; i < d->latency; i++)
         done = clock_and_take(rtl, d, points, done, lanes);
