@@ -220,7 +220,7 @@ lint-c:
 
 # The shim over a circuit, with and without a clock and a waveform; where it runs it is compiled without
 # warnings, as Verilator's code is nobody's to mend.
-lint-cpp: $(VERILATED)/version
+lint-cpp:
 	$(call say,LINT,sim/rtl/shim.cpp)
 	@mkdir -p $(BUILD)/lint/shim
 	$Qtests/circuits/lint_shim.sh $(BUILD)/lint/shim $(VERILATOR_INCLUDE)
