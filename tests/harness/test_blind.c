@@ -84,7 +84,14 @@ static int judge(const char *program, char *log, int *passed)
     return count;
 }
 
-/* How many tests the source declares. */
+/* How many tests the program said that it would run. */
+static int announced_in(const char *log)
+{
+    const char *said = strstr(log, "] Running ");
+    return said != NULL ? (int)strtol(said + strlen("] Running "), NULL, 10) : 0;
+}
+
+/* How many tests the source declares; a list made by a macro has more. */
 static int declared_in(const char *source)
 {
     static const char word[] = "cmocka_unit_test";
@@ -111,10 +118,11 @@ static int run_program(const char *build, const char *source, const char *idle)
     const int status =
         child_wait(child_start(argv, scratch_path("tests.log"), scratch_path("tests.err")), 120.0);
     char *log = scratch_read(scratch_path("tests.log"), NULL);
+    const int announced = announced_in(log);
     const int ran = judge(name, log, &passed);
-    if (status == CHILD_TIMED_OUT || (ran != 0 && ran != declared_in(source))) {
-        print_error("%s: exit status %d after %d of %d tests\n", name, status, ran,
-                    declared_in(source));
+    if (status == CHILD_TIMED_OUT ||
+        (ran != 0 && (ran != announced || ran < declared_in(source)))) {
+        print_error("%s: exit status %d after %d of %d tests\n", name, status, ran, announced);
         passed++;
     }
     free(log);
