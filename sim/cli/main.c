@@ -8,6 +8,7 @@
 #include "cli/parse.h"
 #include "cli/suggest.h"
 #include "cli/version.h"
+#include "rtl/command.h"
 
 static const struct {
     const char *name;
@@ -132,6 +133,7 @@ static int move_circuit_dir(int argc, char **argv)
 int main(int argc, char **argv)
 {
     glint_output_init();
+    glint_command_stop_when(glint_stop_flag());
     if (argc < 2) {
         return glint_complain(NULL, GLINT_EXIT_TROUBLE, "no subcommand (see glint --help)");
     }

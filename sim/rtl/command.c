@@ -13,7 +13,28 @@
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
+
+#define POLL_NANOSECONDS 5000000
+
+/* Of the process, as its signals are; NULL: nothing stops it. */
+static const volatile bool *stop_flag;
+
+void glint_command_stop_when(const volatile bool *stop)
+{
+    stop_flag = stop;
+}
+
+static bool is_stopped(void)
+{
+    return stop_flag != NULL && *stop_flag;
+}
+
+static glint_status interrupted(glint_error *err)
+{
+    return glint_fail(err, GLINT_INTERRUPTED, "interrupted");
+}
 
 /* In the child: only what is safe between fork() and exec() of a program with threads. */
 static void become(const char *const *arguments, const char *directory, int words, pid_t parent)
@@ -36,7 +57,10 @@ static void become(const char *const *arguments, const char *directory, int word
 glint_status glint_command_start(const char *const *arguments, const char *directory,
                                  glint_command *command, glint_error *err)
 {
-    *command = (glint_command){0, memfd_create("glint", MFD_CLOEXEC)};
+    *command = (glint_command){0, -1};
+    if (is_stopped())
+        return interrupted(err);
+    command->words = memfd_create("glint", MFD_CLOEXEC);
     if (command->words < 0)
         return glint_fail(err, GLINT_IO_ERROR, "%s cannot be started: %s", arguments[0],
                           strerror(errno));
@@ -81,13 +105,21 @@ static bool is_interruption(int state)
 static glint_status wait_for(glint_command *command, int *state, glint_error *err)
 {
     pid_t ended;
-    while ((ended = waitpid(command->process, state, 0)) < 0 && errno == EINTR)
-        ;
+    bool told = false;
+    while ((ended = waitpid(command->process, state, stop_flag != NULL ? WNOHANG : 0)) == 0 ||
+           (ended < 0 && errno == EINTR)) {
+        if (is_stopped() && !told) {
+            (void)kill(command->process, SIGTERM);
+            told = true;
+        }
+        if (ended == 0)
+            (void)nanosleep(&(struct timespec){.tv_nsec = POLL_NANOSECONDS}, NULL);
+    }
     command->process = 0;
     if (ended < 0)
         return glint_fail(err, GLINT_IO_ERROR, "a tool's end was not seen: %s", strerror(errno));
-    if (is_interruption(*state))
-        return glint_fail(err, GLINT_INTERRUPTED, "interrupted");
+    if (is_interruption(*state) || is_stopped())
+        return interrupted(err);
     return GLINT_OK;
 }
 

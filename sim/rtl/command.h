@@ -10,6 +10,11 @@
 
 #include "glint_status.h"
 
+/* From now on, once *stop is true, no command is started any more and those that run are ended, all
+ * with GLINT_INTERRUPTED: Ctrl-C reaches the tools as well, but some of them only say that they
+ * failed, and who waited for their builder would begin anew. stop is to stay. */
+void glint_command_stop_when(const volatile bool *stop);
+
 typedef struct glint_command {
     pid_t process; /* 0: none */
     int words;     /* what it says: an open file without a name; −1: none */
