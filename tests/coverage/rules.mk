@@ -5,7 +5,7 @@ COVERAGE := $(BUILD)/coverage
 
 $(eval $(call opinion_list,$(COVERAGE)/circuits,$(COVERED:%=coverage/%)))
 
-$(COVERAGE)/drive: $(BUILD)/tests/coverage/drive.o $(BUILD)/libtest.a $(LIBRARIES)
+$(COVERAGE)/drive: $(BUILD)/tests/coverage/drive.o $(BUILD)/libtest.a $(LIBRARIES) | $(BUILD)/tree
 	@mkdir -p $(@D)
 	$(CC) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
@@ -27,6 +27,7 @@ COVERAGE_C = $(MAKE) BUILD=$(COVERAGE)/c VERILATED=$(VERILATED) LDFLAGS='$(LDFLA
 COVERAGE_LIMITED = $(COVERAGE)/c/tests/abuse/test_abuse_outputs
 COVERAGE_TESTS   = $(TEST_SOURCES:%.c=$(COVERAGE)/c/%)
 
+coverage-c: export GLINT_CACHE := $(abspath $(BUILD))/circuits
 coverage-c:
 	sim/deps.sh coverage
 	+$(COVERAGE_C) -j$(JOBS) build-tests

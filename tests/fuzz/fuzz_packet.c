@@ -20,13 +20,27 @@ static void expect_round_trip(const glint_failure *failure)
     free(text);
 }
 
+/* A setting that is not among those that are built for the tests takes seconds to build. */
+static bool is_listed(const glint_setting *setting)
+{
+    glint_setting listed;
+    for (int i = 0; glint_setting_listed(setting->circuit, i, &listed); i++) {
+        listed.verilog = setting->verilog;
+        if (glint_setting_equal(&listed, setting)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* Not from a seed: that may take hours. */
 static void expect_played(const glint_failure *failure)
 {
     glint_failure_finding finding;
     glint_capture *capture = NULL;
     glint_error err = {""};
-    if (failure->kind == GLINT_FAILURE_RANDOM && failure->pins == NULL) {
+    if ((failure->kind == GLINT_FAILURE_RANDOM && failure->pins == NULL) ||
+        !is_listed(&failure->setting)) {
         return;
     }
     const glint_status status = glint_failure_play(failure, NULL, &finding, &capture, &err);

@@ -9,14 +9,14 @@ FUZZ_SHARED  := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/test_fuzz.c,$(wildcar
 FUZZ_COMMAND := $(filter-out %/main.o,$(CLI_OBJECTS))
 
 $(BUILD)/tests/fuzz/test_fuzz: $(BUILD)/tests/fuzz/test_fuzz.o $(FUZZ_SHARED) $(FUZZ_COMMAND) \
-    $(LIBRARIES)
+    $(LIBRARIES) | $(BUILD)/tree
 	$(CXX) $(LDFLAGS) -o $@ $^ -lcmocka $(LDLIBS)
 
 ifdef FUZZING
 CFLAGS_ALL += -O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
 endif
 
-$(BUILD)/fuzzers/%: $(FUZZ_SHARED) $(FUZZ_COMMAND) $(LIBRARIES)
+$(BUILD)/fuzzers/%: $(FUZZ_SHARED) $(FUZZ_COMMAND) $(LIBRARIES) | $(BUILD)/tree
 	@mkdir -p $(@D)
 	clang++ -fsanitize=fuzzer,address,undefined -Wl,--defsym=LLVMFuzzerTestOneInput=fuzz_$* -o $@ \
 	    $(FUZZ_SHARED) $(FUZZ_COMMAND) $(LIBRARIES) $(LDLIBS)
@@ -24,7 +24,12 @@ $(BUILD)/fuzzers/%: $(FUZZ_SHARED) $(FUZZ_COMMAND) $(LIBRARIES)
 .PHONY: fuzz fuzz-programs
 fuzz-programs: $(FUZZ_TARGETS:%=$(BUILD)/fuzzers/%)
 
+# The circuits first: none is to be built while an input is tried.
+fuzz: export GLINT_CACHE := $(abspath $(BUILD))/circuits
 fuzz:
 	sim/deps.sh fuzz
+	+$(MAKE) -j$(JOBS) $(BUILD)/glint
+	$(BUILD)/glint verify --clocks 1 --out $(BUILD)/fuzz-failure
+	$(BUILD)/glint bench --seconds 0.01 >/dev/null
 	+$(MAKE) -j$(JOBS) FUZZING=1 CC=clang BUILD=$(BUILD)/fuzz VERILATED=$(VERILATED) fuzz-programs
 	tests/fuzz/run.sh $(BUILD)/fuzz $(FUZZ_SECONDS) $(FUZZ_TARGETS)

@@ -3,7 +3,8 @@ PLANTED_WRAPS := $(foreach f,open destroy read shade divide,-Wl,--wrap=glint_rtl
 
 $(BUILD)/tests/planted/test_%: LDFLAGS += $(PLANTED_WRAPS)
 
-$(BUILD)/planted/glint: $(CLI_OBJECTS) $(BUILD)/tests/planted/planted.o $(LIBRARIES)
+$(BUILD)/planted/glint: $(CLI_OBJECTS) $(BUILD)/tests/planted/planted.o $(LIBRARIES) \
+    | $(BUILD)/tree
 	@mkdir -p $(@D)
 	$(CXX) $(LDFLAGS) $(PLANTED_WRAPS) -o $@ $^ $(LDLIBS)
 
