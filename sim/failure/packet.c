@@ -17,9 +17,8 @@
 #include "file/new_file.h"
 #include "file/temporary.h"
 
-#define PATH     4096
-#define DATA_MAX (64L << 20) /* bytes of failure.json: more than the longest, of the widest pins   \
-                              */
+#define PATH      4096
+#define DATA_MAX  (32L << 20) /* bytes of failure.json: twice the longest, of the widest pins */
 #define CROP_SIDE 64
 #define CROP_ZOOM 4
 
