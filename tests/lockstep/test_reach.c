@@ -283,6 +283,126 @@ static void a_count_by_hand(void **state)
     assert_int_equal(count.reach.lanes_alone, 1);
 }
 
+/* ---- Roles that the thesis's circuits have not --------------------------------------------------
+ */
+
+typedef struct odd_pins {
+    uint8_t reset_n, take;
+    uint32_t lanes; /* as many bits as values[0] says; 0: there is no such pin */
+} odd_pins;
+
+static int odd_pin_count(const int *values)
+{
+    return values[0] != 0 ? 3 : values[1] != 0 ? 2 : 1;
+}
+
+/* An active-low reset; where values[1] is set, a pin that takes; where values[0] is, lanes' bits.
+ */
+static glint_pin_info odd_pin(const int *values, int index)
+{
+    const glint_pin_info pins[] = {
+        {.name = "reset_n", .role = GLINT_PIN_RESET_LOW, .int_bits = 1, .lane = -1, .size = 1},
+        {.name = "take",
+         .role = values[0] != 0 ? GLINT_PIN_STROBE : GLINT_PIN_VALID,
+         .int_bits = 1,
+         .lane = -1,
+         .offset = offsetof(odd_pins, take),
+         .size = 1},
+        {.name = "lanes",
+         .role = GLINT_PIN_VALID,
+         .int_bits = values[0],
+         .lane = -1,
+         .offset = offsetof(odd_pins, lanes),
+         .size = 4}};
+    return pins[index];
+}
+
+static int odd_latency(const int *values)
+{
+    return values[2];
+}
+
+static int odd_pace(const int *values)
+{
+    return values[3];
+}
+
+static const glint_circuit odd = {.name = "odd",
+                                  .pin_count = odd_pin_count,
+                                  .pin = odd_pin,
+                                  .pins_size = sizeof(odd_pins),
+                                  .latency = odd_latency,
+                                  .pace = odd_pace};
+
+static void count_odd(const glint_setting *setting, const odd_pins *clocks, size_t number,
+                      glint_reach_count *count)
+{
+    glint_reach_begin(count, setting);
+    for (size_t i = 0; i < number; i++) {
+        glint_pins pins = {{0}};
+        memcpy(&pins, &clocks[i], sizeof clocks[i]);
+        glint_reach_clock(count, &pins);
+    }
+}
+
+/* Neither enable nor valid: every clock out of reset is enabled and takes. */
+static void without_enable_and_valid_every_clock_takes(void **state)
+{
+    (void)state;
+    static glint_reach_count count;
+    static const odd_pins clocks[] = {{.reset_n = 1}, {.reset_n = 1}, {.reset_n = 0},
+                                      {.reset_n = 0}, {.reset_n = 1}, {.reset_n = 1},
+                                      {.reset_n = 1}};
+    /* With a latency of 100 what was taken is still on its way; with 0 or 1 nothing ever is. */
+    static const int latencies[] = {0, 1, 100};
+    for (size_t i = 0; i < sizeof latencies / sizeof latencies[0]; i++) {
+        const glint_setting setting = {.circuit = &odd, .values = {0, 0, latencies[i], 1}};
+        count_odd(&setting, clocks, sizeof clocks / sizeof clocks[0], &count);
+        assert_int_equal(count.reach.run, 3);
+        assert_int_equal(count.reach.run_enabled, 3);
+        assert_int_equal(count.reach.stall, 0);
+        assert_int_equal(count.reach.resets, 2);
+        assert_int_equal(count.reach.resets_in_flight, latencies[i] > 1);
+        assert_int_equal(count.reach.taken, 5);
+        assert_int_equal(count.reach.ignored, 0);
+    }
+}
+
+/* Three clocks long it takes nothing: the fourth is taken again. */
+static void a_busy_circuit_ignores_what_comes(void **state)
+{
+    (void)state;
+    static glint_reach_count count;
+    static const odd_pins clocks[] = {
+        {.reset_n = 1, .take = 1}, {.reset_n = 1, .take = 1}, {.reset_n = 1},
+        {.reset_n = 1, .take = 1}, {.reset_n = 1, .take = 1}, {.reset_n = 1, .take = 1},
+    };
+    const glint_setting setting = {.circuit = &odd, .values = {0, 1, 5, 4}};
+    count_odd(&setting, clocks, sizeof clocks / sizeof clocks[0], &count);
+    assert_int_equal(count.reach.taken, 2);
+    assert_int_equal(count.reach.ignored, 3);
+}
+
+/* Of 32 lanes each alone is counted, and no patterns, of which there are too many. */
+static void thirty_two_lanes_are_counted_alone(void **state)
+{
+    (void)state;
+    static glint_reach_count count;
+    static odd_pins clocks[34];
+    const glint_setting setting = {.circuit = &odd, .values = {32, 1, 2, 1}};
+    for (uint32_t i = 0; i < 34; i++) {
+        clocks[i] = (odd_pins){.reset_n = 1, .take = i % 2, .lanes = UINT32_C(1) << i % 32};
+    }
+    clocks[7].lanes = 0xffffffff;
+    assert_int_equal(glint_reach_lanes(&setting), 32);
+    count_odd(&setting, clocks, 34, &count);
+    assert_int_equal(count.reach.lanes_alone, 31); /* all but lane 7 */
+    assert_int_equal(count.reach.patterns, 0);
+    assert_int_equal(count.reach.taken, 34);
+    assert_int_equal(count.reach.changes, 17);
+    assert_int_equal(count.reach.changes_in_flight, 17);
+}
+
 /* ---- How far ------------------------------------------------------------------------------------
  */
 
@@ -402,6 +522,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_count_by_hand),
+        cmocka_unit_test(without_enable_and_valid_every_clock_takes),
+        cmocka_unit_test(a_busy_circuit_ignores_what_comes),
+        cmocka_unit_test(thirty_two_lanes_are_counted_alone),
         cmocka_unit_test(what_is_said_to_be_reached_was_at_the_pins),
         cmocka_unit_test(a_run_tells_what_it_reached),
         cmocka_unit_test(the_usual_run_reaches_65536_enabled_clocks_without_reset),
