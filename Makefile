@@ -130,7 +130,6 @@ DEEP_FAULTS     := $(wildcard tests/lockstep/deep/*/*.sed)
 DIVIDER_FAULTS  := $(wildcard tests/divider/wrong/*/*/*.sed)
 DEEP_DIVIDER_FAULTS := $(wildcard tests/divider/deep/*/*/*.sed)
 wrong_name       = $(notdir $(patsubst %/,%,$(dir $1)))
-wrong_form       = $(call wrong_name,$(patsubst %/,%,$(dir $1)))
 
 # $1: what, $2: the file of the fault, $3: the module's file name
 define wrong_circuit

@@ -310,7 +310,7 @@ static glint_status link_object(const build *b, glint_error *err)
     return run_compiler(b, &line, err);
 }
 
-/* The runtime is made while Verilator works. */
+/* The runtime is made while Verilator and the compiler work on the circuit. */
 static glint_status make(build *b, glint_error *err)
 {
     const glint_product *p = b->product;
@@ -324,9 +324,9 @@ static glint_status make(build *b, glint_error *err)
     if (status == GLINT_OK)
         status = write_unity(b, err);
     if (status == GLINT_OK)
-        status = glint_runtime_wait(&b->runtime, err);
-    if (status == GLINT_OK)
         status = compile(b, err);
+    if (status == GLINT_OK)
+        status = glint_runtime_wait(&b->runtime, err);
     return status == GLINT_OK ? link_object(b, err) : status;
 }
 
