@@ -102,7 +102,14 @@ static void what_differs_is_counted_to_the_last(void **state)
     first = result;
     options.threads = 7;
     run(&options);
-    assert_memory_equal(&result.mismatch, &first.mismatch, sizeof first.mismatch);
+    for (int i = 0; i < first.kept; i++) {
+        const glint_domain_mismatch *now = &result.mismatch[i], *then = &first.mismatch[i];
+        assert_true(now->block == then->block && now->point == then->point);
+        assert_true(now->signal.clock == then->signal.clock);
+        assert_string_equal(now->signal.signal.name, then->signal.signal.name);
+        assert_memory_equal(now->signal.model, then->signal.model, sizeof then->signal.model);
+        assert_memory_equal(now->signal.rtl, then->signal.rtl, sizeof then->signal.rtl);
+    }
     assert_int_equal(result.mismatches, first.mismatches);
 }
 
