@@ -205,11 +205,12 @@ static glint_status each_word(const char *makefile, const char *variable,
     return status;
 }
 
-static glint_status add_class(build *b, const char *word, glint_error *err)
+static glint_status add_text(build *b, const char *begin, const char *text, const char *end,
+                             glint_error *err)
 {
     char *grown;
     const int size =
-        asprintf(&grown, "%s#include \"%s.cpp\"\n", b->unity != NULL ? b->unity : "", word);
+        asprintf(&grown, "%s%s%s%s", b->unity != NULL ? b->unity : "", begin, text, end);
     if (size < 0)
         return no_memory(err);
     free(b->unity);
@@ -218,27 +219,44 @@ static glint_status add_class(build *b, const char *word, glint_error *err)
     return GLINT_OK;
 }
 
+static glint_status add_class(build *b, const char *word, glint_error *err)
+{
+    return add_text(b, "#include \"", word, ".cpp\"\n", err);
+}
+
 static glint_status add_runtime(build *b, const char *word, glint_error *err)
 {
     return glint_runtime_add(&b->runtime, word, err);
 }
 
-/* What Verilator wrote, by its list of it: everything in one file for the compiler, with the shim
- * behind. */
+/* Not optimised: what runs once, half of the text of a large circuit. */
+static const char slow_from_here[] = "#ifdef __clang__\n#pragma clang optimize off\n"
+                                     "#else\n#pragma GCC optimize(\"O0\")\n#endif\n";
+
+/* What Verilator wrote, by its list of it: everything in one file for the compiler, the shim behind
+ * what is fast. */
 static glint_status list_classes(build *b, glint_error *err)
 {
-    static const char *const classes[] = {"VM_CLASSES_FAST", "VM_CLASSES_SLOW", "VM_SUPPORT_FAST",
-                                          "VM_SUPPORT_SLOW"};
-    static const char *const globals[] = {"VM_GLOBAL_FAST", "VM_GLOBAL_SLOW"};
     glint_sources list = {0};
     glint_status status = glint_sources_read_file(&list, b->work, CLASS "_classes.mk", err);
-    for (size_t i = 0; status == GLINT_OK && i < sizeof globals / sizeof globals[0]; i++)
-        status = each_word(list.file[0].text, globals[i], add_runtime, b, err);
-    for (size_t i = 0; status == GLINT_OK && i < sizeof classes / sizeof classes[0]; i++)
-        status = each_word(list.file[0].text, classes[i], add_class, b, err);
-    glint_sources_free(&list);
+    const char *makefile = status == GLINT_OK ? list.file[0].text : NULL;
+    if (status == GLINT_OK)
+        status = each_word(makefile, "VM_GLOBAL_FAST", add_runtime, b, err);
+    if (status == GLINT_OK)
+        status = each_word(makefile, "VM_GLOBAL_SLOW", add_runtime, b, err);
+    if (status == GLINT_OK)
+        status = each_word(makefile, "VM_CLASSES_FAST", add_class, b, err);
+    if (status == GLINT_OK)
+        status = each_word(makefile, "VM_SUPPORT_FAST", add_class, b, err);
     if (status == GLINT_OK)
         status = add_class(b, "shim", err);
+    if (status == GLINT_OK)
+        status = add_text(b, slow_from_here, "", "", err);
+    if (status == GLINT_OK)
+        status = each_word(makefile, "VM_CLASSES_SLOW", add_class, b, err);
+    if (status == GLINT_OK)
+        status = each_word(makefile, "VM_SUPPORT_SLOW", add_class, b, err);
+    glint_sources_free(&list);
     return status;
 }
 

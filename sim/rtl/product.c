@@ -12,8 +12,12 @@
 #include "rtl/place.h"
 #include "rtl/runtime.h"
 
-/* Edits of a setting's Verilog that are kept. */
-enum { KEPT_ALIKE = 64 };
+enum {
+    /* Part of every hash: to be raised when build.c makes something else of the same sources, by
+     * other options of Verilator, say. */
+    RECIPE = 2,
+    KEPT_ALIKE = 64, /* edits of a setting's Verilog */
+};
 
 static glint_status no_memory(glint_error *err)
 {
@@ -160,7 +164,7 @@ static glint_status name_stem(glint_product *product, glint_error *err)
     if (out == NULL)
         return no_memory(err);
     glint_sources_hash(&product->sources, sources);
-    fprintf(out, "%s\n", sources);
+    fprintf(out, "%d\n%s\n", RECIPE, sources);
     if (product->kind == GLINT_RTL_FAST)
         print_processor(out);
     if (fclose(out) != 0) {
