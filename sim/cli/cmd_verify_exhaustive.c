@@ -384,11 +384,14 @@ static int verify(const glint_exhaustive_choice *chosen)
                            .progress_context = &run,
                            .keep_history = true}};
     choose_configs(chosen, &run.options);
-    if (build(&run.options, &run.err) != GLINT_OK)
-        return glint_complain_error("verify", &run.err);
-    glint_progress_begin(&run.progress, "verify", run.unit);
     run.start = glint_seconds();
-    run.status = glint_exhaustive_run(&run.options, &run.result, &run.err);
+    run.status = build(&run.options, &run.err);
+    run.result.next = run.options.from;
+    glint_progress_begin(&run.progress, "verify", run.unit);
+    if (run.status == GLINT_OK) {
+        run.start = glint_seconds();
+        run.status = glint_exhaustive_run(&run.options, &run.result, &run.err);
+    }
     run.seconds = glint_seconds() - run.start;
     glint_progress_end(&run.progress);
     const int status = end(chosen, &run);
