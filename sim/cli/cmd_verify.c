@@ -40,6 +40,7 @@ typedef struct task {
     char packet[FILENAME_MAX]; /* where it is; "": none */
     bool is_first;             /* of its circuit: its verdict is told before the others are tried */
     bool is_left_out;          /* not tried, as its circuit's first did not build */
+    bool is_told;              /* its error has been */
     _Atomic uint64_t done;
     _Atomic bool has_ended;
 } task;
@@ -221,10 +222,20 @@ static void *verify_settings(void *context)
     return NULL;
 }
 
-/* Told once it is there, while others still run: which, what, and what is still to come. */
-static void print_first(const verify_options *chosen, const verification *all, const task *task,
-                        int told)
+/* Whether it came to nothing, for a reason of its own. */
+static bool has_failed(const task *task)
 {
+    return task->has_ended && task->status != GLINT_OK && task->status != GLINT_INTERRUPTED &&
+           task->result.clocks == 0;
+}
+
+/* Told once it is there, while others still run: which, what, and what is still to come. */
+static void print_first(const verify_options *chosen, const verification *all, task *task, int told)
+{
+    if (has_failed(task)) {
+        (void)glint_complain_error("verify", &task->err);
+        task->is_told = true;
+    }
     FILE *out = chosen->json ? stderr : stdout;
     char setting[GLINT_SETTING_TEXT];
     const int left = all->count - told;
@@ -241,7 +252,7 @@ static void print_first(const verify_options *chosen, const verification *all, c
 }
 
 /* Watches the threads until all have finished. first: tells the verdicts as they come. */
-static void watch(const verification *all, int threads, const verify_options *chosen, bool first)
+static void watch(verification *all, int threads, const verify_options *chosen, bool first)
 {
     glint_progress progress;
     int told = 0;
@@ -286,13 +297,11 @@ static void run_turn(verification *all, const verify_options *chosen, bool first
 /* What the first of a circuit did not build of, none of its others will: told once. */
 static bool first_has_failed(const verification *all, const glint_circuit *circuit)
 {
-    for (int i = 0; i < all->count; i++) {
-        const task *task = &all->tasks[i];
-        if (task->is_first && task->options.setting.circuit == circuit && task->has_ended)
-            return task->status != GLINT_OK && task->status != GLINT_INTERRUPTED &&
-                   task->result.clocks == 0;
-    }
-    return false;
+    bool failed = false;
+    for (int i = 0; i < all->count; i++)
+        failed |= all->tasks[i].is_first && all->tasks[i].options.setting.circuit == circuit &&
+                  has_failed(&all->tasks[i]);
+    return failed;
 }
 
 static void choose_turn(verification *all, bool first)
@@ -414,9 +423,9 @@ static int report_task(const verify_options *chosen, task *task, glint_failure_d
         *detail = GLINT_FAILURE_BRIEFLY;
         return GLINT_EXIT_DIFFERENT;
     }
-    return task->status != GLINT_OK && task->status != GLINT_INTERRUPTED
-               ? glint_complain_error("verify", &task->err)
-               : GLINT_EXIT_OK;
+    if (task->status == GLINT_OK || task->status == GLINT_INTERRUPTED)
+        return GLINT_EXIT_OK;
+    return task->is_told ? GLINT_EXIT_TROUBLE : glint_complain_error("verify", &task->err);
 }
 
 /* In the order in which they were tried. */
@@ -495,10 +504,22 @@ static bool print_json(const verify_options *chosen, const verification *all, co
 }
 
 /* Nothing at all where no circuit could be built, which has been said: that is no verdict. */
+/* Of a circuit whose first setting did not build, the others. */
+static void print_left_out(const verify_options *chosen, const verification *all)
+{
+    for (int c = 0; c < chosen->circuits.chosen_count; c++) {
+        const glint_circuit *circuit = chosen->circuits.chosen[c];
+        int count = 0;
+        for (int i = 0; i < all->count; i++)
+            count += all->tasks[i].is_left_out && all->tasks[i].options.setting.circuit == circuit;
+        if (count != 0)
+            printf("not tried: %d setting%s of %s, whose first failed\n", count,
+                   count == 1 ? "" : "s", circuit->name);
+    }
+}
+
 static void print_text(const verify_options *chosen, const sums *sums, double seconds)
 {
-    if (sums->comparisons == 0 && !sums->interrupted)
-        return;
     glint_print_verdict(stdout, sums->mismatches == 0, "%" PRIu64 " mismatches", sums->mismatches);
     printf(" of %" PRIu64 " comparisons: every register and named value, "
            "%" PRIu64 " clocks, %d setting%s, seed %" PRId64 ", %.1f s%s\n",
@@ -519,9 +540,10 @@ static int verify(const verify_options *chosen)
     /* The report of a failure is for people; with --json it must not mix with the result. */
     int status = report_all(chosen, all, chosen->json ? stderr : stdout);
     /* Where nothing was compared, the error has been told and there is nothing to sum up. */
-    if (!chosen->json && (sums.comparisons != 0 || sums.interrupted))
+    if (!chosen->json && (sums.comparisons != 0 || sums.interrupted)) {
         print_text(chosen, &sums, seconds);
-    else if (chosen->json && !print_json(chosen, all, &sums, seconds))
+        print_left_out(chosen, all);
+    } else if (chosen->json && !print_json(chosen, all, &sums, seconds))
         status = glint_complain("verify", GLINT_EXIT_TROUBLE, "out of memory");
     if (sums.mismatches == 0 && (sums.interrupted || sums.comparisons == 0))
         status = GLINT_EXIT_TROUBLE;

@@ -168,6 +168,32 @@ static void any_value_in_range_is_verified(void **state)
     forget(&done);
 }
 
+/* Said once, before the other circuits are done; the rest of its own settings are not tried. */
+static void a_circuit_that_does_not_build_is_told_at_once(void **state)
+{
+    (void)state;
+    char line[2200];
+    (void)snprintf(line, sizeof line, "cp -r rtl '%s' && echo 'module' >> '%s/color_multiplier.v'",
+                   scratch_path("broken"), scratch_path("broken"));
+    assert_int_equal(system(line), 0);
+    (void)snprintf(line, sizeof line, "verify --clocks 100 --seed 1 --rtl %s",
+                   scratch_path("broken"));
+    outcome done = run(line, "");
+    assert_outcome(&done, 2, NULL);
+    assert_memory_equal(done.err, "glint verify: ", 14);
+    assert_says(done.err, "/color_multiplier.v:");
+    assert_null(strchr(strchr(done.err, '\n') + 1, '\n'));
+    assert_int_equal(read_summary(done.out).settings, 22);
+    assert_says(done.out, "\nnot tried: 29 settings of specular, whose first failed\n");
+    forget(&done);
+    (void)snprintf(line, sizeof line, "verify --circuit specular --rtl %s", scratch_path("broken"));
+    done = run(line, "");
+    assert_outcome(&done, 2, NULL);
+    assert_string_equal(done.out, "");
+    assert_null(strchr(strchr(done.err, '\n') + 1, '\n'));
+    forget(&done);
+}
+
 static void the_seed_is_printed(void **state)
 {
     (void)state;
@@ -397,6 +423,7 @@ int main(void)
         cmocka_unit_test(one_setting_can_be_chosen),
         cmocka_unit_test(the_first_verdict_comes_first),
         cmocka_unit_test(any_value_in_range_is_verified),
+        cmocka_unit_test(a_circuit_that_does_not_build_is_told_at_once),
         cmocka_unit_test(the_seed_is_printed),
         cmocka_unit_test(json_says_the_same),
         cmocka_unit_test(what_was_reached_is_told),
