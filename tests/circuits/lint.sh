@@ -41,5 +41,5 @@ rm -f "$dir/$setting.vvp"
     hierarchy -check -top $top
     proc
     select -assert-none t:\$dlatch
-    synth -top $top
+    synth
     check -assert"
