@@ -214,7 +214,7 @@ lint-%: $(BUILD)/settings FORCE
 
 # The other compiler: the build itself is with CC.
 lint-c:
-	$(call say,LINT,$(words $(C_SOURCES)) C files)
+	$(call say,LINT,'$(words $(C_SOURCES)) C files')
 	$Qclang -std=c17 -O3 -fsyntax-only $(WARNINGS) -Icmodel -Isim -I$(BUILD) $(PACKAGE_CFLAGS) $(C_SOURCES)
 
 # The shim over a circuit, with and without a clock and a waveform; where it runs it is compiled without
