@@ -21,7 +21,7 @@ JOBS      ?= $(shell nproc)
 
 # Quiet: `$Q` before a command, `$(call say,WHAT,FILE)` before that.
 Q    := $(if $(V),,@)
-say   = $(if $(V),,@printf '  %-8s %s\n' $1 $2)
+say   = $(if $(V)$(SILENT),,@printf '  %-8s %s\n' $1 $2)
 
 # Asked when they are first needed: by then $(BUILD)/packages has installed what was missing.
 PACKAGES   := libpng freetype2 assimp libcjson libcmark-gfm nettle
@@ -234,7 +234,8 @@ include tests/circuits.mk $(wildcard tests/*/rules.mk)
 DEMO := $(BUILD)/demo
 demo:
 	@sim/deps.sh demo
-	@+$(MAKE) --no-print-directory -s -j$(JOBS) $(BUILD)/glint
+	@echo "building $(BUILD)/glint"
+	@+$(MAKE) --no-print-directory -j$(JOBS) SILENT=1 $(BUILD)/glint
 	@mkdir -p $(DEMO)
 	@$(BUILD)/glint render --model teapot --size 1280x960 --backend both --force --out $(DEMO)/teapot.png
 	@$(BUILD)/glint verify --clocks 20000 --lanes 1 --gate cosine --pipeline pipelined --seed 1 --out $(DEMO)/failure
