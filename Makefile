@@ -176,9 +176,11 @@ check:
 	@$(BUILD)/glint verify --clocks 20000 --circuit divider --shifts 12 --seed 1 --out $(BUILD)/check
 	@GLINT=$(BUILD)/glint GLINT_BUILD=$(BUILD) tests/run.sh $(BUILD)/check-logs $(CHECKS)
 
+# The circuits that most tests need are built first, together.
 test:
 	sim/deps.sh test
 	+$(MAKE) -j$(JOBS) build-tests
+	$(BUILD)/glint verify --clocks 1000 --seed 1 --out $(BUILD)/test-failure
 	+$(MAKE) run-tests
 
 # The whole domain: every n and cosine code, every W that occurs with every colour, each gate and
