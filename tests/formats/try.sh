@@ -16,7 +16,7 @@ shift 3
 formats=cmodel/glint_formats.h
 
 # An outer make's job server and variables are not for the one below.
-unset MAKEFLAGS MFLAGS MAKELEVEL
+unset MAKEFLAGS MFLAGS MAKELEVEL BUILD VERILATED SANITIZE
 
 rm -rf "$scratch"
 mkdir -p "$scratch"
