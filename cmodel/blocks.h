@@ -2,8 +2,8 @@
  *
  * Private to cmodel/. The pure function, the clocked device and the ROM generator are all made of
  * these, so a block's rounding is stated here and nowhere else. Formats: glint_formats.h. */
-#ifndef GLINT_BLOCKS_H
-#define GLINT_BLOCKS_H
+#ifndef GLINT_CMODEL_BLOCKS_H
+#define GLINT_CMODEL_BLOCKS_H
 
 #include <stdint.h>
 

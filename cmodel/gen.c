@@ -2,7 +2,8 @@
  *
  *     glint-gen FILE KIND
  *
- * KIND: formats (rtl/glint_formats.vh), sigma-rom, limit-rom, reciprocal-rom (rtl/…_rom.v). FILE is written beside, then renamed. */
+ * KIND: formats (rtl/glint_formats.vh), sigma-rom, limit-rom, reciprocal-rom (rtl/…_rom.v). FILE is
+ * written beside, then renamed. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -150,8 +151,10 @@ static writer *find_writer(const char *kind)
         const char *kind;
         writer *write;
     } writers[] = {
-        {"formats", write_formats},     {"sigma-rom", write_sigma_rom},
-        {"limit-rom", write_limit_rom}, {"reciprocal-rom", write_reciprocal_rom},
+        {"formats", write_formats},
+        {"sigma-rom", write_sigma_rom},
+        {"limit-rom", write_limit_rom},
+        {"reciprocal-rom", write_reciprocal_rom},
     };
     for (size_t i = 0; i < sizeof writers / sizeof writers[0]; i++)
         if (strcmp(writers[i].kind, kind) == 0)

@@ -7,8 +7,8 @@
  *   glint_divider_device.h    the same clock by clock, in its two forms
  *   glint_signal.h            a signal, as a comparer or a waveform needs it
  *   glint_status.h            what functions that can fail return */
-#ifndef GLINT_H
-#define GLINT_H
+#ifndef GLINT_CMODEL_GLINT_H
+#define GLINT_CMODEL_GLINT_H
 
 #include "glint_divider.h"
 #include "glint_divider_device.h"

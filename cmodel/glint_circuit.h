@@ -11,8 +11,8 @@
  * (a signal: int64_t), signed where the table says so; a wider one is an array of uint64_t, the
  * lowest word first. Its bits are as many as its width, two's complement; what lies above is
  * ignored. */
-#ifndef GLINT_CIRCUIT_H
-#define GLINT_CIRCUIT_H
+#ifndef GLINT_CMODEL_CIRCUIT_H
+#define GLINT_CMODEL_CIRCUIT_H
 
 #include <stddef.h>
 #include <stdint.h>

@@ -13,8 +13,8 @@
  * defines pin_count(values) and pin(values, index) as the description wants them. A width may be
  * any expression of `values`. How many rows there are must not depend on it: a circuit with lanes
  * or stages writes the two functions itself, of the same rows. */
-#ifndef GLINT_DESCRIBE_H
-#define GLINT_DESCRIBE_H
+#ifndef GLINT_CMODEL_DESCRIBE_H
+#define GLINT_CMODEL_DESCRIBE_H
 
 #include "glint_circuit.h"
 

@@ -11,8 +11,8 @@
  *
  * Here the circuit is a pure function. Its two forms clock by clock, sequential (one bit a clock)
  * and pipelined (one division a clock, three components), are in glint_divider_device.h. */
-#ifndef GLINT_DIVIDER_H
-#define GLINT_DIVIDER_H
+#ifndef GLINT_CMODEL_DIVIDER_H
+#define GLINT_CMODEL_DIVIDER_H
 
 #include <stdbool.h>
 #include <stddef.h>

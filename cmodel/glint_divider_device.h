@@ -4,8 +4,8 @@
  * The twins of rtl/shift_divider.v and rtl/pipelined_divider.v. One call of a …_clock() is one
  * rising edge; afterwards every signal holds what the Verilog signal of the same name holds just
  * after it. en = 0 freezes everything; reset = 1 clears everything, whatever en says. */
-#ifndef GLINT_DIVIDER_DEVICE_H
-#define GLINT_DIVIDER_DEVICE_H
+#ifndef GLINT_CMODEL_DIVIDER_DEVICE_H
+#define GLINT_CMODEL_DIVIDER_DEVICE_H
 
 #include "glint_divider.h"
 #include "glint_signal.h"

@@ -8,8 +8,8 @@
  * Four are chosen: the fraction bits of the cosine and of σ, the bits of n and of a colour. The
  * others follow from them; where a comment here or elsewhere names one as digits, it is for the
  * choice as it is. */
-#ifndef GLINT_FORMATS_H
-#define GLINT_FORMATS_H
+#ifndef GLINT_CMODEL_FORMATS_H
+#define GLINT_CMODEL_FORMATS_H
 
 /* A condition between numbers, and what to do where it does not hold. */
 #ifdef __cplusplus

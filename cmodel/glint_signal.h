@@ -1,6 +1,6 @@
 /* A signal of a circuit as a comparer, a waveform or a document needs it. */
-#ifndef GLINT_SIGNAL_H
-#define GLINT_SIGNAL_H
+#ifndef GLINT_CMODEL_SIGNAL_H
+#define GLINT_CMODEL_SIGNAL_H
 
 #include <stddef.h>
 

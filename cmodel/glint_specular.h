@@ -6,8 +6,8 @@
  * function for long runs of points with one material. The same circuit clock by clock is in
  * glint_specular_device.h. All of them are to agree in every bit with
  * rtl/specular_device.v: docs/verification.md says at how many points they were compared. */
-#ifndef GLINT_SPECULAR_H
-#define GLINT_SPECULAR_H
+#ifndef GLINT_CMODEL_SPECULAR_H
+#define GLINT_CMODEL_SPECULAR_H
 
 #include <stddef.h>
 #include <stdint.h>

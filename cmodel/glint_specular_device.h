@@ -9,8 +9,8 @@
  * that cosine and later ones. Results leave in order, `latency` clocks later, in out_w, out_r,
  * out_g, out_b, marked in out_valid. en = 0 freezes everything; reset = 1 clears everything,
  * whatever en says. */
-#ifndef GLINT_SPECULAR_DEVICE_H
-#define GLINT_SPECULAR_DEVICE_H
+#ifndef GLINT_CMODEL_SPECULAR_DEVICE_H
+#define GLINT_CMODEL_SPECULAR_DEVICE_H
 
 #include "glint_signal.h"
 #include "glint_specular.h"

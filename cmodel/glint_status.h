@@ -2,8 +2,8 @@
  *
  * Library code never prints: it returns a glint_status and, where the caller passed a
  * glint_error, fills it with one line that says what went wrong, where, and what to do. */
-#ifndef GLINT_STATUS_H
-#define GLINT_STATUS_H
+#ifndef GLINT_CMODEL_STATUS_H
+#define GLINT_CMODEL_STATUS_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -5,8 +5,8 @@
  * glibc's loader makes the choice. musl's cannot, and sanitizers are not ready yet when it is made,
  * so their builds have the plain loop only.
  */
-#ifndef GLINT_MULTIVERSION_H
-#define GLINT_MULTIVERSION_H
+#ifndef GLINT_CMODEL_MULTIVERSION_H
+#define GLINT_CMODEL_MULTIVERSION_H
 
 #include <stdint.h> /* any header of glibc's defines __GLIBC__ */
 

@@ -46,9 +46,8 @@ static inline pid_t child_start(const char *const *argv, const char *out, const 
     assert_int_equal(posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP), 0);
     const int failed = posix_spawnp(&child, argv[0], &actions, &attributes,
                                     (char *const *)(uintptr_t)argv, environ);
-    if (failed != 0) {
+    if (failed != 0)
         fail_msg("cannot start %s: %s", argv[0], strerror(failed));
-    }
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     return child;
@@ -62,9 +61,8 @@ static inline double child_worked(pid_t child)
 {
     clockid_t clock;
     struct timespec worked = {0};
-    if (clock_getcpuclockid(child, &clock) == 0) {
+    if (clock_getcpuclockid(child, &clock) == 0)
         clock_gettime(clock, &worked);
-    }
     return (double)worked.tv_sec + (double)worked.tv_nsec * 1e-9;
 }
 
@@ -120,9 +118,8 @@ static inline int child_catches_sigint(pid_t process)
     (void)snprintf(path, sizeof path, "/proc/%d/status", (int)process);
     FILE *status = fopen(path, "r");
     assert_non_null(status);
-    while (fgets(line, sizeof line, status) != NULL) {
+    while (fgets(line, sizeof line, status) != NULL)
         (void)sscanf(line, "SigCgt: %llx", &caught);
-    }
     fclose(status);
     return (caught >> (SIGINT - 1) & 1) != 0;
 }
@@ -133,9 +130,8 @@ static inline void child_wait_for_handler(pid_t child)
 {
     const double start = child_seconds();
     while (!child_catches_sigint(child)) {
-        if (child_has_ended(child) || child_seconds() - start > child_patience) {
+        if (child_has_ended(child) || child_seconds() - start > child_patience)
             fail_msg("process %d never had a handler for SIGINT", (int)child);
-        }
         child_pause();
     }
 }

@@ -53,9 +53,8 @@ static inline int scratch_count(void)
     int count = -2; /* "." and ".." */
     DIR *directory = opendir(scratch_directory);
     assert_non_null(directory);
-    while (readdir(directory) != NULL) {
+    while (readdir(directory) != NULL)
         count++;
-    }
     closedir(directory);
     return count;
 }
@@ -82,9 +81,8 @@ static inline char *scratch_read(const char *path, size_t *count)
     assert_int_equal(fread(bytes, 1, (size_t)size, stream), size);
     bytes[size] = '\0';
     fclose(stream);
-    if (count != NULL) {
+    if (count != NULL)
         *count = (size_t)size;
-    }
     return bytes;
 }
 

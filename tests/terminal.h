@@ -40,9 +40,8 @@ static inline void terminal_wait_for(const terminal *terminal, pid_t child, cons
         struct pollfd wanted = {.fd = terminal->master, .events = POLLIN};
         const bool ended = child_has_ended(child);
         const bool more = poll(&wanted, 1, ended ? 0 : 100) == 1;
-        if ((ended && !more) || child_seconds() - start > child_patience || count + 1 >= size) {
+        if ((ended && !more) || child_seconds() - start > child_patience || count + 1 >= size)
             fail_msg("the terminal shows \"%s\", not \"%s\"", shown, text);
-        }
         if (more) {
             const ssize_t got = read(terminal->master, shown + count, size - 1 - count);
             assert_true(got > 0);

@@ -12,9 +12,8 @@ static inline bool points_are_under_way(const glint_specular_config *config,
     for (int i = 0; i < glint_specular_signal_count(config); i++) {
         const glint_signal_info info = glint_specular_signal_info(config, i);
         if (info.kind == GLINT_SIGNAL_STAGE && info.block == 0 &&
-            glint_specular_signal_bits(config, signals, i) != 0) {
+            glint_specular_signal_bits(config, signals, i) != 0)
             return true;
-        }
     }
     return false;
 }

@@ -17,12 +17,10 @@ static inline const char *wrong_rtl(const char *fault)
     char wanted[LENGTH];
     int i = 0;
     (void)snprintf(wanted, sizeof wanted, "%s/wrong/%s", build != NULL ? build : "build", fault);
-    while (i < count && strcmp(directory[i], wanted) != 0) {
+    while (i < count && strcmp(directory[i], wanted) != 0)
         i++;
-    }
-    if (i == count && count < MOST) {
+    if (i == count && count < MOST)
         memcpy(directory[count++], wanted, sizeof wanted);
-    }
     return directory[i];
 }
 

@@ -2,8 +2,8 @@
  *
  * A caller (rasterizer, `glint eval`, bench) does not know which circuit is behind it. One backend
  * serves one thread at a time; several may live at once, each with a circuit of its own. */
-#ifndef GLINT_SIM_BACKEND_H
-#define GLINT_SIM_BACKEND_H
+#ifndef GLINT_SIM_BACKEND_BACKEND_H
+#define GLINT_SIM_BACKEND_BACKEND_H
 
 #include "lockstep/answer.h"
 #include "lockstep/history.h"

@@ -2,8 +2,8 @@
  *
  * A backend serves one thread at a time; several may live at once, each with a circuit of its own.
  */
-#ifndef GLINT_SIM_DIVIDER_BACKEND_H
-#define GLINT_SIM_DIVIDER_BACKEND_H
+#ifndef GLINT_SIM_BACKEND_DIVIDER_BACKEND_H
+#define GLINT_SIM_BACKEND_DIVIDER_BACKEND_H
 
 #include "backend/backend.h"
 #include "glint_divider_device.h"

@@ -2,8 +2,8 @@
  * a machine that others use too. Every candidate is run in turn, round after round; a rate is the
  * median of the rounds, a ratio the median of the ratios within a round. verilog: the directory of
  * the circuits' Verilog, NULL for Glint's own. */
-#ifndef GLINT_SIM_BENCH_H
-#define GLINT_SIM_BENCH_H
+#ifndef GLINT_SIM_BENCH_BENCH_H
+#define GLINT_SIM_BENCH_BENCH_H
 
 #include <stdbool.h>
 #include <stdint.h>

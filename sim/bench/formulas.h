@@ -1,7 +1,7 @@
 /* The formulas that stand for cosⁿ, in single precision, each as two loops: one point after the
  * other, and as the compiler vectorises it. For measuring speed; sim/reflectance has the models. */
-#ifndef GLINT_SIM_FORMULAS_H
-#define GLINT_SIM_FORMULAS_H
+#ifndef GLINT_SIM_BENCH_FORMULAS_H
+#define GLINT_SIM_BENCH_FORMULAS_H
 
 #include <stddef.h>
 

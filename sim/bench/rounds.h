@@ -1,7 +1,7 @@
 /* Candidates measured side by side: each in turn, round after round, so that what else the machine
  * does meets them all alike. */
-#ifndef GLINT_SIM_ROUNDS_H
-#define GLINT_SIM_ROUNDS_H
+#ifndef GLINT_SIM_BENCH_ROUNDS_H
+#define GLINT_SIM_BENCH_ROUNDS_H
 
 #include <stdbool.h>
 

@@ -1,6 +1,6 @@
 /* The circuits that Glint knows: one line each in circuits.c. */
-#ifndef GLINT_SIM_CIRCUITS_H
-#define GLINT_SIM_CIRCUITS_H
+#ifndef GLINT_SIM_CIRCUIT_CIRCUITS_H
+#define GLINT_SIM_CIRCUIT_CIRCUITS_H
 
 #include "glint_circuit.h"
 

@@ -3,8 +3,8 @@
  * What comes up: divisions back to back and with gaps, starts while a division is under way, every
  * k of the table, 0 and beyond it, the largest differences and all others. When it resets and
  * stalls: schedule.h. */
-#ifndef GLINT_SIM_DIVIDER_STIMULUS_H
-#define GLINT_SIM_DIVIDER_STIMULUS_H
+#ifndef GLINT_SIM_CIRCUIT_DIVIDER_STIMULUS_H
+#define GLINT_SIM_CIRCUIT_DIVIDER_STIMULUS_H
 
 #include "circuit/random.h"
 #include "circuit/schedule.h"

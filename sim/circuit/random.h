@@ -1,6 +1,6 @@
 /* A small seeded generator (splitmix64), so that a run is the same on every machine. */
-#ifndef GLINT_SIM_RANDOM_H
-#define GLINT_SIM_RANDOM_H
+#ifndef GLINT_SIM_CIRCUIT_RANDOM_H
+#define GLINT_SIM_CIRCUIT_RANDOM_H
 
 #include <stdbool.h>
 #include <stdint.h>

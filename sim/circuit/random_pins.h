@@ -6,8 +6,8 @@
  *
  * The same setting and seed give the same pins, on every machine; a shorter run is the beginning of
  * a longer one. */
-#ifndef GLINT_SIM_RANDOM_PINS_H
-#define GLINT_SIM_RANDOM_PINS_H
+#ifndef GLINT_SIM_CIRCUIT_RANDOM_PINS_H
+#define GLINT_SIM_CIRCUIT_RANDOM_PINS_H
 
 #include <stddef.h>
 

@@ -12,8 +12,8 @@
  * So 100 000 clocks hold 2^16 enabled ones without a reset, 1 200 000 hold 2^20, and from there on
  * the longest run is about a quarter of all clocks or more. How long it will go on is not known
  * here: a shorter run of the same seed is the beginning of a longer one. */
-#ifndef GLINT_SIM_SCHEDULE_H
-#define GLINT_SIM_SCHEDULE_H
+#ifndef GLINT_SIM_CIRCUIT_SCHEDULE_H
+#define GLINT_SIM_CIRCUIT_SCHEDULE_H
 
 #include "circuit/random.h"
 

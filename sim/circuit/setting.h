@@ -1,7 +1,7 @@
 /* A circuit and a value for each of its parameters: what everything below sim/ that treats circuits
  * alike is told. */
-#ifndef GLINT_SIM_SETTING_H
-#define GLINT_SIM_SETTING_H
+#ifndef GLINT_SIM_CIRCUIT_SETTING_H
+#define GLINT_SIM_CIRCUIT_SETTING_H
 
 #include <stdbool.h>
 

@@ -4,8 +4,8 @@
  * written with a point, between points and without any, and cosines of every kind: anywhere, out of
  * range, exactly 0 and 1, inside the highlight, around its limit. When it resets and stalls:
  * schedule.h. */
-#ifndef GLINT_SIM_STIMULUS_H
-#define GLINT_SIM_STIMULUS_H
+#ifndef GLINT_SIM_CIRCUIT_STIMULUS_H
+#define GLINT_SIM_CIRCUIT_STIMULUS_H
 
 #include "circuit/random.h"
 #include "circuit/schedule.h"

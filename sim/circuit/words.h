@@ -1,6 +1,6 @@
 /* Values of any width: pins and signals as words, the lowest first. */
-#ifndef GLINT_SIM_WORDS_H
-#define GLINT_SIM_WORDS_H
+#ifndef GLINT_SIM_CIRCUIT_WORDS_H
+#define GLINT_SIM_CIRCUIT_WORDS_H
 
 #include "circuit/setting.h"
 

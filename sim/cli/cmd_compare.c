@@ -68,9 +68,8 @@ static void print_text(FILE *out, const glint_image_difference *difference)
         fprintf(out, "%" PRIu64 " pixels are the object's in one picture only\n",
                 difference->mask_pixels);
     }
-    if (!equal(difference)) {
+    if (!equal(difference))
         fprintf(out, "first at x=%d y=%d\n", difference->first_x, difference->first_y);
-    }
     fprintf(out, "over the object's %" PRIu64 " pixels: NMSE %.6g (%s), PSNR %.4g dB\n",
             difference->object_pixels, difference->nmse, glint_image_reading(difference->nmse),
             difference->psnr);
@@ -97,9 +96,8 @@ static glint_status write_difference(const glint_image *a, const glint_image *b,
 {
     glint_image *picture;
     glint_status status = glint_image_difference_picture(a, b, &picture, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_picture_write("compare", picture, path, err);
-    }
     glint_image_destroy(picture);
     return status;
 }
@@ -107,11 +105,10 @@ static glint_status write_difference(const glint_image *a, const glint_image *b,
 /* Returns the exit status. */
 static int report(const compare_options *chosen, const glint_image_difference *difference)
 {
-    if (!chosen->json) {
+    if (!chosen->json)
         print_text(glint_picture_talk(chosen->diff), difference);
-    } else if (!print_json(difference)) {
+    else if (!print_json(difference))
         return glint_complain("compare", GLINT_EXIT_TROUBLE, "no memory");
-    }
     return glint_output_finish("compare", equal(difference) ? GLINT_EXIT_OK : GLINT_EXIT_DIFFERENT);
 }
 
@@ -119,9 +116,8 @@ int glint_cmd_compare(int argc, char **argv)
 {
     compare_options chosen = {0};
     const int parsed = parse(argc, argv, &chosen);
-    if (parsed != GLINT_OPTIONS_RUN) {
+    if (parsed != GLINT_OPTIONS_RUN)
         return parsed;
-    }
     if (chosen.diff != NULL &&
         (glint_file_same(chosen.diff, chosen.a) || glint_file_same(chosen.diff, chosen.b))) {
         return glint_complain("compare", GLINT_EXIT_TROUBLE,
@@ -133,22 +129,18 @@ int glint_cmd_compare(int argc, char **argv)
                               "--json: --diff - has taken standard output");
     }
     if (chosen.diff != NULL &&
-        glint_picture_check("diff", chosen.diff, chosen.force, &err) != GLINT_OK) {
+        glint_picture_check("diff", chosen.diff, chosen.force, &err) != GLINT_OK)
         return glint_complain_error("compare", &err);
-    }
     glint_image *a = NULL;
     glint_image *b = NULL;
     glint_image_difference difference;
     glint_status status = glint_image_read_png_until(chosen.a, glint_stop_flag(), &a, &err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_image_read_png_until(chosen.b, glint_stop_flag(), &b, &err);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_image_compare(a, b, &difference, &err);
-    }
-    if (status == GLINT_OK && chosen.diff != NULL) {
+    if (status == GLINT_OK && chosen.diff != NULL)
         status = write_difference(a, b, chosen.diff, &err);
-    }
     glint_image_destroy(a);
     glint_image_destroy(b);
     return status == GLINT_OK ? report(&chosen, &difference)

@@ -140,9 +140,8 @@ static void print_row(const run *points, size_t i)
 /* Shades and prints the points that wait. Returns an exit status. */
 static int flush_run(run *points)
 {
-    if (points->count == 0) {
+    if (points->count == 0)
         return GLINT_EXIT_OK;
-    }
     glint_error err;
     const glint_points shaded = {.cos = points->cos_code,
                                  .count = points->count,
@@ -150,17 +149,14 @@ static int flush_run(run *points)
                                  .r = points->r,
                                  .g = points->g,
                                  .b = points->b};
-    if (glint_backend_shade(points->backend, &points->material, &shaded, &err) != GLINT_OK) {
+    if (glint_backend_shade(points->backend, &points->material, &shaded, &err) != GLINT_OK)
         return glint_complain_error("eval", &err);
-    }
-    for (size_t i = 0; i < points->count; i++) {
+    for (size_t i = 0; i < points->count; i++)
         print_row(points, i);
-    }
     points->printed += points->count;
     points->count = 0;
-    if (points->limit == 1) {
+    if (points->limit == 1)
         fflush(stdout);
-    }
     return ferror(stdout) ? glint_output_finish("eval", GLINT_EXIT_TROUBLE) : GLINT_EXIT_OK;
 }
 
@@ -173,9 +169,8 @@ static int add_point(run *points, const glint_eval_point *point)
 {
     if (points->count == points->limit || !same_material(&points->material, &point->material)) {
         const int status = flush_run(points);
-        if (status != GLINT_EXIT_OK) {
+        if (status != GLINT_EXIT_OK)
             return status;
-        }
         points->material = point->material;
     }
     points->cos_code[points->count++] = point->cos_code;
@@ -187,9 +182,8 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
     run *points = context;
     glint_eval_point point;
     glint_error err;
-    if (line == NULL) {
+    if (line == NULL)
         return flush_run(points);
-    }
     switch (glint_eval_read_line(&points->columns, line, length, &point, &err)) {
     case GLINT_LINE_VALUES:
         return add_point(points, &point);
@@ -199,9 +193,8 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
         break;
     }
     const int status = flush_run(points);
-    if (status != GLINT_EXIT_OK) {
+    if (status != GLINT_EXIT_OK)
         return status;
-    }
     fflush(stdout);
     return glint_complain("eval", GLINT_EXIT_TROUBLE, "line %" PRIu64 ": %s", number, err.text);
 }
@@ -211,12 +204,10 @@ static int eval(run *points)
     fputs(points->json ? "[" : "n,cos_code,w_code,r,g,b\n", stdout);
     const int status = glint_input_lines(
         "eval", "points, one a line: n cos r g b, such as 80 0.99 255 190 110", take_line, points);
-    if (status != GLINT_EXIT_OK && ferror(stdout)) { /* which has been said */
+    if (status != GLINT_EXIT_OK && ferror(stdout)) /* which has been said */
         return status;
-    }
-    if (points->json) { /* closed whatever ended it: the rows before that are valid */
+    if (points->json) /* closed whatever ended it: the rows before that are valid */
         fputs("\n]\n", stdout);
-    }
     return glint_output_finish("eval", status);
 }
 
@@ -230,9 +221,8 @@ static int eval_points(const eval_options *chosen, const glint_setting *setting)
                                          .verilog = setting->verilog};
     glint_error err;
     run *points = calloc(1, sizeof *points);
-    if (points == NULL) {
+    if (points == NULL)
         return glint_complain("eval", GLINT_EXIT_TROUBLE, "no memory");
-    }
     /* Whoever types the points wants each answer at once. */
     points->limit = isatty(STDIN_FILENO) == 1 ? 1 : RUN_MAX;
     points->json = chosen->json;
@@ -257,24 +247,20 @@ static int eval_divisions(const eval_options *chosen, const glint_setting *setti
 static int eval_setting(const eval_options *chosen, const glint_setting *setting)
 {
     const bool is_rtl = chosen->backend == GLINT_BACKEND_RTL;
-    if (chosen->circuits.verilog != NULL && !is_rtl) {
+    if (chosen->circuits.verilog != NULL && !is_rtl)
         return glint_rtl_option_settle("eval", setting, false);
-    }
     if (is_rtl) {
         const bool is_typed = setting->circuit == &glint_circuit_specular ||
                               setting->circuit == &glint_circuit_divider;
         glint_error err;
         if (glint_build_first("eval", setting, 1, is_typed ? GLINT_RTL_FAST : GLINT_RTL_OBSERVED, 0,
-                              &err) != GLINT_OK) {
+                              &err) != GLINT_OK)
             return glint_complain_error("eval", &err);
-        }
     }
-    if (setting->circuit == &glint_circuit_specular) {
+    if (setting->circuit == &glint_circuit_specular)
         return eval_points(chosen, setting);
-    }
-    if (setting->circuit == &glint_circuit_divider) {
+    if (setting->circuit == &glint_circuit_divider)
         return eval_divisions(chosen, setting);
-    }
     if (chosen->backend == GLINT_BACKEND_REAL) {
         return glint_complain("eval", GLINT_EXIT_TROUBLE,
                               "--backend real: the circuit %s has no formula, c or rtl computes",
@@ -287,9 +273,8 @@ int glint_cmd_eval(int argc, char **argv)
 {
     eval_options chosen = {.backend = GLINT_BACKEND_C};
     const int parsed = parse(argc, argv, &chosen);
-    if (parsed != GLINT_OPTIONS_RUN) {
+    if (parsed != GLINT_OPTIONS_RUN)
         return parsed;
-    }
     const glint_setting setting = glint_circuit_options_first(&chosen.circuits, 0);
     return eval_setting(&chosen, &setting);
 }

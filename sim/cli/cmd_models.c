@@ -79,9 +79,8 @@ static bool print_json(const choices *chosen)
         cJSON_AddNumberToObject(entry, "n_min", info->n_min);
         cJSON_AddNumberToObject(entry, "n_max", info->n_max);
         glint_accuracy a;
-        if (measure(model, chosen, &a)) {
+        if (measure(model, chosen, &a))
             add_errors(entry, &a);
-        }
         cJSON_AddItemToArray(list, entry);
     }
     return glint_output_json(json);
@@ -92,9 +91,8 @@ static void print_coefficients(void)
 {
     static const int members[] = {2, 4, 8, 16};
     printf("n,quadratic_a,schlick_modified_power_a");
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4; i++)
         printf(",lyon_%d_slope,lyon_%d_minimax_slope", members[i], members[i]);
-    }
     putchar('\n');
     for (int n = N_FIRST; n <= N_LAST && !glint_stop_requested(); n++) {
         printf("%d,%.17g,%.17g", n, glint_quadratic_a(n), glint_schlick_power_a(n));
@@ -154,9 +152,8 @@ int glint_cmd_models(int argc, char **argv)
         .option_count = sizeof options / sizeof options[0],
     };
     const int status = glint_options_parse(&line, argc, argv);
-    if (status != GLINT_OPTIONS_RUN) {
+    if (status != GLINT_OPTIONS_RUN)
         return status;
-    }
     if (chosen.coefficients && chosen.as_json) {
         return glint_complain("models", GLINT_EXIT_TROUBLE,
                               "--coefficients is CSV: leave out --json");

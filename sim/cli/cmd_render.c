@@ -28,14 +28,12 @@ typedef struct outputs {
 static char *beside(const char *path, const char *ending)
 {
     size_t stem = strlen(path);
-    if (stem >= 4 && strcasecmp(path + stem - 4, ".png") == 0) {
+    if (stem >= 4 && strcasecmp(path + stem - 4, ".png") == 0)
         stem -= 4;
-    }
     const size_t size = stem + strlen(ending) + 1;
     char *name = malloc(size);
-    if (name != NULL) {
+    if (name != NULL)
         snprintf(name, size, "%.*s%s", (int)stem, path, ending);
-    }
     return name;
 }
 
@@ -54,9 +52,8 @@ static glint_status name_outputs(const char *out, outputs *files, glint_error *e
     files->diff = beside(out, "-diff.png");
     files->failure = beside(out, "-failure");
     if (files->frame == NULL || files->frame_c == NULL || files->diff == NULL ||
-        files->failure == NULL) {
+        files->failure == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory");
-    }
     strcpy(files->frame, out);
     return GLINT_OK;
 }
@@ -89,9 +86,8 @@ static glint_status render_frame(const glint_render_options *chosen, glint_backe
     glint_status status =
         glint_renderer_create(chosen->what.width, chosen->what.height, (int)chosen->what.threads,
                               &config, &frame->renderer, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_image_create(chosen->what.width, chosen->what.height, &frame->image, err);
-    }
     return status == GLINT_OK ? draw_frame(scene, frame, err) : status;
 }
 
@@ -114,9 +110,8 @@ static glint_status build(const glint_render_options *chosen, glint_error *err)
         glint_setting_divider(GLINT_DIVIDER_PIPELINED, chosen->scene.shifts),
     };
     settings[1].verilog = chosen->backend.verilog;
-    if (chosen->backend.kind != GLINT_BACKEND_RTL) {
+    if (chosen->backend.kind != GLINT_BACKEND_RTL)
         return GLINT_OK;
-    }
     return glint_build_first("render", settings,
                              chosen->scene.shading == GLINT_SHADING_GOURAUD ? 2 : 1, GLINT_RTL_FAST,
                              0, err);
@@ -130,12 +125,10 @@ static glint_status render_all(const glint_render_options *chosen, const glint_m
     const glint_backend_kind first = chosen->both ? GLINT_BACKEND_C : chosen->backend.kind;
     result->frame_count = chosen->both ? 2 : 1;
     glint_status status = build(chosen, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = render_frame(chosen, first, &scene, &result->frame[0], err);
-    }
-    if (status != GLINT_OK || !chosen->both) {
+    if (status != GLINT_OK || !chosen->both)
         return status;
-    }
     status = render_frame(chosen, GLINT_BACKEND_RTL, &scene, &result->frame[1], err);
     return status == GLINT_OK ? compare_frames(result, err) : status;
 }
@@ -146,9 +139,8 @@ static glint_status write_difference(const glint_render_result *result, const ou
     glint_image *picture;
     glint_status status = glint_image_difference_picture(result->frame[0].image,
                                                          result->frame[1].image, &picture, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_picture_write("render", picture, files->diff, err);
-    }
     glint_image_destroy(picture);
     return status == GLINT_OK
                ? glint_picture_write("render", result->frame[0].image, files->frame_c, err)
@@ -168,17 +160,15 @@ static glint_status write_all(const glint_render_result *result, const outputs *
 static glint_status check_outputs(const glint_render_options *chosen, const outputs *files,
                                   glint_error *err)
 {
-    if (glint_file_same(chosen->what.model, files->frame)) {
+    if (glint_file_same(chosen->what.model, files->frame))
         return glint_fail(err, GLINT_BAD_ARGUMENT, "--out: %s is the model itself", files->frame);
-    }
     const char *const pictures[] = {files->frame, files->frame_c, files->diff};
     const int count = chosen->both ? 3 : 1;
     glint_status status = GLINT_OK;
     for (int i = 0; i < count && status == GLINT_OK; i++) {
         status = glint_picture_check("out", pictures[i], chosen->force, err);
-        if (status == GLINT_OK && !glint_picture_is_stdout(pictures[i])) {
+        if (status == GLINT_OK && !glint_picture_is_stdout(pictures[i]))
             status = glint_new_file_check(pictures[i], err);
-        }
     }
     return status;
 }
@@ -187,16 +177,14 @@ static glint_status run(const glint_render_options *chosen, const outputs *files
                         glint_render_result *result, glint_error *err)
 {
     glint_status status = check_outputs(chosen, files, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_scene_options_mesh(&chosen->what, mesh, err);
-    }
     if (status == GLINT_OK) {
         glint_tell_remarks("render", chosen->what.model, (*mesh)->remarks);
         status = render_all(chosen, *mesh, result, err);
     }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = write_all(result, files, err);
-    }
     return status;
 }
 
@@ -233,9 +221,8 @@ static bool explain(const glint_render_options *chosen, const char *command, con
 /* Of frames that are equal now, a packet says that they are not. */
 static void tell_of_earlier(const outputs *files)
 {
-    if (access(files->failure, F_OK) == 0) {
+    if (access(files->failure, F_OK) == 0)
         printf("%s is of an earlier run\n", files->failure);
-    }
 }
 
 /* The report of a failure comes last where people read; with --json, first, on standard error. */
@@ -251,24 +238,19 @@ static int report(const glint_render_options *chosen, const char *command, const
     if (!chosen->json) {
         FILE *out = glint_picture_talk(files->frame);
         glint_render_report_text(out, chosen, result);
-        if (!glint_picture_is_stdout(files->frame)) {
+        if (!glint_picture_is_stdout(files->frame))
             fprintf(out, "wrote %s\n", files->frame);
-        }
-        if (!differs && chosen->both) {
+        if (!differs && chosen->both)
             tell_of_earlier(files);
-        }
     }
-    if (differs) {
+    if (differs)
         explained = explain(chosen, command, mesh, files, result);
-    }
     if (chosen->json &&
-        !glint_render_report_json(chosen, result, explained ? files->failure : NULL)) {
+        !glint_render_report_json(chosen, result, explained ? files->failure : NULL))
         return glint_complain("render", GLINT_EXIT_TROUBLE, "no memory");
-    }
     const int status = glint_output_finish("render", GLINT_EXIT_OK);
-    if (status != GLINT_EXIT_OK || !differs) {
+    if (status != GLINT_EXIT_OK || !differs)
         return status;
-    }
     if (!explained) {
         return glint_complain("render", GLINT_EXIT_DIFFERENT, "c and rtl differ: see %s, %s and %s",
                               files->frame, files->frame_c, files->diff);
@@ -289,9 +271,8 @@ int glint_cmd_render(int argc, char **argv)
 {
     glint_render_options chosen;
     const int parsed = glint_render_options_parse(argc, argv, &chosen);
-    if (parsed != GLINT_OPTIONS_RUN) {
+    if (parsed != GLINT_OPTIONS_RUN)
         return parsed;
-    }
     char command[GLINT_FAILURE_COMMAND];
     glint_failure_command(argc, argv, command, sizeof command);
     glint_error err;
@@ -299,15 +280,13 @@ int glint_cmd_render(int argc, char **argv)
     outputs files = {0};
     glint_render_result result = {0};
     glint_status status = name_outputs(chosen.out, &files, &err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = run(&chosen, &files, &mesh, &result, &err);
-    }
     /* The C model has answered where the circuit did not: a difference as well. */
     const bool silent =
         status == GLINT_DEVICE_FAULT && chosen.both && result.frame[1].image != NULL;
-    if (silent) {
+    if (silent)
         (void)explain(&chosen, command, mesh, &files, &result);
-    }
     const int exit_status =
         status == GLINT_OK
             ? report(&chosen, command, mesh, &files, &result)

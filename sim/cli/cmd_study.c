@@ -107,11 +107,9 @@ static int parse(int argc, char **argv, study_options *chosen)
 
 static bool is_among(int n, const glint_study_options *study)
 {
-    for (int i = 0; i < study->count; i++) {
-        if (study->n[i] == n) {
+    for (int i = 0; i < study->count; i++)
+        if (study->n[i] == n)
             return true;
-        }
-    }
     return false;
 }
 
@@ -136,9 +134,8 @@ static int read_exponents(const char *chosen_text, glint_study_options *study)
                                   "--n: %s is not an integer from 0 to %u",
                                   glint_quote(part, &quoted), GLINT_N_MAX);
         }
-        if (is_among((int)n, study)) {
+        if (is_among((int)n, study))
             return glint_complain("study", GLINT_EXIT_TROUBLE, "--n: %d is there twice", (int)n);
-        }
         if (study->count == GLINT_STUDY_ROWS_MAX) {
             return glint_complain("study", GLINT_EXIT_TROUBLE, "--n: more than %d exponents",
                                   GLINT_STUDY_ROWS_MAX);
@@ -202,9 +199,8 @@ static int check_verilog(const glint_study_setup *setup)
         return glint_complain("study", GLINT_EXIT_TROUBLE,
                               "--rtl is the Verilog's directory: it goes with the method rtl");
     }
-    for (int i = 0; i < count && status == GLINT_OPTIONS_RUN; i++) {
+    for (int i = 0; i < count && status == GLINT_OPTIONS_RUN; i++)
         status = glint_rtl_option_check("study", &settings[i]);
-    }
     return status;
 }
 
@@ -223,9 +219,8 @@ static int read_study(const study_options *chosen, glint_study_options *study)
         .stop = glint_stop_flag(),
     };
     int status = read_exponents(chosen->n, study);
-    if (status == GLINT_OPTIONS_RUN) {
+    if (status == GLINT_OPTIONS_RUN)
         status = read_methods(chosen, &study->setup);
-    }
     return status == GLINT_OPTIONS_RUN ? check_verilog(&study->setup) : status;
 }
 
@@ -233,11 +228,10 @@ static void print_row(const glint_study_row *row)
 {
     const glint_image_difference *d = &row->difference;
     printf("%5d  %10.4g %7.4g  %4d ", row->n, d->nmse, d->psnr, d->largest);
-    if (d->largest_x >= 0) {
+    if (d->largest_x >= 0)
         printf("%5d,%-5d", d->largest_x, d->largest_y);
-    } else {
+    else
         printf("%5s %-5s", "-", "");
-    }
     printf(" %9" PRIu64 " %9" PRIu64, row->highlit[0], row->highlit[1]);
     if (row->frames > 0) {
         printf(" %8.3f %8.3f %6.1f %6.1f %6.3f", 1e3 * row->seconds[0], 1e3 * row->seconds[1],
@@ -250,9 +244,8 @@ static void print_text(const glint_study_options *study, const glint_study_row *
 {
     glint_study_name a, b;
     printf("%s", study->setup.model);
-    if (study->setup.density > 0) {
+    if (study->setup.density > 0)
         printf(", density %d", study->setup.density);
-    }
     printf(", %dx%d: %" PRIu64 " triangles, %" PRIu64 " drawn, %" PRIu64 " seen in %" PRIu64
            " pixels\n",
            study->setup.width, study->setup.height, rows[0].triangles, rows[0].drawn, rows[0].seen,
@@ -260,29 +253,24 @@ static void print_text(const glint_study_options *study, const glint_study_row *
     printf("A %s, B %s\n\n", glint_study_method_name(&study->setup.method[0], &a),
            glint_study_method_name(&study->setup.method[1], &b));
     printf("%5s  %10s %7s  %-16s %-19s", "", "", "", "largest", "highlit triangles");
-    if (study->frames > 0) {
+    if (study->frames > 0)
         printf(" %-17s %-13s", "ms a frame", "frames/s");
-    }
     printf("\n%5s  %10s %7s  %4s %5s %-5s %9s %9s", "n", "NMSE", "PSNR", "", "x,", "y", "A", "B");
-    if (study->frames > 0) {
+    if (study->frames > 0)
         printf(" %8s %8s %6s %6s %6s", "A", "B", "A", "B", "B/A");
-    }
     putchar('\n');
-    for (int i = 0; i < study->count; i++) {
+    for (int i = 0; i < study->count; i++)
         print_row(&rows[i]);
-    }
     printf("wrote %s/sheet.png and what belongs to it\n", study->directory);
-    if (!words) {
+    if (!words)
         printf("the sheets have no labels: the font of fonts-dejavu-core is not installed\n");
-    }
 }
 
 static bool print_json(const glint_study_options *study, const glint_study_row *rows)
 {
     cJSON *json = glint_study_json(&study->setup, rows, study->count);
-    if (study->frames > 0) {
+    if (study->frames > 0)
         cJSON_AddItemToObject(json, "times", glint_study_times_json(rows, study->count));
-    }
     return glint_output_json(json);
 }
 
@@ -301,9 +289,8 @@ static glint_status check_files(const glint_study_options *study, glint_error *e
         const int length =
             i < 4 ? snprintf(path, sizeof path, "%s/%s", study->directory, fixed[i])
                   : snprintf(path, sizeof path, "%s/n-%04d.png", study->directory, study->n[i - 4]);
-        if (length > 0 && (size_t)length < sizeof path) { /* else refused where it is opened */
+        if (length > 0 && (size_t)length < sizeof path) /* else refused where it is opened */
             status = glint_file_replaceable(path, err);
-        }
     }
     return status;
 }
@@ -314,12 +301,10 @@ static glint_status work(const study_options *chosen, glint_study_options *study
     glint_mesh *mesh = NULL;
     glint_progress progress;
     glint_status status = chosen->force ? GLINT_OK : check_files(study, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_scene_options_mesh(&chosen->scene, &mesh, err);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = build(&study->setup, err);
-    }
     if (status == GLINT_OK) {
         glint_tell_remarks("study", chosen->scene.model, mesh->remarks);
         study->setup.scene.mesh = mesh;
@@ -343,22 +328,18 @@ int glint_cmd_study(int argc, char **argv)
     };
     glint_study_options study;
     int status = parse(argc, argv, &chosen);
-    if (status == GLINT_OPTIONS_RUN) {
+    if (status == GLINT_OPTIONS_RUN)
         status = read_study(&chosen, &study);
-    }
-    if (status != GLINT_OPTIONS_RUN) {
+    if (status != GLINT_OPTIONS_RUN)
         return status;
-    }
     glint_error err;
     glint_study_row rows[GLINT_STUDY_ROWS_MAX];
     bool words = true;
-    if (work(&chosen, &study, rows, &words, &err) != GLINT_OK) {
+    if (work(&chosen, &study, rows, &words, &err) != GLINT_OK)
         return glint_complain_error("study", &err);
-    }
-    if (!chosen.json) {
+    if (!chosen.json)
         print_text(&study, rows, words);
-    } else if (!print_json(&study, rows)) {
+    else if (!print_json(&study, rows))
         return glint_complain("study", GLINT_EXIT_TROUBLE, "no memory");
-    }
     return glint_output_finish("study", GLINT_EXIT_OK);
 }

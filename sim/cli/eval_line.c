@@ -43,12 +43,10 @@ static glint_line_kind refuse_cosine(const char *name, const char *text, const c
 static glint_line_kind read_cosine(const char *text, uint32_t *code, glint_error *err)
 {
     double cosine;
-    if (read_code(text, code)) {
+    if (read_code(text, code))
         return GLINT_LINE_VALUES;
-    }
-    if (!glint_parse_real(text, 0.0, 1.0, &cosine)) {
+    if (!glint_parse_real(text, 0.0, 1.0, &cosine))
         return refuse_cosine("cos", text, "a number from 0 to 1", err);
-    }
     *code = glint_cos_code(cosine);
     return GLINT_LINE_VALUES;
 }
@@ -57,9 +55,8 @@ static glint_line_kind read_cosine(const char *text, uint32_t *code, glint_error
 static glint_line_kind read_code_column(const char *text, uint32_t *code, glint_error *err)
 {
     int64_t number;
-    if (read_code(text, code)) {
+    if (read_code(text, code))
         return GLINT_LINE_VALUES;
-    }
     if (!glint_parse_integer(text, 0, GLINT_COS_CODE_MAX, &number)) {
         char number[64];
         (void)snprintf(number, sizeof number, "an integer from 0 to %u", GLINT_COS_CODE_MAX);
@@ -81,9 +78,8 @@ static glint_line_kind read_fields(char *const field[FIELD_COUNT], bool is_code,
     }
     const glint_line_kind kind = is_code ? read_code_column(field[1], &point->cos_code, err)
                                          : read_cosine(field[1], &point->cos_code, err);
-    if (kind != GLINT_LINE_VALUES) {
+    if (kind != GLINT_LINE_VALUES)
         return kind;
-    }
     for (int i = 0; i < 3; i++) {
         if (!glint_parse_integer(field[2 + i], 0, GLINT_COLOR_MAX, &color[i])) {
             return glint_line_refuse(fields[2 + i].name, field[2 + i], "an integer from 0 to 255",

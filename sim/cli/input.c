@@ -40,9 +40,8 @@ static int cut_values(char *text, char **value, int count)
     int found = 0;
     bool more = true;
     while (more || *text != '\0') {
-        if (found == count) {
+        if (found == count)
             return count + 1;
-        }
         value[found++] = cut_value(&text, &more);
     }
     return found;
@@ -51,26 +50,21 @@ static int cut_values(char *text, char **value, int count)
 /* Takes the line end off; returns false when a NUL byte is in the line. */
 static bool trim(char *line, size_t length)
 {
-    if (memchr(line, '\0', length) != NULL) {
+    if (memchr(line, '\0', length) != NULL)
         return false;
-    }
-    if (length > 0 && line[length - 1] == '\n') {
+    if (length > 0 && line[length - 1] == '\n')
         line[--length] = '\0';
-    }
-    if (length > 0 && line[length - 1] == '\r') {
+    if (length > 0 && line[length - 1] == '\r')
         line[--length] = '\0';
-    }
     return true;
 }
 
 /* Where the header has the value; -1 when it has not. */
 static int find_column(char *const *name, int width, const char *wanted)
 {
-    for (int i = 0; wanted != NULL && i < width; i++) {
-        if (strcmp(name[i], wanted) == 0) {
+    for (int i = 0; wanted != NULL && i < width; i++)
+        if (strcmp(name[i], wanted) == 0)
             return i;
-        }
-    }
     return -1;
 }
 
@@ -81,9 +75,8 @@ static glint_line_kind read_header(const glint_line_form *form, char *const *nam
         const glint_column *column = &form->column[i];
         columns->at[i] = find_column(name, width, column->name);
         columns->is_other[i] = columns->at[i] < 0;
-        if (columns->is_other[i]) {
+        if (columns->is_other[i])
             columns->at[i] = find_column(name, width, column->other);
-        }
         if (columns->at[i] < 0) {
             glint_fail(err, GLINT_BAD_INPUT, "this header has no column %s%s%s", column->name,
                        column->other != NULL ? " or " : "",
@@ -112,9 +105,8 @@ static glint_line_kind take_values(const glint_line_form *form, const glint_colu
                    columns->width != 0 ? "the header's values" : form->values);
         return GLINT_LINE_MALFORMED;
     }
-    for (int i = 0; i < form->count; i++) {
+    for (int i = 0; i < form->count; i++)
         value[i] = cut[columns->width != 0 ? columns->at[i] : i];
-    }
     return GLINT_LINE_VALUES;
 }
 
@@ -130,9 +122,8 @@ glint_line_kind glint_line_cut(const glint_line_form *form, glint_columns *colum
         return GLINT_LINE_MALFORMED;
     }
     char *text = skip_blanks(line);
-    if (*text == '\0' || *text == '#') {
+    if (*text == '\0' || *text == '#')
         return GLINT_LINE_NOTHING;
-    }
     const bool first = !columns->begun;
     columns->begun = true;
     if (first && is_letter(*text)) {
@@ -166,9 +157,8 @@ static bool grow(reader *in)
 {
     const size_t room = in->room == 0 ? 256 : 2 * in->room;
     char *line = realloc(in->line, room + 1);
-    if (line == NULL) {
+    if (line == NULL)
         return false;
-    }
     in->line = line;
     in->room = room;
     return true;
@@ -178,15 +168,13 @@ static bool grow(reader *in)
  * or when it is to stop. */
 static bool fill(reader *in)
 {
-    if (in->ended) {
+    if (in->ended)
         return false;
-    }
     ssize_t got = -1;
     while (got < 0 && glint_wait_readable(STDIN_FILENO)) {
         got = read(STDIN_FILENO, in->bytes, sizeof in->bytes);
-        if (got < 0 && errno != EINTR && errno != EAGAIN) {
+        if (got < 0 && errno != EINTR && errno != EAGAIN)
             return false;
-        }
     }
     in->ended = got == 0;
     in->at = 0;
@@ -201,15 +189,13 @@ static size_t read_line(reader *in)
     size_t length = 0;
     char c = '\0';
     while (length < LINE_MAX_BYTES && c != '\n' && (in->at < in->count || fill(in))) {
-        if (length == in->room && !grow(in)) {
+        if (length == in->room && !grow(in))
             return 0;
-        }
         c = in->bytes[in->at++];
         in->line[length++] = c;
     }
-    if (length > 0) {
+    if (length > 0)
         in->line[length] = '\0';
-    }
     const bool cut_off = c != '\n' && length < LINE_MAX_BYTES && !in->ended;
     return cut_off || glint_stop_requested() ? 0 : length;
 }
@@ -217,12 +203,10 @@ static size_t read_line(reader *in)
 /* Why there is no further line: the end of the input, or something worse. */
 static int check_input(const char *command, const reader *in, int reason)
 {
-    if (glint_stop_requested()) {
+    if (glint_stop_requested())
         return glint_complain(command, GLINT_EXIT_TROUBLE, "interrupted");
-    }
-    if (in->ended) {
+    if (in->ended)
         return GLINT_EXIT_OK;
-    }
     return glint_complain(command, GLINT_EXIT_TROUBLE, "cannot read standard input: %s",
                           strerror(reason));
 }
@@ -231,12 +215,10 @@ int glint_input_lines(const char *command, const char *waits_for, glint_line_tak
                       void *context)
 {
     reader *in = calloc(1, sizeof *in);
-    if (in == NULL) {
+    if (in == NULL)
         return glint_complain(command, GLINT_EXIT_TROUBLE, "no memory to read standard input");
-    }
-    if (isatty(STDIN_FILENO) == 1) {
+    if (isatty(STDIN_FILENO) == 1)
         fprintf(stderr, "glint %s: waits for %s; Ctrl-D ends\n", command, waits_for);
-    }
     int status = GLINT_EXIT_OK;
     uint64_t number = 0;
     while (status == GLINT_EXIT_OK) {

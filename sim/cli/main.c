@@ -39,9 +39,8 @@ static int print_help(void)
            "evaluated, rendered, verified.\n"
            "\n"
            "Subcommands:\n");
-    for (size_t i = 0; i < SUBCOMMAND_COUNT; i++) {
+    for (size_t i = 0; i < SUBCOMMAND_COUNT; i++)
         printf("  %-10s%s\n", subcommands[i].name, subcommands[i].help);
-    }
     printf("\n"
            "glint SUBCOMMAND --help   its options, their defaults, examples;\n"
            "                          also: glint help SUBCOMMAND\n"
@@ -79,9 +78,8 @@ static int refuse(const char *word)
         names[count++] = "--version";
         names[count++] = "--circuit-dir";
     }
-    for (size_t i = 0; i < SUBCOMMAND_COUNT && !is_option; i++) {
+    for (size_t i = 0; i < SUBCOMMAND_COUNT && !is_option; i++)
         names[count++] = subcommands[i].name;
-    }
     glint_quoted quoted;
     const char *meant = glint_suggest(word, names);
     return glint_complain(NULL, GLINT_EXIT_TROUBLE, "unknown %s %s (%s%s%ssee glint --help)",
@@ -93,11 +91,9 @@ static int refuse(const char *word)
 /* argv[0] is the subcommand's name. */
 static int run(int argc, char **argv)
 {
-    for (size_t i = 0; i < SUBCOMMAND_COUNT; i++) {
-        if (strcmp(argv[0], subcommands[i].name) == 0) {
+    for (size_t i = 0; i < SUBCOMMAND_COUNT; i++)
+        if (strcmp(argv[0], subcommands[i].name) == 0)
             return subcommands[i].run(argc, argv);
-        }
-    }
     return refuse(argv[0]);
 }
 
@@ -106,9 +102,8 @@ static int run(int argc, char **argv)
 static int help_on(int argc, char **argv)
 {
     static char help[] = "--help";
-    for (int i = 0; i + 1 < argc; i++) {
+    for (int i = 0; i + 1 < argc; i++)
         argv[i] = argv[i + 1];
-    }
     argv[argc - 1] = help;
     return run(argc, argv);
 }
@@ -121,9 +116,8 @@ static int move_circuit_dir(int argc, char **argv)
     const bool is_joined =
         strncmp(argv[1], option, sizeof option - 1) == 0 && argv[1][sizeof option - 1] == '=';
     const int moved = is_joined ? 1 : strcmp(argv[1], option) == 0 ? 2 : 0;
-    if (moved == 0 || argc < moved + 2) {
+    if (moved == 0 || argc < moved + 2)
         return moved;
-    }
     char *const subcommand = argv[1 + moved];
     memmove(argv + 2, argv + 1, (size_t)moved * sizeof *argv);
     argv[1] = subcommand;
@@ -134,23 +128,19 @@ int main(int argc, char **argv)
 {
     glint_output_init();
     glint_command_stop_when(glint_stop_flag());
-    if (argc < 2) {
+    if (argc < 2)
         return glint_complain(NULL, GLINT_EXIT_TROUBLE, "no subcommand (see glint --help)");
-    }
     const int moved = move_circuit_dir(argc, argv);
     if (moved != 0 && argc < moved + 2) {
         return glint_complain(NULL, GLINT_EXIT_TROUBLE,
                               "--circuit-dir DIR stands before a subcommand (see glint --help)");
     }
     const bool is_help = strcmp(argv[1], "help") == 0;
-    if (is_help && argc > 2 && argv[2][0] != '-') {
+    if (is_help && argc > 2 && argv[2][0] != '-')
         return help_on(argc - 1, argv + 1);
-    }
-    if (is_help || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
+    if (is_help || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
         return print_help();
-    }
-    if (strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0) {
+    if (strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0)
         return print_version();
-    }
     return run(argc - 1, argv + 1);
 }

@@ -43,9 +43,8 @@ const char *const glint_divider_form_names[] = {
 static bool store_color(const glint_option *option, const char *text)
 {
     glint_rgb rgb;
-    if (!glint_parse_color(text, &rgb)) {
+    if (!glint_parse_color(text, &rgb))
         return false;
-    }
     const uint8_t components[3] = {rgb.r, rgb.g, rgb.b};
     memcpy(option->color, components, sizeof components);
     return true;
@@ -54,9 +53,8 @@ static bool store_color(const glint_option *option, const char *text)
 static bool store_reals(const glint_option *option, const char *text)
 {
     double value[3];
-    if (!glint_parse_reals(text, ',', 3, option->reals.min, option->reals.max, value)) {
+    if (!glint_parse_reals(text, ',', 3, option->reals.min, option->reals.max, value))
         return false;
-    }
     memcpy(option->reals.value, value, sizeof value);
     return true;
 }
@@ -64,9 +62,8 @@ static bool store_reals(const glint_option *option, const char *text)
 static bool store_size(const glint_option *option, const char *text)
 {
     int64_t side[2];
-    if (!glint_parse_integers(text, 'x', 2, 1, option->size.max, side)) {
+    if (!glint_parse_integers(text, 'x', 2, 1, option->size.max, side))
         return false;
-    }
     *option->size.width = (int)side[0];
     *option->size.height = (int)side[1];
     return true;
@@ -95,9 +92,8 @@ static bool store_count_or(const glint_option *option, const char *text)
 
 static bool store_string(const glint_option *option, const char *text)
 {
-    if (*text == '\0') {
+    if (*text == '\0')
         return false;
-    }
     *option->string = text;
     return true;
 }
@@ -136,9 +132,8 @@ static int refuse_value(const glint_command_line *line, const glint_option *opti
     glint_quoted quoted;
     glint_suggestion suggestion = {""};
     glint_option_expectation(option, expected, sizeof expected);
-    if (option->kind == GLINT_OPTION_CHOICE) {
+    if (option->kind == GLINT_OPTION_CHOICE)
         (void)glint_did_you_mean(text, option->choice.names, "", &suggestion);
-    }
     return glint_complain(line->command, GLINT_EXIT_TROUBLE, "--%s: %s is not %s%s", option->name,
                           glint_quote(text, &quoted), expected, suggestion.text);
 }
@@ -155,9 +150,8 @@ static int refuse_unknown(const glint_command_line *line, const char *token)
     const char *names[GLINT_OPTIONS_MAX + 2] = {NULL};
     glint_quoted quoted;
     glint_next_part(token, '=', name);
-    for (size_t i = 0; i < line->option_count; i++) {
+    for (size_t i = 0; i < line->option_count; i++)
         names[i] = line->options[i].name;
-    }
     names[line->option_count] = "help";
     const char *meant = glint_suggest(name + strspn(name, "-"), names);
     return glint_complain(
@@ -169,16 +163,13 @@ static int refuse_unknown(const glint_command_line *line, const char *token)
 /* What getopt_long refused with '?' or ':', by the token it stood at. */
 static int refuse_token(const glint_command_line *line, int result, const char *token)
 {
-    if (optopt == HELP_OPTION) {
+    if (optopt == HELP_OPTION)
         return glint_complain(line->command, GLINT_EXIT_TROUBLE, "--help takes no value");
-    }
-    if (optopt < FIRST_OPTION) {
+    if (optopt < FIRST_OPTION)
         return refuse_unknown(line, token);
-    }
     const glint_option *option = &line->options[optopt - FIRST_OPTION];
-    if (is_abbreviation(option, token)) {
+    if (is_abbreviation(option, token))
         return refuse_unknown(line, token);
-    }
     if (result == '?') {
         return glint_complain(line->command, GLINT_EXIT_TROUBLE, "--%s takes no value",
                               option->name);
@@ -204,25 +195,22 @@ static int take_positional(const glint_command_line *line, size_t *taken, const 
 static int take_option(const glint_command_line *line, int index, bool *given, const char *token)
 {
     const glint_option *option = &line->options[index];
-    if (is_abbreviation(option, token)) {
+    if (is_abbreviation(option, token))
         return refuse_unknown(line, token);
-    }
     if (given[index]) {
         return glint_complain(line->command, GLINT_EXIT_TROUBLE, "--%s is given twice",
                               option->name);
     }
     given[index] = true;
-    if (option->given != NULL) {
+    if (option->given != NULL)
         *option->given = true;
-    }
     return store(option, optarg) ? GLINT_OPTIONS_RUN : refuse_value(line, option, optarg);
 }
 
 static int take_help(const glint_command_line *line, const char *token)
 {
-    if (token[1] == '-' && strcmp(token, "--help") != 0) {
+    if (token[1] == '-' && strcmp(token, "--help") != 0)
         return refuse_unknown(line, token);
-    }
     glint_options_print_help(line);
     return glint_output_finish(line->command, GLINT_EXIT_OK);
 }
@@ -271,21 +259,18 @@ int glint_options_parse(const glint_command_line *line, int argc, char **argv)
         /* "-": arguments come in order, so that argv[before] is the token being read. */
         const int before = optind > 0 ? optind : 1;
         const int result = getopt_long(argc, argv, "-:h", table, NULL);
-        if (result == -1) {
+        if (result == -1)
             break;
-        }
-        if (result == '?' || result == ':') {
+        if (result == '?' || result == ':')
             status = refuse_token(line, result, argv[before]);
-        } else if (result == 'h' || result == HELP_OPTION) {
+        else if (result == 'h' || result == HELP_OPTION)
             status = take_help(line, argv[before]);
-        } else if (result == 1) {
+        else if (result == 1)
             status = take_positional(line, &taken, optarg);
-        } else {
+        else
             status = take_option(line, result - FIRST_OPTION, given, argv[before]);
-        }
     }
-    while (status == GLINT_OPTIONS_RUN && optind < argc) {
+    while (status == GLINT_OPTIONS_RUN && optind < argc)
         status = take_positional(line, &taken, argv[optind++]); /* what follows "--" */
-    }
     return status == GLINT_OPTIONS_RUN ? check_complete(line, given, taken) : status;
 }

@@ -70,13 +70,12 @@ static void placeholder(const glint_option *option, char *text, size_t size)
         [GLINT_OPTION_REALS] = "X,Y,Z", [GLINT_OPTION_COLOR] = "COLOR",
         [GLINT_OPTION_COUNT_OR] = "N",
     };
-    if (option->placeholder != NULL) {
+    if (option->placeholder != NULL)
         snprintf(text, size, "%s", option->placeholder);
-    } else if (option->kind == GLINT_OPTION_CHOICE) {
+    else if (option->kind == GLINT_OPTION_CHOICE)
         join_names(option->choice.names, "|", text, size);
-    } else {
+    else
         snprintf(text, size, "%s", usual[option->kind]);
-    }
 }
 
 /* The value that the option's variable holds now, or an empty text when there is none. */
@@ -90,11 +89,10 @@ static void current_value(const glint_option *option, char *text, size_t size)
         snprintf(text, size, "%" PRId64, *option->integer.value);
         break;
     case GLINT_OPTION_COUNT_OR:
-        if (*option->count_or.value == option->count_or.meant) {
+        if (*option->count_or.value == option->count_or.meant)
             snprintf(text, size, "%s", option->count_or.word);
-        } else {
+        else
             snprintf(text, size, "%" PRId64, *option->count_or.value);
-        }
         break;
     case GLINT_OPTION_REAL:
         snprintf(text, size, "%g", *option->real.value);
@@ -122,9 +120,8 @@ static void current_value(const glint_option *option, char *text, size_t size)
 static int columns_of(const char *text, int length)
 {
     int columns = 0;
-    for (int i = 0; i < length; i++) {
+    for (int i = 0; i < length; i++)
         columns += ((unsigned char)text[i] & 0xc0) != 0x80;
-    }
     return columns;
 }
 
@@ -154,9 +151,8 @@ static size_t paragraph_length(const char *text)
 {
     size_t length = strcspn(text, "\n");
     while (strchr(" \n", *text) == NULL && text[length] == '\n' &&
-           strchr(" \n", text[length + 1]) == NULL) {
+           strchr(" \n", text[length + 1]) == NULL)
         length += 1 + strcspn(text + length + 1, "\n");
-    }
     return length;
 }
 
@@ -167,14 +163,12 @@ static void print_details(const char *text)
     while (*text != '\0') {
         const size_t length = paragraph_length(text);
         (void)snprintf(paragraph, sizeof paragraph, "%.*s", (int)length, text);
-        for (char *c = paragraph; *text != ' ' && *c != '\0'; c++) {
+        for (char *c = paragraph; *text != ' ' && *c != '\0'; c++)
             *c = *c == '\n' ? ' ' : *c;
-        }
-        if (*text == ' ') {
+        if (*text == ' ')
             puts(paragraph);
-        } else {
+        else
             print_wrapped(paragraph, 0, 0);
-        }
         text += length + (text[length] == '\n');
     }
 }
@@ -187,17 +181,15 @@ static void print_option(const glint_option *option)
     placeholder(option, value, sizeof value);
     const int length =
         snprintf(name, sizeof name, "  --%s%s%s", option->name, *value != '\0' ? " " : "", value);
-    if (option->usually != NULL) {
+    if (option->usually != NULL)
         snprintf(value, sizeof value, "%s", option->usually);
-    } else {
+    else
         current_value(option, value, sizeof value);
-    }
     snprintf(help, sizeof help, *value != '\0' ? "%s (default %s)" : "%s", option->help, value);
-    if (length + 2 > HELP_COLUMN) {
+    if (length + 2 > HELP_COLUMN)
         printf("%s\n%*s", name, HELP_COLUMN, "");
-    } else {
+    else
         printf("%-*s", HELP_COLUMN, name);
-    }
     print_wrapped(help, HELP_COLUMN, HELP_COLUMN);
 }
 
@@ -228,21 +220,18 @@ static void print_statuses(const glint_command_line *line)
 {
     printf("\nExit status:\n");
     print_status(0, line->done != NULL ? line->done : "done");
-    if (line->different != NULL) {
+    if (line->different != NULL)
         print_status(1, line->different);
-    }
     print_status(2, "trouble: a malformed command line or input, a file that cannot be read or "
                     "written, interrupted");
 }
 
 static void print_examples(const glint_example *example)
 {
-    if (example->what != NULL) {
+    if (example->what != NULL)
         printf("\nExamples:\n");
-    }
-    for (; example->what != NULL; example++) {
+    for (; example->what != NULL; example++)
         printf("  # %s\n  %s\n", example->what, example->command);
-    }
 }
 
 void glint_options_print_help(const glint_command_line *line)
@@ -250,9 +239,8 @@ void glint_options_print_help(const glint_command_line *line)
     print_usage(line);
     print_wrapped(line->summary, 0, 0);
     printf("\nOptions:\n");
-    for (size_t i = 0; i < line->option_count; i++) {
+    for (size_t i = 0; i < line->option_count; i++)
         print_option(&line->options[i]);
-    }
     printf("%-*s%s\n", HELP_COLUMN, "  --help", "show this and leave");
     if (line->details != NULL) {
         putchar('\n');

@@ -32,9 +32,8 @@ static const int stop_signals[] = {SIGINT, SIGTERM, SIGHUP};
  * all below it are open by now. */
 static void hold_descriptor(int fd, int flags)
 {
-    if (fcntl(fd, F_GETFD) == -1 && errno == EBADF && open("/dev/null", flags) != fd) {
+    if (fcntl(fd, F_GETFD) == -1 && errno == EBADF && open("/dev/null", flags) != fd)
         _Exit(GLINT_EXIT_TROUBLE);
-    }
 }
 
 void glint_output_init(void)
@@ -57,9 +56,8 @@ void glint_output_init(void)
         const int number = stop_signals[i];
         const bool kept = number == SIGHUP && sigaction(number, NULL, &inherited) == 0 &&
                           inherited.sa_handler == SIG_IGN; /* by nohup */
-        if (!kept) {
+        if (!kept)
             sigaction(number, &action, NULL);
-        }
     }
 }
 
@@ -70,13 +68,11 @@ int glint_output_finish(const char *command, int status)
     const int earlier = ferror(stdout) ? errno : 0;
     errno = 0;
     const bool flushed = fflush(stdout) == 0;
-    if (flushed && !ferror(stdout)) {
+    if (flushed && !ferror(stdout))
         return status;
-    }
     const int why = errno != 0 ? errno : earlier;
-    if (why == EINTR && stop_requested) {
+    if (why == EINTR && stop_requested)
         return glint_complain(command, GLINT_EXIT_TROUBLE, "interrupted");
-    }
     return glint_complain(command, GLINT_EXIT_TROUBLE, "cannot write to standard output: %s",
                           why != 0 ? strerror(why) : "an earlier write failed");
 }
@@ -113,11 +109,9 @@ int glint_complain(const char *command, int exit_status, const char *format, ...
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     /* A file name may hold a newline; the message stays one line. */
-    for (char *c = message; *c != '\0'; c++) {
-        if ((unsigned char)*c < 0x20 || *c == 0x7f) {
+    for (char *c = message; *c != '\0'; c++)
+        if ((unsigned char)*c < 0x20 || *c == 0x7f)
             *c = '?';
-        }
-    }
     glint_print_verdict(stderr, false, "glint%s%s:", command != NULL ? " " : "",
                         command != NULL ? command : "");
     fprintf(stderr, " %s\n", message);
@@ -131,18 +125,16 @@ int glint_complain_error(const char *command, const glint_error *err)
 
 void glint_tell_remarks(const char *command, const char *path, const char *remarks)
 {
-    if (remarks[0] != '\0') {
+    if (remarks[0] != '\0')
         (void)glint_complain(command, GLINT_EXIT_OK, "%s: %s", path, remarks);
-    }
 }
 
 bool glint_output_json(cJSON *json)
 {
     char *text = glint_json_text(json);
     cJSON_Delete(json);
-    if (text == NULL) {
+    if (text == NULL)
         return false;
-    }
     puts(text);
     free(text);
     return true;
@@ -157,9 +149,8 @@ bool glint_wait_readable(int fd)
 {
     sigset_t stopping, before;
     sigemptyset(&stopping);
-    for (size_t i = 0; i < sizeof stop_signals / sizeof stop_signals[0]; i++) {
+    for (size_t i = 0; i < sizeof stop_signals / sizeof stop_signals[0]; i++)
         sigaddset(&stopping, stop_signals[i]);
-    }
     sigprocmask(SIG_BLOCK, &stopping, &before);
     bool again = true;
     while (again && !stop_requested) {
@@ -195,9 +186,8 @@ void glint_progress_begin(glint_progress *progress, const char *command, const c
 /* Whether the line is due anew. */
 static bool is_due(glint_progress *progress)
 {
-    if (!progress->shown || glint_seconds() < progress->next) {
+    if (!progress->shown || glint_seconds() < progress->next)
         return false;
-    }
     progress->next = glint_seconds() + 0.1;
     return true;
 }
@@ -212,9 +202,8 @@ void glint_progress_say(glint_progress *progress, const char *what)
 
 void glint_progress_update(glint_progress *progress, uint64_t done, uint64_t total)
 {
-    if (!is_due(progress)) {
+    if (!is_due(progress))
         return;
-    }
     const double percent = total > 0 ? 100.0 * (double)done / (double)total : 100.0;
     fprintf(stderr, "\rglint %s: %" PRIu64 " of %" PRIu64 " %s, %.0f %%\033[K", progress->command,
             done, total, progress->unit, percent);
@@ -223,7 +212,6 @@ void glint_progress_update(glint_progress *progress, uint64_t done, uint64_t tot
 
 void glint_progress_end(glint_progress *progress)
 {
-    if (progress->shown && progress->next > 0.0) {
+    if (progress->shown && progress->next > 0.0)
         fputs("\r\033[K", stderr);
-    }
 }

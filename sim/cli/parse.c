@@ -10,14 +10,12 @@
 bool glint_parse_integer(const char *token, int64_t min, int64_t max, int64_t *value)
 {
     const char *digits = token + (*token == '-' || *token == '+');
-    if (*digits == '\0' || digits[strspn(digits, "0123456789")] != '\0') {
+    if (*digits == '\0' || digits[strspn(digits, "0123456789")] != '\0')
         return false;
-    }
     errno = 0;
     const long long number = strtoll(token, NULL, 10);
-    if (errno != 0 || number < min || number > max) {
+    if (errno != 0 || number < min || number > max)
         return false;
-    }
     *value = number;
     return true;
 }
@@ -30,14 +28,11 @@ static int power_of(const char *text)
         int power;
     } suffixes[] = {{'k', 3}, {'K', 3}, {'M', 6}, {'G', 9}, {'T', 12}};
     int64_t power;
-    if ((*text == 'e' || *text == 'E') && glint_parse_integer(text + 1, 0, 18, &power)) {
+    if ((*text == 'e' || *text == 'E') && glint_parse_integer(text + 1, 0, 18, &power))
         return (int)power;
-    }
-    for (size_t i = 0; i < sizeof suffixes / sizeof suffixes[0]; i++) {
-        if (text[0] == suffixes[i].letter && text[1] == '\0') {
+    for (size_t i = 0; i < sizeof suffixes / sizeof suffixes[0]; i++)
+        if (text[0] == suffixes[i].letter && text[1] == '\0')
             return suffixes[i].power;
-        }
-    }
     return -1;
 }
 
@@ -48,14 +43,12 @@ bool glint_parse_count(const char *token, int64_t min, int64_t max, int64_t *val
     const size_t whole = strcspn(token, ".eEkKMGT");
     const char *fraction = token[whole] == '.' ? token + whole + 1 : token + whole;
     const size_t places = strspn(fraction, "0123456789");
-    if (token[whole] == '\0') {
+    if (token[whole] == '\0')
         return glint_parse_integer(token, min, max, value);
-    }
     const int power = power_of(fraction + places);
     if (whole + 20 > sizeof digits || power < 0 || places > (size_t)power ||
-        (token[whole] == '.' && places == 0) || strcspn(token, "0123456789") >= whole) {
+        (token[whole] == '.' && places == 0) || strcspn(token, "0123456789") >= whole)
         return false;
-    }
     (void)snprintf(digits, sizeof digits, "%.*s%.*s%.*s", (int)whole, token, (int)places, fraction,
                    power - (int)places, "000000000000000000");
     return glint_parse_integer(digits, min, max, value);
@@ -63,18 +56,15 @@ bool glint_parse_count(const char *token, int64_t min, int64_t max, int64_t *val
 
 bool glint_parse_hex(const char *token, uint64_t max, uint64_t *value)
 {
-    if (token[0] != '0' || (token[1] != 'x' && token[1] != 'X')) {
+    if (token[0] != '0' || (token[1] != 'x' && token[1] != 'X'))
         return false;
-    }
     const char *digits = token + 2;
-    if (*digits == '\0' || digits[strspn(digits, "0123456789abcdefABCDEF")] != '\0') {
+    if (*digits == '\0' || digits[strspn(digits, "0123456789abcdefABCDEF")] != '\0')
         return false;
-    }
     errno = 0;
     const unsigned long long number = strtoull(digits, NULL, 16);
-    if (errno != 0 || number > max) {
+    if (errno != 0 || number > max)
         return false;
-    }
     *value = number;
     return true;
 }
@@ -83,14 +73,12 @@ bool glint_parse_real(const char *token, double min, double max, double *value)
 {
     /* strtod also takes white space, hexadecimal, "nan" and "inf": none has these characters only.
      */
-    if (*token == '\0' || token[strspn(token, "0123456789+-.eE")] != '\0') {
+    if (*token == '\0' || token[strspn(token, "0123456789+-.eE")] != '\0')
         return false;
-    }
     char *end;
     const double number = strtod(token, &end);
-    if (end == token || *end != '\0' || !isfinite(number) || number < min || number > max) {
+    if (end == token || *end != '\0' || !isfinite(number) || number < min || number > max)
         return false;
-    }
     *value = number;
     return true;
 }
@@ -112,13 +100,11 @@ bool glint_parse_integers(const char *token, char separator, int count, int64_t 
 {
     char part[64];
     for (int i = 0; i < count; i++) {
-        if (token == NULL) {
+        if (token == NULL)
             return false;
-        }
         token = glint_next_part(token, separator, part);
-        if (!glint_parse_integer(part, min, max, &value[i])) {
+        if (!glint_parse_integer(part, min, max, &value[i]))
             return false;
-        }
     }
     return token == NULL;
 }
@@ -128,13 +114,11 @@ bool glint_parse_reals(const char *token, char separator, int count, double min,
 {
     char part[64];
     for (int i = 0; i < count; i++) {
-        if (token == NULL) {
+        if (token == NULL)
             return false;
-        }
         token = glint_next_part(token, separator, part);
-        if (!glint_parse_real(part, min, max, &value[i])) {
+        if (!glint_parse_real(part, min, max, &value[i]))
             return false;
-        }
     }
     return token == NULL;
 }
@@ -147,18 +131,16 @@ bool glint_parse_reals(const char *token, char separator, int count, double min,
 static bool parse_rgb(const char *text, glint_rgb *value)
 {
     int64_t part[3];
-    if (!glint_parse_integers(text, ',', 3, 0, 255, part)) {
+    if (!glint_parse_integers(text, ',', 3, 0, 255, part))
         return false;
-    }
     *value = (glint_rgb){(uint8_t)part[0], (uint8_t)part[1], (uint8_t)part[2]};
     return true;
 }
 
 static bool parse_hex_rgb(const char *digits, glint_rgb *value)
 {
-    if (strlen(digits) != 6 || digits[strspn(digits, "0123456789abcdefABCDEF")] != '\0') {
+    if (strlen(digits) != 6 || digits[strspn(digits, "0123456789abcdefABCDEF")] != '\0')
         return false;
-    }
     const unsigned long code = strtoul(digits, NULL, 16);
     *value = (glint_rgb){(uint8_t)(code >> 16), (uint8_t)(code >> 8), (uint8_t)code};
     return true;
@@ -167,9 +149,8 @@ static bool parse_hex_rgb(const char *digits, glint_rgb *value)
 static bool parse_hsv(const char *text, glint_rgb *value)
 {
     double part[3];
-    if (!glint_parse_reals(text, ',', 3, 0, DEGREES, part)) {
+    if (!glint_parse_reals(text, ',', 3, 0, DEGREES, part))
         return false;
-    }
     const glint_hsv hsv = {part[0], part[1] / PERCENT, part[2] / PERCENT};
     return glint_rgb_of_hsv(&hsv, value) == GLINT_OK;
 }
@@ -177,9 +158,8 @@ static bool parse_hsv(const char *text, glint_rgb *value)
 static bool parse_cmyk(const char *text, glint_rgb *value)
 {
     double part[4];
-    if (!glint_parse_reals(text, ',', 4, 0, PERCENT, part)) {
+    if (!glint_parse_reals(text, ',', 4, 0, PERCENT, part))
         return false;
-    }
     const glint_cmyk cmyk = {part[0] / PERCENT, part[1] / PERCENT, part[2] / PERCENT,
                              part[3] / PERCENT};
     return glint_rgb_of_cmyk(&cmyk, value) == GLINT_OK;
@@ -198,9 +178,8 @@ bool glint_parse_color(const char *token, glint_rgb *value)
     };
     for (size_t i = 0; i < sizeof forms / sizeof forms[0]; i++) {
         const size_t length = strlen(forms[i].prefix);
-        if (strncmp(token, forms[i].prefix, length) == 0) {
+        if (strncmp(token, forms[i].prefix, length) == 0)
             return forms[i].parse(token + length, value);
-        }
     }
     return parse_rgb(token, value);
 }
@@ -225,13 +204,11 @@ const char *glint_quote(const char *token, glint_quoted *quoted)
     const size_t room = sizeof quoted->text - sizeof "\\xNN...\"";
     size_t length = 0;
     quoted->text[length++] = '"';
-    while (*token != '\0' && length < room) {
+    while (*token != '\0' && length < room)
         length += quote_character((unsigned char)*token++, quoted->text + length);
-    }
     /* Not in the middle of a UTF-8 character. */
-    while (((unsigned char)*token & 0xc0) == 0x80 && length < sizeof quoted->text - 8) {
+    while (((unsigned char)*token & 0xc0) == 0x80 && length < sizeof quoted->text - 8)
         quoted->text[length++] = *token++;
-    }
     strcpy(quoted->text + length, *token != '\0' ? "...\"" : "\"");
     return quoted->text;
 }

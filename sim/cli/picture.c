@@ -37,9 +37,8 @@ glint_status glint_picture_check(const char *option, const char *path, bool forc
                                 "redirect it",
                                 option);
     }
-    if (is_no_file(path)) {
+    if (is_no_file(path))
         return GLINT_OK;
-    }
     if (!is_png_name(path)) {
         return glint_fail(err, GLINT_BAD_ARGUMENT,
                           "--%s: %.400s: pictures are written as PNG: name it .png", option, path);

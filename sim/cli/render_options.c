@@ -143,9 +143,8 @@ static int choose_specular(const raw_options *raw, glint_render_options *chosen)
 {
     glint_scene *scene = &chosen->scene;
     if (raw->specular != NULL) {
-        if (!glint_reflectance_find(raw->specular, &scene->specular)) {
+        if (!glint_reflectance_find(raw->specular, &scene->specular))
             return glint_refuse_model("render", "specular", raw->specular);
-        }
         if (chosen->backend.kind != GLINT_BACKEND_REAL) {
             return glint_complain("render", GLINT_EXIT_TROUBLE,
                                   "--specular needs --backend real: the other backends are the "
@@ -168,9 +167,8 @@ static int check_verilog(const glint_render_options *chosen)
     glint_setting divider = glint_setting_divider(GLINT_DIVIDER_PIPELINED, chosen->scene.shifts);
     int status = glint_rtl_option_settle("render", &device, is_used);
     divider.verilog = chosen->backend.verilog;
-    if (status == GLINT_OPTIONS_RUN && chosen->scene.shading == GLINT_SHADING_GOURAUD) {
+    if (status == GLINT_OPTIONS_RUN && chosen->scene.shading == GLINT_SHADING_GOURAUD)
         status = glint_rtl_option_settle("render", &divider, is_used);
-    }
     return status;
 }
 
@@ -178,12 +176,10 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
 {
     raw_options raw = defaults();
     int status = parse_raw(argc, argv, &raw);
-    if (status == GLINT_OPTIONS_RUN) {
+    if (status == GLINT_OPTIONS_RUN)
         status = glint_scene_options_settle("render", &raw.scene);
-    }
-    if (status != GLINT_OPTIONS_RUN) {
+    if (status != GLINT_OPTIONS_RUN)
         return status;
-    }
     if (glint_picture_is_stdout(raw.out) && (raw.json || raw.backend == BACKEND_BOTH)) {
         return glint_complain("render", GLINT_EXIT_TROUBLE, "%s",
                               raw.json ? "--json: --out - has taken standard output"

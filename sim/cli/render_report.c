@@ -41,17 +41,15 @@ void glint_render_report_text(FILE *out, const glint_render_options *chosen,
             stats->drawn, stats->fragments);
     fprintf(out, "%s: %" PRIu64 " highlights", glint_shading_names[chosen->scene.shading],
             stats->highlights);
-    if (chosen->scene.by_model) {
+    if (chosen->scene.by_model)
         fprintf(out, " by %s", glint_reflectance_names[chosen->scene.specular]);
-    }
     if (divider_works(chosen)) {
         fprintf(out, ", %" PRIu64 " divisions with %d shifts", stats->divisions,
                 chosen->scene.shifts);
     }
     fputc('\n', out);
-    for (int i = 0; i < result->frame_count; i++) {
+    for (int i = 0; i < result->frame_count; i++)
         print_frame(out, &result->frame[i]);
-    }
     if (result->frame_count == 2) {
         glint_print_verdict(out, !glint_render_differs(result), "%" PRIu64 " differing pixels",
                             result->difference.differing_pixels);
@@ -68,9 +66,8 @@ static void add_frame(cJSON *frames, const glint_render_frame *frame)
     cJSON_AddNumberToObject(json, "frames_per_second", per_second(1.0, stats));
     cJSON_AddNumberToObject(json, "fragments_per_second",
                             per_second((double)stats->fragments, stats));
-    if (stats->divider_clocks > 0) {
+    if (stats->divider_clocks > 0)
         cJSON_AddNumberToObject(json, "divider_clocks", (double)stats->divider_clocks);
-    }
     cJSON_AddItemToArray(frames, json);
 }
 
@@ -97,12 +94,10 @@ bool glint_render_report_json(const glint_render_options *chosen, const glint_re
     cJSON_AddStringToObject(json, "gate", glint_gate_names[chosen->backend.gate]);
     cJSON_AddStringToObject(json, "pipeline", glint_pipeline_names[chosen->backend.pipeline]);
     cJSON_AddStringToObject(json, "shading", glint_shading_names[chosen->scene.shading]);
-    if (chosen->scene.by_model) {
+    if (chosen->scene.by_model)
         cJSON_AddStringToObject(json, "specular", glint_reflectance_names[chosen->scene.specular]);
-    }
-    if (divider_works(chosen)) {
+    if (divider_works(chosen))
         cJSON_AddNumberToObject(json, "shifts", chosen->scene.shifts);
-    }
     cJSON_AddNumberToObject(json, "threads", (double)chosen->what.threads);
     cJSON_AddNumberToObject(json, "triangles", (double)stats->triangles);
     cJSON_AddNumberToObject(json, "drawn", (double)stats->drawn);
@@ -110,14 +105,11 @@ bool glint_render_report_json(const glint_render_options *chosen, const glint_re
     cJSON_AddNumberToObject(json, "highlights", (double)stats->highlights);
     cJSON_AddNumberToObject(json, "divisions", (double)stats->divisions);
     cJSON *frames = cJSON_AddArrayToObject(json, "frames");
-    for (int i = 0; i < result->frame_count; i++) {
+    for (int i = 0; i < result->frame_count; i++)
         add_frame(frames, &result->frame[i]);
-    }
-    if (result->frame_count == 2) {
+    if (result->frame_count == 2)
         add_comparison(json, &result->difference);
-    }
-    if (packet != NULL) {
+    if (packet != NULL)
         cJSON_AddStringToObject(json, "packet", packet);
-    }
     return glint_output_json(json);
 }

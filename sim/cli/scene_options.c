@@ -139,9 +139,8 @@ int glint_scene_options_settle(const char *command, glint_scene_options *chosen)
         return glint_complain(command, GLINT_EXIT_TROUBLE, "--model and %s: one model can be drawn",
                               glint_quote(chosen->mesh, &quoted));
     }
-    if (chosen->mesh != NULL) {
+    if (chosen->mesh != NULL)
         chosen->model = chosen->mesh;
-    }
     return GLINT_OPTIONS_RUN;
 }
 
@@ -188,23 +187,19 @@ static glint_status no_such_model(const char *name, glint_error *err)
 glint_status glint_scene_options_mesh(const glint_scene_options *chosen, glint_mesh **mesh,
                                       glint_error *err)
 {
-    if (strcmp(chosen->model, "teapot") == 0) {
+    if (strcmp(chosen->model, "teapot") == 0)
         return glint_mesh_teapot(glint_scene_options_density(chosen), mesh, err);
-    }
-    if (strcmp(chosen->model, "sphere") == 0) {
+    if (strcmp(chosen->model, "sphere") == 0)
         return glint_mesh_sphere(glint_scene_options_density(chosen), mesh, err);
-    }
     if (chosen->density != 0) {
         return glint_fail(err, GLINT_BAD_ARGUMENT,
                           "--density is for teapot and sphere: others have their own triangles");
     }
-    if (strcmp(chosen->model, "quad") == 0) {
+    if (strcmp(chosen->model, "quad") == 0)
         return glint_mesh_quad(mesh, err);
-    }
     struct stat found;
-    if (stat(chosen->model, &found) != 0 && errno == ENOENT) {
+    if (stat(chosen->model, &found) != 0 && errno == ENOENT)
         return no_such_model(chosen->model, err);
-    }
     return glint_mesh_load(chosen->model, glint_stop_flag(), mesh, err);
 }
 

@@ -28,9 +28,8 @@ static int slips(const char *a, const char *b)
     int row[3][WORD_MAX + 1] = {{0}};
     const int length_a = (int)strlen(a);
     const int length_b = (int)strlen(b);
-    for (int j = 0; j <= length_b; j++) {
+    for (int j = 0; j <= length_b; j++)
         row[2][j] = j;
-    }
     for (int i = 1; i <= length_a; i++) {
         memcpy(row[0], row[1], sizeof row[0]);
         memcpy(row[1], row[2], sizeof row[1]);
@@ -38,9 +37,8 @@ static int slips(const char *a, const char *b)
         for (int j = 1; j <= length_b; j++) {
             const int changed = row[1][j - 1] + (same(a[i - 1], b[j - 1]) ? 0 : 1);
             row[2][j] = least(changed, least(row[1][j], row[2][j - 1]) + 1);
-            if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1])) {
+            if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1]))
                 row[2][j] = least(row[2][j], row[0][j - 2] + 1);
-            }
         }
     }
     return row[2][length_b];
@@ -54,15 +52,13 @@ static int allowed(size_t length)
 const char *glint_suggest(const char *word, const char *const *names)
 {
     const size_t length = strlen(word);
-    if (length > WORD_MAX) {
+    if (length > WORD_MAX)
         return NULL;
-    }
     const char *nearest = NULL;
     int fewest = allowed(length) + 1;
     for (int i = 0; names[i] != NULL; i++) {
-        if (length >= 2 && strncasecmp(word, names[i], length) == 0) {
+        if (length >= 2 && strncasecmp(word, names[i], length) == 0)
             return names[i];
-        }
         const int found = strlen(names[i]) <= WORD_MAX ? slips(word, names[i]) : fewest;
         if (found < fewest) {
             fewest = found;

@@ -45,9 +45,8 @@ glint_hsv glint_hsv_of_rgb(glint_rgb rgb)
 {
     const int max = largest(rgb);
     const int range = max - smallest(rgb);
-    if (range == 0) {
+    if (range == 0)
         return (glint_hsv){0.0, 0.0, max / FULL};
-    }
     return (glint_hsv){60.0 * hue(rgb, max, range), (double)range / max, max / FULL};
 }
 
@@ -64,9 +63,8 @@ static double share_of_hsv(const glint_hsv *hsv, double from)
 
 glint_status glint_rgb_of_hsv(const glint_hsv *hsv, glint_rgb *rgb)
 {
-    if (!(hsv->h >= 0.0 && hsv->h <= 360.0) || !is_share(hsv->s) || !is_share(hsv->v)) {
+    if (!(hsv->h >= 0.0 && hsv->h <= 360.0) || !is_share(hsv->s) || !is_share(hsv->v))
         return GLINT_BAD_ARGUMENT;
-    }
     *rgb = (glint_rgb){component(share_of_hsv(hsv, 5.0)), component(share_of_hsv(hsv, 3.0)),
                        component(share_of_hsv(hsv, 1.0))};
     return GLINT_OK;
@@ -75,18 +73,16 @@ glint_status glint_rgb_of_hsv(const glint_hsv *hsv, glint_rgb *rgb)
 glint_cmyk glint_cmyk_of_rgb(glint_rgb rgb)
 {
     const double max = largest(rgb);
-    if (max == 0.0) {
+    if (max == 0.0)
         return (glint_cmyk){0.0, 0.0, 0.0, 1.0};
-    }
     return (glint_cmyk){(max - rgb.r) / max, (max - rgb.g) / max, (max - rgb.b) / max,
                         (FULL - max) / FULL};
 }
 
 glint_status glint_rgb_of_cmyk(const glint_cmyk *cmyk, glint_rgb *rgb)
 {
-    if (!is_share(cmyk->c) || !is_share(cmyk->m) || !is_share(cmyk->y) || !is_share(cmyk->k)) {
+    if (!is_share(cmyk->c) || !is_share(cmyk->m) || !is_share(cmyk->y) || !is_share(cmyk->k))
         return GLINT_BAD_ARGUMENT;
-    }
     const double white = 1.0 - cmyk->k;
     *rgb = (glint_rgb){component((1.0 - cmyk->c) * white), component((1.0 - cmyk->m) * white),
                        component((1.0 - cmyk->y) * white)};

@@ -4,8 +4,8 @@
  * hold every RGB colour: from RGB there and back is exact for all 2^24. The other way round it is
  * not, as there are more of them than of RGB's, and as a grey has no hue and black no saturation.
  */
-#ifndef GLINT_SIM_COLOR_H
-#define GLINT_SIM_COLOR_H
+#ifndef GLINT_SIM_COLOR_COLOR_H
+#define GLINT_SIM_COLOR_COLOR_H
 
 #include <stdint.h>
 

@@ -16,8 +16,8 @@
  * piece by piece between the angles where its geometry term has an edge. In t the pieces follow the
  * lobe: they double from its half width on, and where φ is bounded, t = b + (e−b) sin²u takes the
  * roots at both ends of that range away. */
-#ifndef GLINT_SIM_ALBEDO_H
-#define GLINT_SIM_ALBEDO_H
+#ifndef GLINT_SIM_ENERGY_ALBEDO_H
+#define GLINT_SIM_ENERGY_ALBEDO_H
 
 #include "energy/gauss.h"
 #include "reflectance/reflectance.h"

@@ -1,7 +1,7 @@
 /* The white furnace: a sphere in light of 1 from everywhere. A pixel's value is the albedo at the
  * angle at which it is seen; a surface that loses nothing cannot be told from the background. */
-#ifndef GLINT_SIM_FURNACE_H
-#define GLINT_SIM_FURNACE_H
+#ifndef GLINT_SIM_ENERGY_FURNACE_H
+#define GLINT_SIM_ENERGY_FURNACE_H
 
 #include "energy/table.h"
 #include "image/image.h"

@@ -1,6 +1,6 @@
 /* Gauss–Legendre nodes, for integrals of smooth functions. */
-#ifndef GLINT_SIM_GAUSS_H
-#define GLINT_SIM_GAUSS_H
+#ifndef GLINT_SIM_ENERGY_GAUSS_H
+#define GLINT_SIM_ENERGY_GAUSS_H
 
 #define GLINT_GAUSS_ORDER_MAX 64
 

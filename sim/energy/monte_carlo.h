@@ -1,7 +1,7 @@
 /* The directional albedo by random directions: the independent check of albedo.h, from vectors and
  * the BRDF alone. */
-#ifndef GLINT_SIM_MONTE_CARLO_H
-#define GLINT_SIM_MONTE_CARLO_H
+#ifndef GLINT_SIM_ENERGY_MONTE_CARLO_H
+#define GLINT_SIM_ENERGY_MONTE_CARLO_H
 
 #include <stdint.h>
 

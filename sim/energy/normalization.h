@@ -1,7 +1,7 @@
 /* Section 2.5: the albedo of the cosine-quadratic at normal incidence as (2.25) has it, and the
  * factor (n + A)/B of (2.26) that is to keep it at most 1 for all n. */
-#ifndef GLINT_SIM_NORMALIZATION_H
-#define GLINT_SIM_NORMALIZATION_H
+#ifndef GLINT_SIM_ENERGY_NORMALIZATION_H
+#define GLINT_SIM_ENERGY_NORMALIZATION_H
 
 /* The upper limit of (2.25), 5.8/√n, radians. */
 double glint_printed_limit(double n);

@@ -1,6 +1,6 @@
 /* Helmholtz reciprocity (2.20): f_r(L,V) = f_r(V,L). */
-#ifndef GLINT_SIM_RECIPROCITY_H
-#define GLINT_SIM_RECIPROCITY_H
+#ifndef GLINT_SIM_ENERGY_RECIPROCITY_H
+#define GLINT_SIM_ENERGY_RECIPROCITY_H
 
 #include <stdint.h>
 

@@ -1,7 +1,7 @@
 /* The clocks around a mismatch, with all that both sides had: made by playing pins through the C
  * model and the Verilog. */
-#ifndef GLINT_SIM_CAPTURE_H
-#define GLINT_SIM_CAPTURE_H
+#ifndef GLINT_SIM_FAILURE_CAPTURE_H
+#define GLINT_SIM_FAILURE_CAPTURE_H
 
 #include <string.h>
 

@@ -2,8 +2,8 @@
  *
  * It is made from a finding of lockstep, of the exhaustive comparison or of two frames, or read
  * from a packet (packet.h). glint_failure_play() runs it. */
-#ifndef GLINT_SIM_FAILURE_H
-#define GLINT_SIM_FAILURE_H
+#ifndef GLINT_SIM_FAILURE_FAILURE_H
+#define GLINT_SIM_FAILURE_FAILURE_H
 
 #include "failure/capture.h"
 #include "lockstep/answer.h"

@@ -1,6 +1,6 @@
 /* From two frames that differ to the answer of the circuit that made them differ. */
-#ifndef GLINT_SIM_FAILURE_OF_FRAME_H
-#define GLINT_SIM_FAILURE_OF_FRAME_H
+#ifndef GLINT_SIM_FAILURE_FRAME_H
+#define GLINT_SIM_FAILURE_FRAME_H
 
 #include "failure/failure.h"
 #include "render/render.h"

@@ -1,7 +1,7 @@
 /* A failure as a directory: what a person reads, what a waveform viewer opens, and what `glint
  * replay` needs. */
-#ifndef GLINT_SIM_PACKET_H
-#define GLINT_SIM_PACKET_H
+#ifndef GLINT_SIM_FAILURE_PACKET_H
+#define GLINT_SIM_FAILURE_PACKET_H
 
 #include "failure/failure.h"
 #include "image/image.h"

@@ -1,6 +1,6 @@
 /* Makes a directory for output. */
-#ifndef GLINT_SIM_DIRECTORY_H
-#define GLINT_SIM_DIRECTORY_H
+#ifndef GLINT_SIM_FILE_DIRECTORY_H
+#define GLINT_SIM_FILE_DIRECTORY_H
 
 #include "glint_status.h"
 

@@ -23,14 +23,11 @@ static size_t character(const unsigned char *at)
                           : is_between(lead, 0xe0, 0xef) ? 3
                           : is_between(lead, 0xf0, 0xf4) ? 4
                                                          : 0;
-    if (length > 1 && !is_between(at[1], least, most)) {
+    if (length > 1 && !is_between(at[1], least, most))
         return 0;
-    }
-    for (size_t i = 2; i < length; i++) {
-        if (!is_between(at[i], 0x80, 0xbf)) {
+    for (size_t i = 2; i < length; i++)
+        if (!is_between(at[i], 0x80, 0xbf))
             return 0;
-        }
-    }
     return length;
 }
 
@@ -50,9 +47,8 @@ char *glint_json_text(const cJSON *json)
 {
     char *printed = json != NULL ? cJSON_Print(json) : NULL;
     char *text = printed != NULL ? malloc(strlen(printed) * strlen(replacement) + 1) : NULL;
-    if (text != NULL) {
+    if (text != NULL)
         copy_clean(printed, text);
-    }
     cJSON_free(printed);
     return text;
 }

@@ -1,6 +1,6 @@
 /* JSON as text that every reader takes. */
-#ifndef GLINT_SIM_JSON_TEXT_H
-#define GLINT_SIM_JSON_TEXT_H
+#ifndef GLINT_SIM_FILE_JSON_TEXT_H
+#define GLINT_SIM_FILE_JSON_TEXT_H
 
 #include <cjson/cJSON.h>
 

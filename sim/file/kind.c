@@ -33,11 +33,9 @@ static const kind kinds[] = {
 static const kind *kind_of(const char *path)
 {
     const char *ending = strrchr(path, '.');
-    for (size_t i = 0; ending != NULL && i < sizeof kinds / sizeof kinds[0]; i++) {
-        if (strcasecmp(ending, kinds[i].ending) == 0) {
+    for (size_t i = 0; ending != NULL && i < sizeof kinds / sizeof kinds[0]; i++)
+        if (strcasecmp(ending, kinds[i].ending) == 0)
             return &kinds[i];
-        }
-    }
     return NULL;
 }
 
@@ -46,9 +44,8 @@ static bool begins_as(const char *path, const kind *kind)
 {
     char found[LONGEST];
     FILE *file = kind != NULL ? fopen(path, "rb") : NULL;
-    if (file == NULL) {
+    if (file == NULL)
         return kind != NULL;
-    }
     const size_t count = fread(found, 1, kind->length, file);
     (void)fclose(file);
     return count == kind->length && memcmp(found, kind->begins, count) == 0;
@@ -59,9 +56,8 @@ glint_status glint_file_replaceable(const char *path, glint_error *err)
     struct stat info;
     const kind *kind = kind_of(path);
     if (stat(path, &info) != 0 || !S_ISREG(info.st_mode) || info.st_size == 0 ||
-        begins_as(path, kind)) {
+        begins_as(path, kind))
         return GLINT_OK;
-    }
     return glint_fail(err, GLINT_BAD_ARGUMENT,
                       "%.400s is there and is no %s: take another name, or --force", path,
                       kind != NULL ? kind->name : "file of this kind");

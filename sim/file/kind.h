@@ -1,6 +1,6 @@
 /* Whether what is at a path may be written over. */
-#ifndef GLINT_SIM_KIND_H
-#define GLINT_SIM_KIND_H
+#ifndef GLINT_SIM_FILE_KIND_H
+#define GLINT_SIM_FILE_KIND_H
 
 #include "glint_status.h"
 

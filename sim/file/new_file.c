@@ -34,9 +34,8 @@ static glint_status cannot_write(const char *path, int reason, glint_error *err)
 
 static void free_file(glint_new_file *file)
 {
-    if (file->unnamed >= 0) {
+    if (file->unnamed >= 0)
         close(file->unnamed);
-    }
     free(file->target);
     free(file->temporary);
     free(file);
@@ -55,23 +54,19 @@ static int look_at_target(const char *path, glint_new_file *file, target_kind *k
     struct stat existing;
     *kind = REPLACED;
     if (stat(path, &existing) != 0) {
-        if (errno != ENOENT) {
+        if (errno != ENOENT)
             return errno;
-        }
         return glint_target_follow(path, &file->target); /* a link that leads to nothing yet */
     }
-    if (S_ISDIR(existing.st_mode)) {
+    if (S_ISDIR(existing.st_mode))
         return EISDIR;
-    }
     /* A rename would replace a file that its owner made read-only. */
-    if (access(path, W_OK) != 0) {
+    if (access(path, W_OK) != 0)
         return errno;
-    }
     *kind = S_ISREG(existing.st_mode) ? REPLACED : S_ISFIFO(existing.st_mode) ? PIPE : DIRECT;
     file->mode = existing.st_mode & 07777;
-    if (*kind == REPLACED) {
+    if (*kind == REPLACED)
         return glint_target_follow(path, &file->target);
-    }
     file->target = strdup(path);
     return file->target != NULL ? 0 : ENOMEM;
 }
@@ -85,16 +80,14 @@ static int create_beside(glint_new_file *file)
         const int fd = file->temporary != NULL
                            ? open(file->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)
                            : -1;
-        if (fd >= 0) {
+        if (fd >= 0)
             return fd;
-        }
         const int reason = errno;
         free(file->temporary);
         file->temporary = NULL; /* nothing to remove */
         errno = reason;
-        if (reason != EEXIST) {
+        if (reason != EEXIST)
             break;
-        }
     }
     return -1;
 }
@@ -147,9 +140,8 @@ static int open_pipe(const char *path, const volatile bool *stop)
         (void)nanosleep(&pause, NULL);
         fd = open(path, O_WRONLY | O_NONBLOCK | O_CLOEXEC);
     }
-    if (fd >= 0) {
+    if (fd >= 0)
         (void)fcntl(fd, F_SETFL, fcntl(fd, F_GETFL) & ~O_NONBLOCK);
-    }
     return fd;
 }
 
@@ -159,9 +151,8 @@ static int open_stream(glint_new_file *file, target_kind kind, const volatile bo
     const int fd = kind == PIPE     ? open_pipe(file->target, stop)
                    : kind == DIRECT ? open(file->target, O_WRONLY | O_CLOEXEC)
                                     : create(file);
-    if (fd < 0) {
+    if (fd < 0)
         return errno;
-    }
     if (kind == REPLACED && file->mode != 0 && fchmod(fd, file->mode) != 0) {
         const int reason = errno;
         close(fd);
@@ -179,9 +170,8 @@ static int open_stream(glint_new_file *file, target_kind kind, const volatile bo
 static glint_status cannot_open(const char *path, target_kind kind, int reason,
                                 const volatile bool *stop, glint_error *err)
 {
-    if (stop != NULL && *stop) {
+    if (stop != NULL && *stop)
         return glint_fail(err, GLINT_INTERRUPTED, "interrupted");
-    }
     if (kind == PIPE && reason == ENXIO) {
         return glint_fail(err, GLINT_IO_ERROR,
                           "cannot write %.400s: it is a pipe, and in %d s nobody came to read it",
@@ -195,15 +185,13 @@ glint_status glint_new_file_open_until(const char *path, const volatile bool *st
 {
     *file = NULL;
     glint_new_file *made = calloc(1, sizeof *made);
-    if (made == NULL) {
+    if (made == NULL)
         return cannot_write(path, ENOMEM, err);
-    }
     made->unnamed = -1;
     target_kind kind;
     int reason = look_at_target(path, made, &kind);
-    if (reason == 0) {
+    if (reason == 0)
         reason = open_stream(made, kind, stop);
-    }
     if (reason != 0) {
         glint_new_file_discard(made);
         return cannot_open(path, kind, reason, stop, err);
@@ -235,9 +223,8 @@ static int drop_stream(glint_new_file *file)
 /* Closes the stream, unless it is. Returns 0, or the errno of whatever was not written. */
 static int close_stream(glint_new_file *file)
 {
-    if (file->stream == NULL) {
+    if (file->stream == NULL)
         return 0;
-    }
     errno = 0;
     bool whole = fflush(file->stream) == 0 && !ferror(file->stream);
     int reason = errno;
@@ -252,9 +239,8 @@ static int close_stream(glint_new_file *file)
 glint_status glint_new_file_close(glint_new_file *file, glint_error *err)
 {
     const int reason = close_stream(file);
-    if (reason == 0) {
+    if (reason == 0)
         return GLINT_OK;
-    }
     const glint_status status = cannot_write(file->target, reason, err);
     glint_new_file_discard(file);
     return status;
@@ -266,9 +252,8 @@ static int name_beside(glint_new_file *file, const char *from)
     int reason = EEXIST;
     for (int attempt = 0; attempt < GLINT_TEMPORARY_FILES && reason == EEXIST; attempt++) {
         file->temporary = glint_temporary_name(file->target, attempt);
-        if (file->temporary == NULL) {
+        if (file->temporary == NULL)
             return ENOMEM;
-        }
         reason =
             linkat(AT_FDCWD, from, AT_FDCWD, file->temporary, AT_SYMLINK_FOLLOW) == 0 ? 0 : errno;
         if (reason != 0) {
@@ -286,13 +271,11 @@ static int take_name(glint_new_file *file)
     if (file->unnamed >= 0) {
         char from[64];
         path_of_descriptor(file->unnamed, from);
-        if (linkat(AT_FDCWD, from, AT_FDCWD, file->target, AT_SYMLINK_FOLLOW) == 0) {
+        if (linkat(AT_FDCWD, from, AT_FDCWD, file->target, AT_SYMLINK_FOLLOW) == 0)
             return 0;
-        }
         const int reason = errno == EEXIST ? name_beside(file, from) : errno;
-        if (reason != 0) {
+        if (reason != 0)
             return reason;
-        }
     }
     return file->temporary == NULL || rename(file->temporary, file->target) == 0 ? 0 : errno;
 }
@@ -300,9 +283,8 @@ static int take_name(glint_new_file *file)
 glint_status glint_new_file_commit(glint_new_file *file, glint_error *err)
 {
     int reason = close_stream(file);
-    if (reason == 0) {
+    if (reason == 0)
         reason = take_name(file);
-    }
     glint_status status = GLINT_OK;
     if (reason != 0) {
         status = cannot_write(file->target, reason, err);
@@ -315,15 +297,12 @@ glint_status glint_new_file_commit(glint_new_file *file, glint_error *err)
 
 void glint_new_file_discard(glint_new_file *file)
 {
-    if (file == NULL) {
+    if (file == NULL)
         return;
-    }
-    if (file->stream != NULL) {
+    if (file->stream != NULL)
         (void)drop_stream(file);
-    }
-    if (file->temporary != NULL) {
+    if (file->temporary != NULL)
         unlink(file->temporary);
-    }
     free_file(file);
 }
 
@@ -333,12 +312,10 @@ glint_status glint_new_file_check(const char *path, glint_error *err)
     target_kind kind;
     int reason = look_at_target(path, &probe, &kind);
     free(probe.target);
-    if (reason != 0) {
+    if (reason != 0)
         return cannot_write(path, reason, err);
-    }
-    if (kind != REPLACED) {
+    if (kind != REPLACED)
         return GLINT_OK; /* to a pipe's reader, opening and closing it would be the end */
-    }
     glint_new_file *file;
     const glint_status status = glint_new_file_open(path, &file, err);
     glint_new_file_discard(file);

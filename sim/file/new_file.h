@@ -11,8 +11,8 @@
  * An existing file keeps its permissions; a symbolic link is followed and stays: the file that it
  * leads to is replaced, or made if missing. A path that names no regular file (a device, a pipe) is
  * written to directly; a pipe once somebody reads it. */
-#ifndef GLINT_SIM_NEW_FILE_H
-#define GLINT_SIM_NEW_FILE_H
+#ifndef GLINT_SIM_FILE_NEW_FILE_H
+#define GLINT_SIM_FILE_NEW_FILE_H
 
 #include <stdbool.h>
 #include <stdio.h>

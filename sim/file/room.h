@@ -1,6 +1,6 @@
 /* Whether a file could be written, asked beforehand: for writers that do not tell afterwards. */
-#ifndef GLINT_SIM_ROOM_H
-#define GLINT_SIM_ROOM_H
+#ifndef GLINT_SIM_FILE_ROOM_H
+#define GLINT_SIM_FILE_ROOM_H
 
 #include "glint_status.h"
 

@@ -1,6 +1,6 @@
 /* Whether two paths lead to one file. */
-#ifndef GLINT_SIM_SAME_H
-#define GLINT_SIM_SAME_H
+#ifndef GLINT_SIM_FILE_SAME_H
+#define GLINT_SIM_FILE_SAME_H
 
 #include <stdbool.h>
 

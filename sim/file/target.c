@@ -18,9 +18,8 @@ static char *read_link(const char *link)
 {
     char to[PATH_MAX];
     const ssize_t length = readlink(link, to, sizeof to - 1);
-    if (length < 0) {
+    if (length < 0)
         return NULL;
-    }
     to[length] = '\0';
     const char *slash = to[0] != '/' ? strrchr(link, '/') : NULL;
     const size_t before = slash != NULL ? (size_t)(slash - link) + 1 : 0;
@@ -40,9 +39,8 @@ int glint_target_follow(const char *path, char **target)
         char *next = links < LINKS_MAX ? read_link(at) : NULL;
         const int reason = links < LINKS_MAX ? errno : ELOOP;
         free(at);
-        if (next == NULL) {
+        if (next == NULL)
             return reason;
-        }
         at = next;
     }
     *target = at;

@@ -18,9 +18,8 @@
 /* FNV-1a. */
 static uint32_t mix(uint32_t hash, const char *text)
 {
-    for (; *text != '\0'; text++) {
+    for (; *text != '\0'; text++)
         hash = (hash ^ (unsigned char)*text) * UINT32_C(16777619);
-    }
     return hash;
 }
 
@@ -72,26 +71,22 @@ static void empty(int at, const char *name)
     DIR *listing = fd >= 0 ? fdopendir(fd) : NULL;
     const struct dirent *entry;
     if (listing == NULL) {
-        if (fd >= 0) {
+        if (fd >= 0)
             (void)close(fd);
-        }
         return;
     }
-    while ((entry = readdir(listing)) != NULL) {
+    while ((entry = readdir(listing)) != NULL)
         (void)unlinkat(fd, entry->d_name, 0); /* "." and ".." refuse */
-    }
     (void)closedir(listing);
 }
 
 static void remove_left(int at, const char *name)
 {
     struct stat info;
-    if (fstatat(at, name, &info, AT_SYMLINK_NOFOLLOW) != 0 || info.st_uid != geteuid()) {
+    if (fstatat(at, name, &info, AT_SYMLINK_NOFOLLOW) != 0 || info.st_uid != geteuid())
         return;
-    }
-    if (S_ISDIR(info.st_mode)) {
+    if (S_ISDIR(info.st_mode))
         empty(at, name);
-    }
     (void)unlinkat(at, name, S_ISDIR(info.st_mode) ? AT_REMOVEDIR : 0);
 }
 
@@ -102,13 +97,10 @@ void glint_temporary_sweep(const char *target)
     DIR *listing = directory != NULL ? opendir(directory) : NULL;
     const uint32_t here = host();
     const struct dirent *entry;
-    while (listing != NULL && (entry = readdir(listing)) != NULL) {
-        if (is_left_behind(entry->d_name, here)) {
+    while (listing != NULL && (entry = readdir(listing)) != NULL)
+        if (is_left_behind(entry->d_name, here))
             remove_left(dirfd(listing), entry->d_name);
-        }
-    }
-    if (listing != NULL) {
+    if (listing != NULL)
         (void)closedir(listing);
-    }
     free(directory);
 }

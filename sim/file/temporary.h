@@ -4,8 +4,8 @@
  * A name is .glint-HOST-PID-N.tmp in the directory of the target: HOST stands for the machine and
  * its process numbers (a container's are its own), so that a name tells whether who made it is
  * alive. */
-#ifndef GLINT_SIM_TEMPORARY_H
-#define GLINT_SIM_TEMPORARY_H
+#ifndef GLINT_SIM_FILE_TEMPORARY_H
+#define GLINT_SIM_FILE_TEMPORARY_H
 
 /* Below it the numbers of new_file.h, each tried until one is free; the others are for who makes
  * something else beside a target. */

@@ -44,17 +44,15 @@ static void add_pixel(const uint8_t *a, const uint8_t *b, sums *sum)
 /* Thesis (3.1). */
 static double nmse(const sums *sum)
 {
-    if (sum->error == 0) {
+    if (sum->error == 0)
         return 0.0;
-    }
     return sum->reference == 0 ? INFINITY : (double)sum->error / (double)sum->reference;
 }
 
 static double psnr(const sums *sum, uint64_t object_pixels)
 {
-    if (sum->error == 0) {
+    if (sum->error == 0)
         return INFINITY;
-    }
     const double mean = (double)sum->error / (3.0 * (double)object_pixels);
     return 10.0 * log10(255.0 * 255.0 / mean);
 }
@@ -81,9 +79,8 @@ glint_status glint_image_compare(const glint_image *a, const glint_image *b,
                                  glint_image_difference *difference, glint_error *err)
 {
     const glint_status status = check_sizes(a, b, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     const size_t pixels = (size_t)a->width * (size_t)a->height;
     sums sum = {0, 0};
     *difference = (glint_image_difference){
@@ -126,9 +123,8 @@ static const uint8_t mask_color[3] = {255, 0, 255}; /* magenta */
 
 static void copy_color(const uint8_t from[3], uint8_t to[3])
 {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         to[i] = from[i];
-    }
 }
 
 /* The reference in grey at half its brightness, so that the shape shows and no colour of the
@@ -148,21 +144,18 @@ static void show_pixel(const glint_image *a, const glint_image *b, size_t pixel,
             return;
         }
     }
-    if (a->object[pixel] != b->object[pixel]) {
+    if (a->object[pixel] != b->object[pixel])
         copy_color(mask_color, to);
-    } else {
+    else
         dim(a->rgb + 3 * pixel, to);
-    }
 }
 
 int glint_image_difference_rank(const uint8_t rgb[3])
 {
     const int colors = (int)(sizeof legend / sizeof legend[0]);
-    for (int i = 0; i < colors; i++) {
-        if (memcmp(rgb, legend[i].color, 3) == 0) {
+    for (int i = 0; i < colors; i++)
+        if (memcmp(rgb, legend[i].color, 3) == 0)
             return colors - i + 1;
-        }
-    }
     return memcmp(rgb, mask_color, 3) == 0;
 }
 
@@ -171,12 +164,10 @@ glint_status glint_image_difference_picture(const glint_image *a, const glint_im
 {
     *picture = NULL;
     glint_status status = check_sizes(a, b, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_image_create(a->width, a->height, picture, err);
-    }
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     const size_t pixels = (size_t)a->width * (size_t)a->height;
     for (size_t pixel = 0; pixel < pixels; pixel++) {
         show_pixel(a, b, pixel, (*picture)->rgb + 3 * pixel);

@@ -28,9 +28,8 @@ glint_status glint_image_create(int width, int height, glint_image **image, glin
 
 void glint_image_destroy(glint_image *image)
 {
-    if (image == NULL) {
+    if (image == NULL)
         return;
-    }
     free(image->rgb);
     free(image->object);
     free(image);

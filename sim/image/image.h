@@ -1,7 +1,7 @@
 /* An 8-bit RGB picture with a mask of the pixels that belong to the object, PNG in and out, and
  * the comparison of two pictures. */
-#ifndef GLINT_SIM_IMAGE_H
-#define GLINT_SIM_IMAGE_H
+#ifndef GLINT_SIM_IMAGE_IMAGE_H
+#define GLINT_SIM_IMAGE_IMAGE_H
 
 #include <stdbool.h>
 #include <stddef.h>

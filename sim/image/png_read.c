@@ -51,9 +51,8 @@ static void get_bytes(png_structp png, png_bytep bytes, size_t count)
     errno = 0;
     const bool whole = fread(bytes, 1, count, from->stream) == count;
     check_stop(png, from);
-    if (whole) {
+    if (whole)
         return;
-    }
     if (ferror(from->stream)) {
         from->status = glint_fail(from->err, GLINT_IO_ERROR, "cannot read %.400s: %s", from->path,
                                   strerror(errno != 0 ? errno : EIO));
@@ -90,9 +89,8 @@ static void make_room(png_structp png, png_infop info, reader *from)
     const png_uint_32 width = png_get_image_width(png, info);
     const png_uint_32 height = png_get_image_height(png, info);
     from->status = glint_image_create((int)width, (int)height, &from->image, from->err);
-    if (from->status != GLINT_OK) {
+    if (from->status != GLINT_OK)
         png_error(png, "no room");
-    }
     from->rgba = calloc(height, (size_t)width * 4);
     from->rows = calloc(height, sizeof *from->rows);
     if (from->rgba == NULL || from->rows == NULL) {
@@ -100,9 +98,8 @@ static void make_room(png_structp png, png_infop info, reader *from)
                                   from->path, (unsigned long)width, (unsigned long)height);
         png_error(png, "no memory");
     }
-    for (png_uint_32 y = 0; y < height; y++) {
+    for (png_uint_32 y = 0; y < height; y++)
         from->rows[y] = from->rgba + (size_t)y * width * 4;
-    }
 }
 
 static void read_passes(png_structp png, png_infop info, int passes, reader *from)
@@ -119,9 +116,8 @@ static void read_passes(png_structp png, png_infop info, int passes, reader *fro
 /* No variable here changes after setjmp(), so none is lost when libpng jumps back. */
 static void read_rows(png_structp png, png_infop info, reader *from)
 {
-    if (setjmp(png_jmpbuf(png))) {
+    if (setjmp(png_jmpbuf(png)))
         return;
-    }
     png_set_read_fn(png, from, get_bytes);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); /* check_size() says it better */
     /* Chunks that no pixel depends on are not read: libpng clears as much memory as such a chunk
@@ -169,12 +165,10 @@ glint_status glint_image_read_png_until(const char *path, const volatile bool *s
     *image = NULL;
     reader from = {
         .path = path, .stop = stop, .stream = fopen(path, "rb"), .status = GLINT_OK, .err = err};
-    if (from.stream == NULL && errno == EINTR && stop != NULL && *stop) {
+    if (from.stream == NULL && errno == EINTR && stop != NULL && *stop)
         return glint_fail(err, GLINT_INTERRUPTED, "interrupted");
-    }
-    if (from.stream == NULL) {
+    if (from.stream == NULL)
         return glint_fail(err, GLINT_IO_ERROR, "cannot read %.400s: %s", path, strerror(errno));
-    }
     read_stream(&from);
     fclose(from.stream);
     if (from.status == GLINT_OK) {

@@ -26,9 +26,8 @@ static bool stopped(const glint_image_control *control)
 static void give_up(png_structp png, png_const_charp message)
 {
     const writer *to = png_get_error_ptr(png);
-    if (!stopped(to->control)) {
+    if (!stopped(to->control))
         glint_fail(to->err, GLINT_IO_ERROR, "cannot write %.400s: %s", to->path, message);
-    }
     png_longjmp(png, 1);
 }
 
@@ -42,9 +41,8 @@ static void put_bytes(png_structp png, png_bytep bytes, size_t count)
 {
     const writer *to = png_get_io_ptr(png);
     errno = 0;
-    if (fwrite(bytes, 1, count, to->stream) != count) {
+    if (fwrite(bytes, 1, count, to->stream) != count)
         png_error(png, strerror(errno != 0 ? errno : EIO));
-    }
 }
 
 /* The stream is flushed once, by whoever closes it. */
@@ -77,14 +75,12 @@ static glint_status write_rows(const glint_image *image, const writer *to, png_s
                  PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
     for (int y = 0; y < image->height; y++) {
-        if (stopped(to->control)) {
+        if (stopped(to->control))
             return glint_fail(to->err, GLINT_INTERRUPTED, "interrupted");
-        }
         join_row(image, (size_t)y, row);
         png_write_row(png, row);
-        if (to->control != NULL && to->control->progress != NULL) {
+        if (to->control != NULL && to->control->progress != NULL)
             to->control->progress(to->control->context, (uint64_t)y + 1, (uint64_t)image->height);
-        }
     }
     png_write_end(png, info);
     return GLINT_OK;
@@ -125,9 +121,8 @@ glint_status glint_image_write_png_until(const glint_image *image, const char *p
     glint_new_file *file;
     glint_status status =
         glint_new_file_open_until(path, control != NULL ? control->stop : NULL, &file, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     status = glint_image_print_png(image, glint_new_file_stream(file), path, control, err);
     if (status != GLINT_OK) {
         glint_new_file_discard(file);

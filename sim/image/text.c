@@ -44,13 +44,11 @@ void glint_text_close(glint_text *text)
 
 static void blend(glint_image *image, int x, int y, int end, uint8_t grey, unsigned cover)
 {
-    if (x < 0 || y < 0 || x >= image->width || x >= end || y >= image->height) {
+    if (x < 0 || y < 0 || x >= image->width || x >= end || y >= image->height)
         return;
-    }
     uint8_t *rgb = &image->rgb[3 * ((size_t)y * (size_t)image->width + (size_t)x)];
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; c++)
         rgb[c] = (uint8_t)((rgb[c] * (255 - cover) + grey * cover + 127) / 255);
-    }
 }
 
 static void draw_letter(const FT_GlyphSlot glyph, glint_image *image, int x, int y, int end,

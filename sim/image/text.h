@@ -1,6 +1,6 @@
 /* Lines of text on pictures, through FreeType. */
-#ifndef GLINT_SIM_TEXT_H
-#define GLINT_SIM_TEXT_H
+#ifndef GLINT_SIM_IMAGE_TEXT_H
+#define GLINT_SIM_IMAGE_TEXT_H
 
 #include "image/image.h"
 

@@ -2,8 +2,8 @@
  * exhaustive comparison and a frame find it: what was asked, and what was asked about that time, so
  * that the circuit can be asked again. Only the thesis's circuits have answers: points and
  * divisions are typed, here alone and in their batches. */
-#ifndef GLINT_SIM_ANSWER_H
-#define GLINT_SIM_ANSWER_H
+#ifndef GLINT_SIM_LOCKSTEP_ANSWER_H
+#define GLINT_SIM_LOCKSTEP_ANSWER_H
 
 #include <stdbool.h>
 

@@ -1,8 +1,8 @@
 /* What differs between the circuits whose answers are asked for by number: the thesis's, which
  * frames and the exhaustive comparison of points ask. One file each: specular_answer.c,
  * divider_answer.c. */
-#ifndef GLINT_SIM_ANSWER_KIND_H
-#define GLINT_SIM_ANSWER_KIND_H
+#ifndef GLINT_SIM_LOCKSTEP_ANSWER_KIND_H
+#define GLINT_SIM_LOCKSTEP_ANSWER_KIND_H
 
 #include "lockstep/answer.h"
 #include "lockstep/batch_pins.h"

@@ -1,7 +1,7 @@
 /* The pins by which a run of points or divisions goes through a circuit, clock by clock, as
  * glint_rtl_shade() and glint_rtl_divide() feed it: of the thesis's circuits (answer_kind.h). */
-#ifndef GLINT_SIM_BATCH_PINS_H
-#define GLINT_SIM_BATCH_PINS_H
+#ifndef GLINT_SIM_LOCKSTEP_BATCH_PINS_H
+#define GLINT_SIM_LOCKSTEP_BATCH_PINS_H
 
 #include "circuit/setting.h"
 #include "glint_divider.h"

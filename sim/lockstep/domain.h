@@ -10,8 +10,8 @@
  *
  * What it does not reach: no reset and no stall comes up unless the domain's points have them, and
  * only outputs are compared. Lockstep is for the rest. */
-#ifndef GLINT_SIM_DOMAIN_H
-#define GLINT_SIM_DOMAIN_H
+#ifndef GLINT_SIM_LOCKSTEP_DOMAIN_H
+#define GLINT_SIM_LOCKSTEP_DOMAIN_H
 
 #include <stdbool.h>
 

@@ -22,8 +22,8 @@
  * clock of a run of at most 4096 points, when nothing is in flight; all lanes are valid or none;
  * enable is always 1; the one reset is that of the circuit's creation. Only outputs are compared.
  * Lockstep and `make formal` are for the rest. */
-#ifndef GLINT_SIM_EXHAUSTIVE_H
-#define GLINT_SIM_EXHAUSTIVE_H
+#ifndef GLINT_SIM_LOCKSTEP_EXHAUSTIVE_H
+#define GLINT_SIM_LOCKSTEP_EXHAUSTIVE_H
 
 #include <stdbool.h>
 

@@ -1,7 +1,7 @@
 /* What a circuit was asked since it was made, as the pins of its last clocks: for an answer that is
  * wrong only because of what went before it. */
-#ifndef GLINT_SIM_HISTORY_H
-#define GLINT_SIM_HISTORY_H
+#ifndef GLINT_SIM_LOCKSTEP_HISTORY_H
+#define GLINT_SIM_LOCKSTEP_HISTORY_H
 
 #include "lockstep/batch_pins.h"
 

@@ -1,7 +1,7 @@
 /* The C model and the Verilog side by side: the same random pins, one clock after the other, and
  * after each clock every register and every named internal value compared, bit for bit. */
-#ifndef GLINT_SIM_LOCKSTEP_H
-#define GLINT_SIM_LOCKSTEP_H
+#ifndef GLINT_SIM_LOCKSTEP_LOCKSTEP_H
+#define GLINT_SIM_LOCKSTEP_LOCKSTEP_H
 
 #include <stdbool.h>
 

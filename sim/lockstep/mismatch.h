@@ -1,6 +1,6 @@
 /* What every comparison of signals does with a mismatch: keep the first ones, count all, print. */
-#ifndef GLINT_SIM_MISMATCH_H
-#define GLINT_SIM_MISMATCH_H
+#ifndef GLINT_SIM_LOCKSTEP_MISMATCH_H
+#define GLINT_SIM_LOCKSTEP_MISMATCH_H
 
 #include <stdio.h>
 

@@ -1,7 +1,7 @@
 /* What the pins of a run reached, counted at the pins as they are driven, by their roles: how deep
  * into the state of a circuit it got, and what came while something was in flight. */
-#ifndef GLINT_SIM_REACH_H
-#define GLINT_SIM_REACH_H
+#ifndef GLINT_SIM_LOCKSTEP_REACH_H
+#define GLINT_SIM_LOCKSTEP_REACH_H
 
 #include "lockstep/signals.h"
 

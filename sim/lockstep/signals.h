@@ -1,6 +1,6 @@
 /* The signals and pins of a setting, as everything that compares or shows them asks for them. */
-#ifndef GLINT_SIM_SIGNALS_H
-#define GLINT_SIM_SIGNALS_H
+#ifndef GLINT_SIM_LOCKSTEP_SIGNALS_H
+#define GLINT_SIM_LOCKSTEP_SIGNALS_H
 
 #include "circuit/words.h"
 

@@ -1,7 +1,7 @@
 /* A C model and its Verilog side by side, of any circuit: clocked with the same pins, read signal
  * by signal. */
-#ifndef GLINT_SIM_TWIN_H
-#define GLINT_SIM_TWIN_H
+#ifndef GLINT_SIM_LOCKSTEP_TWIN_H
+#define GLINT_SIM_LOCKSTEP_TWIN_H
 
 #include "lockstep/signals.h"
 

@@ -50,9 +50,8 @@ static void batch_power(const glint_reflectance *prepared, const float *restrict
 {
     const float n = (float)prepared->n;
     const float scale = (float)prepared->power.scale;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         value[i] = scale * powf(glint_held_cosine(cosine[i]), n);
-    }
 }
 
 const glint_reflectance_definition glint_reflectance_lambert = {

@@ -34,13 +34,11 @@ static void batch_device(const glint_reflectance *prepared, const float *restric
     uint8_t r[CHUNK], g[CHUNK], b[CHUNK];
     for (size_t first = 0; first < count; first += CHUNK) {
         const size_t length = count - first < CHUNK ? count - first : CHUNK;
-        for (size_t i = 0; i < length; i++) {
+        for (size_t i = 0; i < length; i++)
             code[i] = glint_cos_code((double)cosine[first + i]);
-        }
         glint_specular_batch(GLINT_GATE_COSINE, &material, code, length, w, r, g, b);
-        for (size_t i = 0; i < length; i++) {
+        for (size_t i = 0; i < length; i++)
             value[first + i] = (float)w[i] / (float)GLINT_W_ONE;
-        }
     }
 }
 

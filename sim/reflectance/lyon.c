@@ -21,9 +21,8 @@ static double lyon(const glint_reflectance *prepared, double c)
 {
     const double line = prepared->lyon.slope * (c - 1.0) + 1.0;
     double value = line > 0.0 ? line : 0.0;
-    for (int i = 0; i < prepared->lyon.squarings; i++) {
+    for (int i = 0; i < prepared->lyon.squarings; i++)
         value *= value;
-    }
     return prepared->lyon.scale * value;
 }
 
@@ -37,14 +36,11 @@ static void batch_lyon(const glint_reflectance *prepared, const float *restrict 
         const float line = slope * (glint_held_cosine(cosine[i]) - 1.0f) + 1.0f;
         value[i] = line > 0.0f ? line : 0.0f;
     }
-    for (int s = 0; s < prepared->lyon.squarings; s++) {
-        for (size_t i = 0; i < count; i++) {
+    for (int s = 0; s < prepared->lyon.squarings; s++)
+        for (size_t i = 0; i < count; i++)
             value[i] *= value[i];
-        }
-    }
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         value[i] *= scale;
-    }
 }
 
 /* ---- Widths ---------------------------------------------------------------------------------- */

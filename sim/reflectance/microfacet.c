@@ -11,9 +11,8 @@
 /* Unpolarised light on a plane boundary, by the cosine of incidence. */
 static double fresnel(double refraction, double c)
 {
-    if (isinf(refraction)) {
+    if (isinf(refraction))
         return 1.0;
-    }
     const double g = sqrt(refraction * refraction - 1.0 + c * c);
     const double s = (g - c) / (g + c);
     const double p = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);

@@ -6,9 +6,8 @@
 
 double glint_quadratic_a(double n)
 {
-    if (n <= 1.0) {
+    if (n <= 1.0)
         return 0.0;
-    }
     /* t = cos arctg 1/√(n−1) = √((n−1)/n) (2.4), a = (t^(n−1) − 1)/(t − 1) (2.7), where
      * 1 − t = (1/n)/(1 + t) and t^(n−1) − 1 = expm1(…). */
     const double t = sqrt((n - 1.0) / n);

@@ -88,9 +88,8 @@ glint_status glint_reflectance_prepare(glint_reflectance_model model,
                                        glint_reflectance *prepared, glint_error *err)
 {
     const glint_status status = check_parameters(model, parameters, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     *prepared = (glint_reflectance){.model = model, .n = parameters->n, .of_cosine = no_lobe};
     definitions[model]->prepare(parameters, prepared);
     return GLINT_OK;
@@ -104,9 +103,8 @@ void glint_reflectance_batch(const glint_reflectance *prepared, const float *res
         definition->batch(prepared, cosine, count, value);
         return;
     }
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         value[i] = (float)glint_reflectance_of_cosine(prepared, (double)cosine[i]);
-    }
 }
 
 glint_status glint_reflectance_eval(glint_reflectance_model model, double n, double cosine,
@@ -115,9 +113,8 @@ glint_status glint_reflectance_eval(glint_reflectance_model model, double n, dou
     glint_reflectance prepared;
     const glint_reflectance_parameters parameters = {.n = n, .f0 = GLINT_F0_DEFAULT};
     const glint_status status = glint_reflectance_prepare(model, &parameters, &prepared, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     if (definitions[model]->info.cosine == GLINT_REFLECTANCE_OF_GEOMETRY) {
         return glint_fail(err, GLINT_BAD_ARGUMENT,
                           "model %s is no function of one cosine: it needs the directions",
@@ -139,14 +136,12 @@ static bool is_unit(glint_vec3 v)
 glint_status glint_geometry_of(glint_vec3 normal, glint_vec3 light, glint_vec3 viewer,
                                glint_geometry *geometry, glint_error *err)
 {
-    if (!is_unit(normal) || !is_unit(light) || !is_unit(viewer)) {
+    if (!is_unit(normal) || !is_unit(light) || !is_unit(viewer))
         return glint_fail(err, GLINT_BAD_ARGUMENT, "N, L or V is not of unit length");
-    }
     const glint_vec3 sum = glint_vec3_add(light, viewer);
     const double length = glint_vec3_length(sum);
-    if (length <= UNIT_TOLERANCE) {
+    if (length <= UNIT_TOLERANCE)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "L is opposite to V: there is no H");
-    }
     const double nl = glint_vec3_dot(normal, light);
     const double nv = glint_vec3_dot(normal, viewer);
     *geometry = (glint_geometry){
@@ -167,9 +162,8 @@ static double lobe(const glint_reflectance *prepared, const glint_geometry *geom
 
 double glint_reflectance_brdf(const glint_reflectance *prepared, const glint_geometry *geometry)
 {
-    if (!(geometry->nl > 0.0 && geometry->nv > 0.0)) {
+    if (!(geometry->nl > 0.0 && geometry->nv > 0.0))
         return 0.0;
-    }
     const glint_reflectance_definition *definition = definitions[prepared->model];
     return definition->brdf != NULL ? definition->brdf(prepared, geometry)
                                     : lobe(prepared, geometry);

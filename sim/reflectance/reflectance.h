@@ -14,8 +14,8 @@
  * a millisecond); the prepared value is plain, may be copied, and any number of threads may use it.
  *
  * docs/models.md compares the models and says how the misprinted equations are read. */
-#ifndef GLINT_SIM_REFLECTANCE_H
-#define GLINT_SIM_REFLECTANCE_H
+#ifndef GLINT_SIM_REFLECTANCE_REFLECTANCE_H
+#define GLINT_SIM_REFLECTANCE_REFLECTANCE_H
 
 #include <stdbool.h>
 #include <stddef.h>

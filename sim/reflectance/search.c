@@ -52,9 +52,8 @@ double glint_search_maximum(glint_search_function f, const void *context, double
         best = better(best, x, f(context, x));
     }
     best = golden_section(f, context, fmax(from, best.x - step), fmin(to, best.x + step), best);
-    if (at != NULL) {
+    if (at != NULL)
         *at = best.x;
-    }
     return best.value;
 }
 
@@ -62,13 +61,11 @@ double glint_search_zero(glint_search_function f, const void *context, double fr
 {
     for (;;) {
         const double middle = from + 0.5 * (to - from);
-        if (middle <= from || middle >= to) {
+        if (middle <= from || middle >= to)
             return from;
-        }
-        if (f(context, middle) >= 0.0) {
+        if (f(context, middle) >= 0.0)
             from = middle;
-        } else {
+        else
             to = middle;
-        }
     }
 }

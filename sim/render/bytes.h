@@ -1,6 +1,6 @@
 /* Bytes in memory that grow at their end. */
-#ifndef GLINT_SIM_BYTES_H
-#define GLINT_SIM_BYTES_H
+#ifndef GLINT_SIM_RENDER_BYTES_H
+#define GLINT_SIM_RENDER_BYTES_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -100,10 +100,9 @@ glint_camera glint_camera_of(const glint_scene *scene, int width, int height)
     camera.centre = bounding_box_centre(scene->mesh);
     const double radius = radius_about(scene->mesh, camera.centre);
     camera.scale = radius > 0.0 ? 1.0 / radius : 1.0;
-    if (scene->distance > 0.0f) {
+    if (scene->distance > 0.0f)
         camera.distance = (double)scene->distance;
-    } else {
+    else
         fit_frame(&camera, scene->mesh);
-    }
     return camera;
 }

@@ -1,6 +1,6 @@
 /* Where a mesh is seen from: object coordinates to camera coordinates to the frame. */
-#ifndef GLINT_SIM_CAMERA_H
-#define GLINT_SIM_CAMERA_H
+#ifndef GLINT_SIM_RENDER_CAMERA_H
+#define GLINT_SIM_RENDER_CAMERA_H
 
 #include "render/render.h"
 #include "render/vec3.h"

@@ -28,11 +28,9 @@ static double inside(const glint_camera *camera, int plane, glint_view_point p)
 uint32_t glint_clip_outside(const glint_camera *camera, glint_view_point p)
 {
     uint32_t outside = 0;
-    for (int plane = 0; plane < GLINT_CLIP_PLANES; plane++) {
-        if (inside(camera, plane, p) < 0.0) {
+    for (int plane = 0; plane < GLINT_CLIP_PLANES; plane++)
+        if (inside(camera, plane, p) < 0.0)
             outside |= 1u << plane;
-        }
-    }
     return outside;
 }
 
@@ -66,9 +64,8 @@ static int clip_plane(const glint_camera *camera, int plane, const glint_clip_co
         const double db = inside(camera, plane, b->p);
         if (da >= 0.0) {
             to[kept++] = *a;
-            if (db < 0.0) {
+            if (db < 0.0)
                 to[kept++] = cut(a, da, b, db);
-            }
         } else if (db >= 0.0) {
             to[kept++] = cut(b, db, a, da);
         }
@@ -80,13 +77,11 @@ int glint_clip(const glint_camera *camera, uint32_t planes, glint_clip_corner *p
 {
     int count = 3;
     for (int plane = 0; plane < GLINT_CLIP_PLANES; plane++) {
-        if ((planes & (1u << plane)) == 0) {
+        if ((planes & (1u << plane)) == 0)
             continue;
-        }
         glint_clip_corner from[GLINT_CLIP_CORNERS_MAX];
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < count; i++)
             from[i] = polygon[i];
-        }
         count = clip_plane(camera, plane, from, count, polygon);
     }
     return count >= 3 ? count : 0;

@@ -1,6 +1,6 @@
 /* Clipping of one triangle against the near plane and the four sides of the guard square. */
-#ifndef GLINT_SIM_CLIP_H
-#define GLINT_SIM_CLIP_H
+#ifndef GLINT_SIM_RENDER_CLIP_H
+#define GLINT_SIM_RENDER_CLIP_H
 
 #include "render/camera.h"
 

@@ -25,11 +25,9 @@ static glint_vec3 vec3_of(const struct aiVector3D *v)
 
 static bool is_triangle(const struct aiMesh *mesh, const struct aiFace *face)
 {
-    for (unsigned k = 0; k < 3 && face->mNumIndices == 3; k++) {
-        if (face->mIndices[k] >= mesh->mNumVertices) {
+    for (unsigned k = 0; k < 3 && face->mNumIndices == 3; k++)
+        if (face->mIndices[k] >= mesh->mNumVertices)
             return false;
-        }
-    }
     return face->mNumIndices == 3;
 }
 
@@ -80,16 +78,14 @@ typedef struct findings {
 
 static void check_mesh(const struct aiMesh *mesh, findings *found)
 {
-    if (mesh->mNumVertices == 0) {
+    if (mesh->mNumVertices == 0)
         return;
-    }
     const extent e = extent_of(mesh);
     const double size = largest(glint_vec3_sub(e.high, e.low));
     const double reach = fmax(largest(e.low), largest(e.high));
     const double step = step_at(reach);
-    if (reach == 0.0) { /* all in the origin: nowhere are steps finer */
+    if (reach == 0.0) /* all in the origin: nowhere are steps finer */
         return;
-    }
     const bool is_held = size >= STEPS_ENOUGH * step;
     size_t count = 0, lost = 0;
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
@@ -99,9 +95,8 @@ static void check_mesh(const struct aiMesh *mesh, findings *found)
         }
     }
     found->triangles += count;
-    if (2 * lost <= count) {
+    if (2 * lost <= count)
         return;
-    }
     found->lost += lost;
     found->meshes++;
     if (lost > found->most) {
@@ -115,12 +110,10 @@ glint_status glint_detail_check(const char *path, const struct aiScene *scene,
                                 glint_remarks *remarks, glint_error *err)
 {
     findings found = {0};
-    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+    for (unsigned i = 0; i < scene->mNumMeshes; i++)
         check_mesh(scene->mMeshes[i], &found);
-    }
-    if (found.meshes == 0) {
+    if (found.meshes == 0)
         return GLINT_OK;
-    }
     if (2 * found.lost <= found.triangles) {
         glint_remark(remarks, "%zu %s", found.meshes,
                      found.meshes == 1 ? "mesh is too fine for single precision where it lies"

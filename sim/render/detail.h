@@ -1,7 +1,7 @@
 /* Whether single precision, in which assimp reads all coordinates, can hold an object where it
  * lies. */
-#ifndef GLINT_SIM_DETAIL_H
-#define GLINT_SIM_DETAIL_H
+#ifndef GLINT_SIM_RENDER_DETAIL_H
+#define GLINT_SIM_RENDER_DETAIL_H
 
 #include <assimp/scene.h>
 

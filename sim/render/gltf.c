@@ -41,11 +41,9 @@ static const char *const understood[] = {
 
 static bool is_understood(const char *name)
 {
-    for (size_t i = 0; i < sizeof understood / sizeof understood[0]; i++) {
-        if (strcmp(name, understood[i]) == 0) {
+    for (size_t i = 0; i < sizeof understood / sizeof understood[0]; i++)
+        if (strcmp(name, understood[i]) == 0)
             return true;
-        }
-    }
     return false;
 }
 
@@ -62,9 +60,8 @@ static const char *first_unread(const cJSON *list, const cJSON *other)
         {
             found = found || (cJSON_IsString(second) && strcmp(name, second->valuestring) == 0);
         }
-        if (!found) {
+        if (!found)
             return name;
-        }
     }
     return NULL;
 }
@@ -94,9 +91,8 @@ static bool has_weight(const cJSON *owner)
     const cJSON *weight;
     cJSON_ArrayForEach(weight, cJSON_GetObjectItemCaseSensitive(owner, "weights"))
     {
-        if (cJSON_IsNumber(weight) && weight->valuedouble != 0.0) {
+        if (cJSON_IsNumber(weight) && weight->valuedouble != 0.0)
             return true;
-        }
     }
     return false;
 }
@@ -173,9 +169,8 @@ static bool list_nodes(const cJSON *json, all_nodes *nodes)
     const cJSON *node;
     cJSON_ArrayForEach(node, list)
     {
-        if (nodes->at != NULL) {
+        if (nodes->at != NULL)
             nodes->at[nodes->count++] = node;
-        }
     }
     return nodes->at != NULL && nodes->shown != NULL;
 }
@@ -211,9 +206,8 @@ static void look_for_hidden(const cJSON *json, glint_remarks *remarks)
     size_t hidden = 0;
     if (scene != NULL && list_nodes(json, &nodes)) {
         mark_shown(&nodes, cJSON_GetObjectItemCaseSensitive(scene, "nodes"), 0);
-        for (size_t i = 0; i < nodes.count; i++) {
+        for (size_t i = 0; i < nodes.count; i++)
             hidden += cJSON_HasObjectItem(nodes.at[i], "mesh") != 0 && !nodes.shown[i] ? 1 : 0;
-        }
     }
     glint_remark_count(remarks, hidden, "mesh that is not of the scene",
                        "meshes that are not of the scene");
@@ -224,13 +218,11 @@ static void look_for_hidden(const cJSON *json, glint_remarks *remarks)
 /* The JSON of a binary file is its first chunk, behind twelve bytes of header. */
 static cJSON *parse(const glint_text *text)
 {
-    if (text->length < 20 || memcmp(text->at, "glTF", 4) != 0) {
+    if (text->length < 20 || memcmp(text->at, "glTF", 4) != 0)
         return cJSON_ParseWithLength(text->at, text->length);
-    }
     uint32_t length = 0;
-    for (int i = 3; i >= 0; i--) {
+    for (int i = 3; i >= 0; i--)
         length = length << 8 | (unsigned char)text->at[12 + i];
-    }
     return length <= text->length - 20 ? cJSON_ParseWithLength(text->at + 20, length) : NULL;
 }
 
@@ -246,9 +238,8 @@ glint_status glint_gltf_check(const glint_text *text, glint_bytes *plain, glint_
         look_for_hidden(json, remarks);
         look_for_joints(json, remarks);
     }
-    if (json != NULL && status == GLINT_OK) {
+    if (json != NULL && status == GLINT_OK)
         status = check_skins(text, json, err);
-    }
     cJSON_Delete(json);
     return status;
 }

@@ -1,6 +1,6 @@
 /* What assimp does not tell of a glTF 2.0 file. */
-#ifndef GLINT_SIM_GLTF_H
-#define GLINT_SIM_GLTF_H
+#ifndef GLINT_SIM_RENDER_GLTF_H
+#define GLINT_SIM_RENDER_GLTF_H
 
 #include "render/plain.h"
 

@@ -70,14 +70,12 @@ typedef struct pass {
 glint_gouraud *glint_gouraud_create(int32_t width)
 {
     glint_gouraud *g = calloc(1, sizeof *g);
-    if (g == NULL) {
+    if (g == NULL)
         return NULL;
-    }
     g->pixels = (size_t)width * GLINT_BAND_ROWS;
     size_t places = 64;
-    while (places < 2 * g->pixels) {
+    while (places < 2 * g->pixels)
         places *= 2;
-    }
     g->table_mask = places - 1;
     g->triangle = malloc(g->pixels * sizeof *g->triangle);
     g->piece = malloc(g->pixels * sizeof *g->piece);
@@ -91,9 +89,8 @@ glint_gouraud *glint_gouraud_create(int32_t width)
 
 void glint_gouraud_destroy(glint_gouraud *gouraud)
 {
-    if (gouraud == NULL) {
+    if (gouraud == NULL)
         return;
-    }
     free(gouraud->triangle);
     free(gouraud->piece);
     free(gouraud->table);
@@ -106,9 +103,8 @@ static uint32_t number_of(glint_gouraud *g, const glint_triangle *t, int32_t row
 {
     const uint64_t key = (uint64_t)((uintptr_t)t / sizeof *t);
     size_t place = (size_t)((key * 0x9E3779B97F4A7C15u) >> 32) & g->table_mask;
-    while (g->table[place] != 0 && g->triangle[g->table[place] - 1].t != t) {
+    while (g->table[place] != 0 && g->triangle[g->table[place] - 1].t != t)
         place = (place + 1) & g->table_mask;
-    }
     if (g->table[place] == 0) {
         seen_triangle *created = &g->triangle[g->triangle_count++];
         created->t = t;
@@ -125,9 +121,8 @@ static uint32_t number_of(glint_gouraud *g, const glint_triangle *t, int32_t row
 static uint64_t gather(glint_gouraud *g, const glint_visibility *band, glint_image *image)
 {
     uint64_t fragments = 0;
-    for (size_t i = 0; i < g->triangle_count; i++) {
+    for (size_t i = 0; i < g->triangle_count; i++)
         g->table[g->triangle[i].place] = 0;
-    }
     g->triangle_count = 0;
     g->piece_count = 0;
     for (int32_t y = band->first_y; y <= band->last_y; y++) {
@@ -156,9 +151,8 @@ static glint_status divide(const pass *p)
 static int32_t place_of(const pass *p, const seen_triangle *s, int side, bool by_rows, int32_t row,
                         const glint_run *run)
 {
-    if (by_rows) {
+    if (by_rows)
         return p->band_y + row;
-    }
     const int32_t column = side == 0 ? s->covered[row].first : s->covered[row].last;
     const int32_t above = column > run->start ? column : run->start;
     return above < run->end ? above : run->end;
@@ -177,9 +171,8 @@ static void walk_edge(const pass *p, const edge_job *j, const glint_quotients *q
     const int32_t last = one < other ? other : one;
     uint8_t values[GLINT_DIVIDER_K_MAX + 1][3];
     glint_run_walk(&j->segment, p->shifts, quotients, first, last, values[0], p->points);
-    for (int32_t row = j->first_row; row <= j->last_row; row++) {
+    for (int32_t row = j->first_row; row <= j->last_row; row++)
         memcpy(j->triangle->end[j->side][row], values[job_place(p, j, row) - first], 3);
-    }
 }
 
 /* Divides for all edges that wait, and walks them. */
@@ -187,9 +180,8 @@ static glint_status finish_edges(const pass *p)
 {
     glint_gouraud *g = p->gouraud;
     const glint_status status = divide(p);
-    for (size_t i = 0; status == GLINT_OK && i < g->job_count; i++) {
+    for (size_t i = 0; status == GLINT_OK && i < g->job_count; i++)
         walk_edge(p, &g->edge[i], &g->quotients[i]);
-    }
     g->job_count = 0;
     return status;
 }
@@ -198,9 +190,8 @@ static glint_status add_edge_job(const pass *p, const edge_job *j)
 {
     glint_gouraud *g = p->gouraud;
     if (!glint_run_set_up(&j->segment, &g->division[g->job_count], p->increments)) {
-        for (int32_t row = j->first_row; row <= j->last_row; row++) {
+        for (int32_t row = j->first_row; row <= j->last_row; row++)
             memcpy(j->triangle->end[j->side][row], j->segment.from, 3);
-        }
         return GLINT_OK;
     }
     g->edge[g->job_count++] = *j;
@@ -215,9 +206,8 @@ static glint_run edge_run(const glint_triangle *t, int upper, int lower, bool by
     const int from = along[upper] <= along[lower] ? upper : lower;
     const int to = upper + lower - from;
     glint_run run = {.start = glint_first_sample(along[from]), .end = glint_last_sample(along[to])};
-    if (run.end < run.start) { /* between two columns */
+    if (run.end < run.start) /* between two columns */
         run.end = run.start;
-    }
     memcpy(run.from, t->color[from], 3);
     memcpy(run.to, t->color[to], 3);
     return run;
@@ -278,12 +268,10 @@ static glint_status add_sides(const pass *p, seen_triangle *s)
     const int32_t lower_first = s->first_row > at_middle ? s->first_row : at_middle;
     find_covered(s, p->band_y);
     glint_status status = add_edge(p, s, 1 - bent, top, bottom, s->first_row, s->last_row);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = add_edge(p, s, bent, top, middle, s->first_row, upper_last);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = add_edge(p, s, bent, middle, bottom, lower_first, s->last_row);
-    }
     return status;
 }
 
@@ -358,16 +346,13 @@ glint_status glint_gouraud_band(glint_gouraud *gouraud, const glint_visibility *
     };
     gouraud->job_count = 0;
     glint_status status = GLINT_OK;
-    for (size_t i = 0; status == GLINT_OK && i < gouraud->triangle_count; i++) {
+    for (size_t i = 0; status == GLINT_OK && i < gouraud->triangle_count; i++)
         status = add_sides(&p, &gouraud->triangle[i]);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = finish_edges(&p);
-    }
     p.increments = &operations->stage[GLINT_SPAN_ROW_INCREMENTS];
     p.points = &operations->stage[GLINT_SPAN_ROW_POINTS];
-    for (size_t i = 0; status == GLINT_OK && i < gouraud->piece_count; i++) {
+    for (size_t i = 0; status == GLINT_OK && i < gouraud->piece_count; i++)
         status = add_row(&p, &gouraud->piece[i], image);
-    }
     return status == GLINT_OK ? finish_rows(&p) : status;
 }

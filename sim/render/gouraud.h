@@ -1,8 +1,8 @@
 /* Deferred Gouraud shading of one band of rows by the span unit (span.h): intensities along the
  * edges of the triangles seen in it, then along their rows. And the two shadings that need no
  * division by the circuit: flat, and Gouraud's in perspective. */
-#ifndef GLINT_SIM_GOURAUD_H
-#define GLINT_SIM_GOURAUD_H
+#ifndef GLINT_SIM_RENDER_GOURAUD_H
+#define GLINT_SIM_RENDER_GOURAUD_H
 
 #include "backend/divider_backend.h"
 #include "image/image.h"

@@ -1,8 +1,8 @@
 /* The smoothing groups of .3ds and .ase files. assimp reads them, but takes a triangle of no group
  * for one of every group, and its normals depend on the order of triangles where groups overlap;
  * here they are read beside it. */
-#ifndef GLINT_SIM_GROUPS_H
-#define GLINT_SIM_GROUPS_H
+#ifndef GLINT_SIM_RENDER_GROUPS_H
+#define GLINT_SIM_RENDER_GROUPS_H
 
 #include <stdbool.h>
 #include <stddef.h>

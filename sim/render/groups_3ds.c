@@ -35,9 +35,8 @@ static uint32_t long_at(const glint_groups *file, size_t at)
 /* Takes the next chunk off `from`; false when there is none. */
 static bool next_chunk(const glint_groups *file, range *from, unsigned *kind, range *content)
 {
-    if (from->end < from->next + HEADER) {
+    if (from->end < from->next + HEADER)
         return false;
-    }
     const size_t size = long_at(file, from->next + 2);
     const size_t left = from->end - from->next;
     *kind = word_at(file, from->next);
@@ -49,9 +48,8 @@ static bool next_chunk(const glint_groups *file, range *from, unsigned *kind, ra
 
 static void read_groups(const glint_groups *file, range in, glint_groups_object *object)
 {
-    for (size_t i = 0; i < object->faces && in.next + 4 <= in.end; i++, in.next += 4) {
+    for (size_t i = 0; i < object->faces && in.next + 4 <= in.end; i++, in.next += 4)
         object->group[i] = long_at(file, in.next);
-    }
 }
 
 /* What follows the faces in their chunk. */
@@ -71,18 +69,15 @@ static void read_face_lists(glint_groups *file, range in, glint_groups_object *o
 
 static bool read_faces(glint_groups *file, range in, glint_groups_object *object)
 {
-    if (in.end < in.next + 2) {
+    if (in.end < in.next + 2)
         return true;
-    }
     const size_t faces = word_at(file, in.next);
     in.next += 2;
-    if ((in.end - in.next) / FACE_BYTES < faces) {
+    if ((in.end - in.next) / FACE_BYTES < faces)
         return true; /* damaged: assimp refuses it */
-    }
     in.next += faces * FACE_BYTES;
-    if (!glint_groups_add_faces(object, faces)) {
+    if (!glint_groups_add_faces(object, faces))
         return false;
-    }
     read_face_lists(file, in, object);
     return true;
 }
@@ -90,33 +85,27 @@ static bool read_faces(glint_groups *file, range in, glint_groups_object *object
 static bool read_mesh(glint_groups *file, range in)
 {
     glint_groups_object *object = glint_groups_add_object(file);
-    if (object == NULL) {
+    if (object == NULL)
         return false;
-    }
     range content;
     unsigned kind;
-    while (next_chunk(file, &in, &kind, &content)) {
-        if (kind == FACES && !read_faces(file, content, object)) {
+    while (next_chunk(file, &in, &kind, &content))
+        if (kind == FACES && !read_faces(file, content, object))
             return false;
-        }
-    }
     return true;
 }
 
 /* A name, then chunks. */
 static bool read_object(glint_groups *file, range in)
 {
-    while (in.next < in.end && file->bytes[in.next] != 0) {
+    while (in.next < in.end && file->bytes[in.next] != 0)
         in.next++;
-    }
     in.next++;
     range content;
     unsigned kind;
-    while (next_chunk(file, &in, &kind, &content)) {
-        if (kind == MESH && !read_mesh(file, content)) {
+    while (next_chunk(file, &in, &kind, &content))
+        if (kind == MESH && !read_mesh(file, content))
             return false;
-        }
-    }
     return true;
 }
 
@@ -124,11 +113,9 @@ static bool read_editor(glint_groups *file, range in)
 {
     range content;
     unsigned kind;
-    while (next_chunk(file, &in, &kind, &content)) {
-        if (kind == OBJECT && !read_object(file, content)) {
+    while (next_chunk(file, &in, &kind, &content))
+        if (kind == OBJECT && !read_object(file, content))
             return false;
-        }
-    }
     return true;
 }
 
@@ -136,11 +123,9 @@ static bool read_main(glint_groups *file, range in)
 {
     range content;
     unsigned kind;
-    while (next_chunk(file, &in, &kind, &content)) {
-        if (kind == EDITOR && !read_editor(file, content)) {
+    while (next_chunk(file, &in, &kind, &content))
+        if (kind == EDITOR && !read_editor(file, content))
             return false;
-        }
-    }
     return true;
 }
 
@@ -148,11 +133,9 @@ bool glint_groups_read_3ds(glint_groups *file)
 {
     range in = {0, file->count}, content;
     unsigned kind;
-    while (next_chunk(file, &in, &kind, &content)) {
-        if (kind == MAIN && !read_main(file, content)) {
+    while (next_chunk(file, &in, &kind, &content))
+        if (kind == MAIN && !read_main(file, content))
             return false;
-        }
-    }
     return true;
 }
 

@@ -41,9 +41,8 @@ static uint32_t read_list(char *text)
         const unsigned long number = strtoul(text, &text, 10);
         group |= number >= 1 && number <= 32 ? 1u << (number - 1) : 0;
         text = skip_blanks(text);
-        if (*text == ',') {
+        if (*text == ',')
             text = skip_blanks(text + 1);
-        }
     }
     return group;
 }
@@ -54,24 +53,21 @@ static bool read_token(glint_groups *file, char *text, size_t *face)
 {
     glint_groups_object *object = file->objects > 0 ? &file->object[file->objects - 1] : NULL;
     char *value;
-    if (behind(text, "*GEOMOBJECT") != NULL) {
+    if (behind(text, "*GEOMOBJECT") != NULL)
         return glint_groups_add_object(file) != NULL;
-    }
-    if (object == NULL) {
+    if (object == NULL)
         return true;
-    }
     if ((value = behind(text, "*MESH_NUMFACES")) != NULL) {
         const size_t faces = strtoul(value, NULL, 10);
         return object->faces > 0 || faces > file->count / FACE_CHARACTERS ||
                glint_groups_add_faces(object, faces);
     }
-    if ((value = behind(text, "*MESH_FACE")) != NULL) {
+    if ((value = behind(text, "*MESH_FACE")) != NULL)
         *face = strtoul(value, NULL, 10);
-    } else if ((value = behind(text, "*MESH_SMOOTHING")) != NULL && *face < object->faces) {
+    else if ((value = behind(text, "*MESH_SMOOTHING")) != NULL && *face < object->faces)
         object->group[*face] = read_list(value);
-    } else if (behind(text, "*MESH_MTLID") != NULL) {
+    else if (behind(text, "*MESH_MTLID") != NULL)
         memset(text, ' ', strlen("*MESH_MTLID"));
-    }
     return true;
 }
 
@@ -80,9 +76,8 @@ bool glint_groups_read_ase(glint_groups *file)
     size_t face = SIZE_MAX;
     char *text = (char *)file->bytes;
     while ((text = strchr(text, '*')) != NULL) {
-        if (!read_token(file, text, &face)) {
+        if (!read_token(file, text, &face))
             return false;
-        }
         text++;
     }
     return true;

@@ -64,17 +64,15 @@ static const char *const replacing[] = {
 static void listen(const char *message, char *user)
 {
     bool *replaced = (bool *)user;
-    for (size_t i = 0; i < sizeof replacing / sizeof replacing[0]; i++) {
+    for (size_t i = 0; i < sizeof replacing / sizeof replacing[0]; i++)
         *replaced = *replaced || strstr(message, replacing[i]) != NULL;
-    }
 }
 
 static const struct aiScene *read_scene(const reading *in)
 {
     struct aiPropertyStore *settings = aiCreatePropertyStore();
-    if (settings == NULL) {
+    if (settings == NULL)
         return NULL;
-    }
     const unsigned steps = aiProcess_ValidateDataStructure;
     const struct aiScene *scene =
         in->groups != NULL
@@ -94,19 +92,16 @@ static glint_status read_checked(reading *in, const struct aiScene **scene)
     aiAttachLogStream(&log);
     *scene = read_scene(in);
     (void)aiDetachLogStream(&log);
-    if (*scene == NULL) {
+    if (*scene == NULL)
         return refused(in);
-    }
     glint_status status =
         replaced ? glint_fail(in->err, GLINT_BAD_INPUT,
                               "%.300s: a face names a vertex that is not there", in->path)
                  : glint_imported_check(in->path, *scene, in->err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_skin_pose(in->path, *scene, in->err);
-    }
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         aiReleaseImport(*scene);
-    }
     return status;
 }
 
@@ -114,9 +109,8 @@ static glint_status read_triangles(reading *in, glint_imported *imported)
 {
     const struct aiScene *scene;
     glint_status status = read_checked(in, &scene);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     glint_left_out(scene, &in->remarks);
     scene = glint_triangulate(scene);
     if (scene == NULL) {
@@ -124,9 +118,8 @@ static glint_status read_triangles(reading *in, glint_imported *imported)
                           in->path);
     }
     status = glint_detail_check(in->path, scene, &in->remarks, in->err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_imported_mesh(in->path, scene, in->groups, imported, in->err);
-    }
     aiReleaseImport(scene);
     return status;
 }
@@ -135,9 +128,8 @@ static glint_status make_mesh(reading *in, glint_mesh **mesh)
 {
     glint_imported imported = {.mesh = NULL};
     glint_status status = read_triangles(in, &imported);
-    if (status == GLINT_OK) { /* assimp's memory is given back by now */
+    if (status == GLINT_OK) /* assimp's memory is given back by now */
         status = glint_smooth(in->path, &imported.smoothing, &imported.mesh, in->err);
-    }
     if (status == GLINT_OK) {
         *mesh = imported.mesh;
         imported.mesh = NULL;
@@ -151,12 +143,10 @@ glint_status glint_mesh_import(const char *path, glint_mesh **mesh, glint_error 
 {
     reading in = {.path = path, .err = err};
     glint_status status = glint_source_open(path, &in.source, &in.remarks, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_groups_read(path, &in.groups, err);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = make_mesh(&in, mesh);
-    }
     glint_groups_destroy(in.groups);
     glint_source_close(in.source);
     return status;

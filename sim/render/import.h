@@ -1,7 +1,7 @@
 /* Mesh files through assimp, in this process. assimp crashes on damaged files, or never ends, or
  * takes all memory: glint_mesh_load() (mesh.h) is the call for files from elsewhere. */
-#ifndef GLINT_SIM_IMPORT_H
-#define GLINT_SIM_IMPORT_H
+#ifndef GLINT_SIM_RENDER_IMPORT_H
+#define GLINT_SIM_RENDER_IMPORT_H
 
 #include "render/mesh.h"
 

@@ -110,9 +110,8 @@ static transform for_normals(const transform *t)
 static glint_vec3 unit_or_zero(glint_vec3 v)
 {
     const double length = glint_vec3_length(v);
-    if (!(length > 0.0) || isinf(length)) {
+    if (!(length > 0.0) || isinf(length))
         return (glint_vec3){0.0, 0.0, 0.0};
-    }
     return glint_vec3_scale(v, 1.0 / length);
 }
 
@@ -126,13 +125,11 @@ static void add_vertices(reading *in, const struct aiMesh *source, const transfo
     const transform n = for_normals(t);
     for (unsigned i = 0; i < source->mNumVertices; i++) {
         glint_vec3 p = placed(t, &source->mVertices[i]);
-        if (!usable_point(p)) { /* of no triangle */
+        if (!usable_point(p)) /* of no triangle */
             p = in->center;
-        }
         glint_vec3 normal = {0.0, 0.0, 0.0};
-        if (source->mNormals != NULL && in->rule != BY_GROUPS) { /* those would be assimp's */
+        if (source->mNormals != NULL && in->rule != BY_GROUPS) /* those would be assimp's */
             normal = unit_or_zero(linear_part(&n, unit_or_zero(vec3_of(&source->mNormals[i]))));
-        }
         glint_mesh_add_vertex(in->to->mesh,
                               glint_vec3_scale(glint_vec3_sub(p, in->center), in->scale),
                               glint_vec3_scale(normal, side));
@@ -143,9 +140,8 @@ static void add_vertices(reading *in, const struct aiMesh *source, const transfo
 static uint32_t group_of(const reading *in, const struct aiMesh *source, const uint32_t *groups,
                          unsigned face)
 {
-    if (groups != NULL) {
+    if (groups != NULL)
         return groups[face];
-    }
     return in->rule == FLAT || (in->rule == FLAT_MESH && source->mNormals == NULL) ? 0 : 1;
 }
 
@@ -157,17 +153,15 @@ static void add_triangles(reading *in, const struct aiMesh *source, const uint32
     for (unsigned i = 0; i < source->mNumFaces; i++) {
         const struct aiFace *face = &source->mFaces[i];
         const size_t at = mesh->triangle_count;
-        if (face->mNumIndices != 3) {
+        if (face->mNumIndices != 3)
             continue; /* points and lines */
-        }
         glint_mesh_add_triangle(mesh, base + face->mIndices[0],
                                 base + face->mIndices[mirrored ? 2 : 1],
                                 base + face->mIndices[mirrored ? 1 : 2]);
         if (mesh->triangle_count > at) {
             in->to->smoothing.group[at] = group_of(in, source, groups, i);
-            if (in->to->smoothing.object != NULL) {
+            if (in->to->smoothing.object != NULL)
                 in->to->smoothing.object[at] = in->objects;
-            }
         }
     }
 }
@@ -175,14 +169,11 @@ static void add_triangles(reading *in, const struct aiMesh *source, const uint32
 /* assimp's meshes are the file's objects, in their order. */
 static bool groups_fit(const struct aiScene *scene, const glint_groups *groups)
 {
-    if (groups == NULL || scene->mNumMeshes != groups->objects) {
+    if (groups == NULL || scene->mNumMeshes != groups->objects)
         return false;
-    }
-    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
-        if (scene->mMeshes[i]->mNumFaces != groups->object[i].faces) {
+    for (unsigned i = 0; i < scene->mNumMeshes; i++)
+        if (scene->mMeshes[i]->mNumFaces != groups->object[i].faces)
             return false;
-        }
-    }
     return true;
 }
 
@@ -208,13 +199,11 @@ static glint_status measure_face(reading *in, const struct aiMesh *source,
                                  const struct aiFace *face, const transform *t)
 {
     for (unsigned k = 0; k < 3; k++) {
-        if (face->mIndices[k] >= source->mNumVertices) {
+        if (face->mIndices[k] >= source->mNumVertices)
             return bad(in, "a face names a vertex that is not there");
-        }
         const glint_vec3 p = placed(t, &source->mVertices[face->mIndices[k]]);
-        if (!usable_point(p)) {
+        if (!usable_point(p))
             return bad(in, "a node moves a vertex beyond all measure");
-        }
         include(in, p);
     }
     return GLINT_OK;
@@ -242,15 +231,13 @@ static glint_status measure_mesh(reading *in, unsigned index, const transform *t
  * it to, to add it after. */
 static glint_status walk(reading *in, const struct aiNode *node, const transform *outer, int depth)
 {
-    if (depth > DEPTH_MAX) {
+    if (depth > DEPTH_MAX)
         return bad(in, "nodes are nested too deep");
-    }
     const transform own = transform_of(&node->mTransformation);
     const transform t = combine(outer, &own);
     for (unsigned i = 0; i < node->mNumMeshes; i++) {
-        if (node->mMeshes[i] >= in->scene->mNumMeshes) {
+        if (node->mMeshes[i] >= in->scene->mNumMeshes)
             return bad(in, "a node names a mesh that is not there");
-        }
         const bool placed = glint_skin_places(in->scene, in->scene->mMeshes[node->mMeshes[i]]);
         const transform *place = placed ? &identity : &t;
         if (in->to->mesh != NULL) {
@@ -258,15 +245,13 @@ static glint_status walk(reading *in, const struct aiNode *node, const transform
             continue;
         }
         const glint_status status = measure_mesh(in, node->mMeshes[i], place);
-        if (status != GLINT_OK) {
+        if (status != GLINT_OK)
             return status;
-        }
     }
     for (unsigned i = 0; i < node->mNumChildren; i++) {
         const glint_status status = walk(in, node->mChildren[i], &t, depth + 1);
-        if (status != GLINT_OK) {
+        if (status != GLINT_OK)
             return status;
-        }
     }
     return GLINT_OK;
 }
@@ -277,9 +262,8 @@ static glint_status make_room(reading *in)
     glint_smoothing *s = &to->smoothing;
     const glint_status status =
         glint_mesh_new(in->path, in->vertices, in->triangles, &to->mesh, in->err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     const bool by_groups = in->rule == BY_GROUPS;
     s->creased = !by_groups;
     s->group = malloc(in->triangles * sizeof *s->group);
@@ -303,34 +287,28 @@ static void find_place(reading *in)
 /* Which group belongs to which triangle must be beyond doubt. */
 static glint_status check_groups(reading *in)
 {
-    if (in->rule != BY_GROUPS || groups_fit(in->scene, in->groups)) {
+    if (in->rule != BY_GROUPS || groups_fit(in->scene, in->groups))
         return GLINT_OK;
-    }
     return bad(in, "damaged: which smoothing group belongs to which triangle cannot be told");
 }
 
 static glint_status convert(reading *in)
 {
-    if (in->scene->mRootNode == NULL) {
+    if (in->scene->mRootNode == NULL)
         return bad(in, "no triangles in it");
-    }
     glint_status status = walk(in, in->scene->mRootNode, &identity, 0);
-    if (status == GLINT_OK && in->triangles == 0) {
+    if (status == GLINT_OK && in->triangles == 0)
         return bad(in, "no triangles in it");
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = check_groups(in);
-    }
     if (status == GLINT_OK) {
         find_place(in);
         status = make_room(in);
     }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = walk(in, in->scene->mRootNode, &identity, 0);
-    }
-    if (status == GLINT_OK && in->to->mesh->triangle_count == 0) {
+    if (status == GLINT_OK && in->to->mesh->triangle_count == 0)
         return bad(in, "each of its triangles has two corners in one place, in single precision");
-    }
     return status;
 }
 
@@ -353,12 +331,10 @@ glint_status glint_imported_check(const char *path, const struct aiScene *scene,
 const char *glint_imported_from(const struct aiScene *scene)
 {
     const struct aiMetadata *data = scene->mMetaData;
-    for (unsigned i = 0; data != NULL && i < data->mNumProperties; i++) {
+    for (unsigned i = 0; data != NULL && i < data->mNumProperties; i++)
         if (strcmp(data->mKeys[i].data, AI_METADATA_SOURCE_FORMAT) == 0 &&
-            data->mValues[i].mType == AI_AISTRING) {
+            data->mValues[i].mType == AI_AISTRING)
             return ((const struct aiString *)data->mValues[i].mData)->data;
-        }
-    }
     return "";
 }
 
@@ -375,11 +351,9 @@ static rule rule_for(const struct aiScene *scene)
         {"ASE Importer", BY_GROUPS},
     };
     const char *importer = glint_imported_from(scene);
-    for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++) {
-        if (strcmp(importer, rules[i].importer) == 0) {
+    for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++)
+        if (strcmp(importer, rules[i].importer) == 0)
             return rules[i].rule;
-        }
-    }
     return BY_CREASES;
 }
 
@@ -407,8 +381,7 @@ glint_status glint_imported_mesh(const char *path, const struct aiScene *scene,
         .err = err,
     };
     const glint_status status = convert(&in);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         glint_imported_clear(imported);
-    }
     return status;
 }

@@ -1,6 +1,6 @@
 /* What assimp has read becomes a mesh, where it can be one. */
-#ifndef GLINT_SIM_IMPORTED_H
-#define GLINT_SIM_IMPORTED_H
+#ifndef GLINT_SIM_RENDER_IMPORTED_H
+#define GLINT_SIM_RENDER_IMPORTED_H
 
 #include <assimp/scene.h>
 

@@ -1,6 +1,6 @@
 /* What a scene that assimp has read does not give to its mesh. */
-#ifndef GLINT_SIM_LEFT_OUT_H
-#define GLINT_SIM_LEFT_OUT_H
+#ifndef GLINT_SIM_RENDER_LEFT_OUT_H
+#define GLINT_SIM_RENDER_LEFT_OUT_H
 
 #include <assimp/scene.h>
 

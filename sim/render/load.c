@@ -54,9 +54,8 @@ static bool send_bytes(int pipe, const void *bytes, size_t count)
     while (count > 0) {
         const ssize_t sent = write(pipe, next, count);
         if (sent < 0) {
-            if (errno == EINTR) {
+            if (errno == EINTR)
                 continue;
-            }
             return false;
         }
         next += sent;
@@ -80,9 +79,8 @@ static rlim_t address_space(void)
     unsigned long long pages = 0;
     FILE *file = fopen("/proc/self/statm", "r");
     if (file != NULL) {
-        if (fscanf(file, "%llu", &pages) != 1) {
+        if (fscanf(file, "%llu", &pages) != 1)
             pages = 0;
-        }
         (void)fclose(file);
     }
     return (rlim_t)pages * (rlim_t)sysconf(_SC_PAGESIZE);
@@ -94,9 +92,8 @@ static void reset_signals(void)
 {
     static const int deadly[] = {SIGSEGV, SIGBUS, SIGFPE,  SIGILL,
                                  SIGABRT, SIGSYS, SIGTRAP, SIGPIPE};
-    for (size_t i = 0; i < sizeof deadly / sizeof deadly[0]; i++) {
+    for (size_t i = 0; i < sizeof deadly / sizeof deadly[0]; i++)
         (void)signal(deadly[i], SIG_DFL);
-    }
     (void)signal(SIGINT, SIG_IGN);
     (void)signal(SIGTERM, SIG_IGN);
     (void)signal(SIGHUP, SIG_IGN);
@@ -107,9 +104,8 @@ static void reset_signals(void)
 static void confine(const glint_load_limits *limits, pid_t parent)
 {
     (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) {
+    if (getppid() != parent)
         _exit(1);
-    }
     const int null = open("/dev/null", O_RDWR);
     if (null >= 0) {
         (void)dup2(null, STDOUT_FILENO);
@@ -118,9 +114,8 @@ static void confine(const glint_load_limits *limits, pid_t parent)
     reset_signals();
     const rlim_t used = address_space();
     limit(RLIMIT_CORE, 0);
-    if (used != 0) {
+    if (used != 0)
         limit(RLIMIT_AS, used + limits->bytes);
-    }
 }
 
 /* _exit(): what the parent has in its streams and handlers is the parent's. */
@@ -171,19 +166,15 @@ static glint_status receive(reader *from, void *bytes, size_t count)
 {
     char *next = bytes;
     while (count > 0) {
-        if (from->stop != NULL && *from->stop) {
+        if (from->stop != NULL && *from->stop)
             return glint_fail(from->err, GLINT_INTERRUPTED, "interrupted");
-        }
-        if (from->left <= 0.0) {
+        if (from->left <= 0.0)
             return GLINT_BAD_INPUT;
-        }
-        if (!is_ready(from)) {
+        if (!is_ready(from))
             continue;
-        }
         const ssize_t got = read(from->pipe, next, count);
-        if (got == 0 || (got < 0 && errno != EINTR)) {
+        if (got == 0 || (got < 0 && errno != EINTR))
             return GLINT_BAD_INPUT;
-        }
         if (got > 0) {
             next += got;
             count -= (size_t)got;
@@ -194,22 +185,18 @@ static glint_status receive(reader *from, void *bytes, size_t count)
 
 static bool all_finite(const float *value, size_t count)
 {
-    for (size_t i = 0; i < count; i++) {
-        if (!isfinite(value[i])) {
+    for (size_t i = 0; i < count; i++)
+        if (!isfinite(value[i]))
             return false;
-        }
-    }
     return true;
 }
 
 /* What mesh.h promises, as far as the rasterizer's memory depends on it. */
 static bool is_sound(const glint_mesh *mesh)
 {
-    for (size_t i = 0; i < 3 * mesh->triangle_count; i++) {
-        if (mesh->index[i] >= mesh->vertex_count) {
+    for (size_t i = 0; i < 3 * mesh->triangle_count; i++)
+        if (mesh->index[i] >= mesh->vertex_count)
             return false;
-        }
-    }
     return all_finite(mesh->position, 3 * mesh->vertex_count) &&
            all_finite(mesh->normal, 3 * mesh->vertex_count);
 }
@@ -219,12 +206,10 @@ static glint_status receive_arrays(reader *from, const answer *a, glint_mesh *me
     mesh->vertex_count = a->vertices;
     mesh->triangle_count = a->triangles;
     glint_status status = receive(from, mesh->position, a->vertices * 3 * sizeof *mesh->position);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = receive(from, mesh->normal, a->vertices * 3 * sizeof *mesh->normal);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = receive(from, mesh->index, a->triangles * 3 * sizeof *mesh->index);
-    }
     return status != GLINT_OK || is_sound(mesh) ? status : GLINT_BAD_INPUT;
 }
 
@@ -234,18 +219,16 @@ static glint_status receive_mesh(reader *from, bool *refused, glint_mesh **mesh)
     answer a;
     *refused = false;
     glint_status status = receive(from, &a, sizeof a);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     if (a.status == GLINT_BAD_INPUT || a.status == GLINT_IO_ERROR || a.status == GLINT_NO_MEMORY) {
         a.err.text[sizeof a.err.text - 1] = '\0';
         *refused = true;
         return glint_fail(from->err, a.status, "%s", a.err.text);
     }
     if (a.status != GLINT_OK || a.vertices > 3 * GLINT_MESH_TRIANGLES_MAX || a.triangles == 0 ||
-        a.triangles > GLINT_MESH_TRIANGLES_MAX) {
+        a.triangles > GLINT_MESH_TRIANGLES_MAX)
         return GLINT_BAD_INPUT;
-    }
     status = glint_mesh_new(from->path, a.vertices, a.triangles, mesh, from->err);
     if (status != GLINT_OK) {
         *refused = true;
@@ -289,17 +272,14 @@ static glint_status be_parent(reader *from, const glint_load_limits *limits, gli
 {
     bool refused;
     const glint_status status = receive_mesh(from, &refused, mesh);
-    if (status == GLINT_INTERRUPTED || from->left <= 0.0) {
+    if (status == GLINT_INTERRUPTED || from->left <= 0.0)
         (void)kill(from->child, SIGKILL);
-    }
     (void)close(from->pipe); /* one that still writes ends by that */
     const int ended = collect(from->child);
-    if (status == GLINT_OK || status == GLINT_INTERRUPTED || refused) {
+    if (status == GLINT_OK || status == GLINT_INTERRUPTED || refused)
         return status;
-    }
-    if (from->stop != NULL && *from->stop) { /* whoever stopped this stopped the child, too */
+    if (from->stop != NULL && *from->stop) /* whoever stopped this stopped the child, too */
         return glint_fail(from->err, GLINT_INTERRUPTED, "interrupted");
-    }
     return explain(from, ended, limits);
 }
 
@@ -340,15 +320,12 @@ glint_load_limits glint_load_limits_for(size_t file_bytes)
 static glint_status check_file(const char *path, size_t *bytes, glint_error *err)
 {
     struct stat file;
-    if (stat(path, &file) != 0 || access(path, R_OK) != 0) {
+    if (stat(path, &file) != 0 || access(path, R_OK) != 0)
         return glint_fail(err, GLINT_IO_ERROR, "%.400s: %s", path, strerror(errno));
-    }
-    if (!S_ISREG(file.st_mode)) {
+    if (!S_ISREG(file.st_mode))
         return glint_fail(err, GLINT_BAD_INPUT, "%.400s: not a file", path);
-    }
-    if (file.st_size == 0) {
+    if (file.st_size == 0)
         return glint_fail(err, GLINT_BAD_INPUT, "%.400s: empty file", path);
-    }
     *bytes = (size_t)file.st_size;
     return GLINT_OK;
 }
@@ -358,9 +335,8 @@ glint_status glint_mesh_load(const char *path, const volatile bool *stop, glint_
 {
     size_t bytes = 0;
     const glint_status status = check_file(path, &bytes, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     const glint_load_limits limits = glint_load_limits_for(bytes);
     return glint_mesh_load_within(path, &limits, stop, mesh, err);
 }

@@ -1,6 +1,6 @@
 /* What glint_mesh_load() is made of, for who wants other limits. */
-#ifndef GLINT_SIM_LOAD_H
-#define GLINT_SIM_LOAD_H
+#ifndef GLINT_SIM_RENDER_LOAD_H
+#define GLINT_SIM_RENDER_LOAD_H
 
 #include "render/mesh.h"
 

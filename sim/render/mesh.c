@@ -29,9 +29,8 @@ glint_status glint_mesh_new(const char *what, size_t vertices, size_t triangles,
 
 void glint_mesh_destroy(glint_mesh *mesh)
 {
-    if (mesh == NULL) {
+    if (mesh == NULL)
         return;
-    }
     free(mesh->position);
     free(mesh->normal);
     free(mesh->index);
@@ -54,9 +53,8 @@ static bool coincide(const glint_mesh *mesh, uint32_t a, uint32_t b)
 
 void glint_mesh_add_triangle(glint_mesh *mesh, uint32_t a, uint32_t b, uint32_t c)
 {
-    if (coincide(mesh, a, b) || coincide(mesh, b, c) || coincide(mesh, c, a)) {
+    if (coincide(mesh, a, b) || coincide(mesh, b, c) || coincide(mesh, c, a))
         return;
-    }
     uint32_t *corner = &mesh->index[3 * mesh->triangle_count];
     corner[0] = a;
     corner[1] = b;

@@ -1,6 +1,6 @@
 /* Triangle meshes: the built-in teapot, sphere and quad, and files through assimp. */
-#ifndef GLINT_SIM_MESH_H
-#define GLINT_SIM_MESH_H
+#ifndef GLINT_SIM_RENDER_MESH_H
+#define GLINT_SIM_RENDER_MESH_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,7 +1,7 @@
 /* What the makers of meshes share: room for a mesh, filled one vertex and one triangle at a time.
  */
-#ifndef GLINT_SIM_MESH_BUILD_H
-#define GLINT_SIM_MESH_BUILD_H
+#ifndef GLINT_SIM_RENDER_MESH_BUILD_H
+#define GLINT_SIM_RENDER_MESH_BUILD_H
 
 #include "render/mesh.h"
 #include "render/vec3.h"

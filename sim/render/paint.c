@@ -10,9 +10,8 @@ void glint_flat_band(const glint_visibility *band, glint_image *image, uint64_t 
         const glint_triangle *t;
         while ((t = glint_visible_next(band, image->width, y, &x, &pixels)) != NULL) {
             *fragments += glint_paint_mark(image, y, pixels);
-            for (int32_t at = pixels.first; at < x; at++) {
+            for (int32_t at = pixels.first; at < x; at++)
                 memcpy(glint_paint_pixel(image, at, y), t->color[0], 3);
-            }
         }
     }
 }

@@ -1,7 +1,7 @@
 /* The shadings whose pixels need no circuit any more: flat, and Gouraud's in perspective; and the
  * picture's rows and pixels as every shading of whole runs writes them. */
-#ifndef GLINT_SIM_PAINT_H
-#define GLINT_SIM_PAINT_H
+#ifndef GLINT_SIM_RENDER_PAINT_H
+#define GLINT_SIM_RENDER_PAINT_H
 
 #include <string.h>
 

@@ -19,9 +19,8 @@ glint_status glint_plain_begin(const glint_text *text, size_t *begin, glint_erro
 size_t glint_plain_line(const glint_text *text, const char *place)
 {
     size_t line = 1;
-    for (const char *c = text->at; c < place; c++) {
+    for (const char *c = text->at; c < place; c++)
         line += *c == '\n' || (*c == '\r' && c + 1 < text->at + text->length && c[1] != '\n');
-    }
     return line;
 }
 
@@ -29,9 +28,8 @@ bool glint_plain_number(const char *word, size_t length, double *value)
 {
     char copy[128];
     char *end;
-    if (length == 0 || length >= sizeof copy) {
+    if (length == 0 || length >= sizeof copy)
         return false;
-    }
     memcpy(copy, word, length);
     copy[length] = '\0';
     *value = strtod(copy, &end);
@@ -41,9 +39,8 @@ bool glint_plain_number(const char *word, size_t length, double *value)
 void glint_plain_unknown(glint_remarks *remarks, size_t line, glint_word first, size_t count)
 {
     glint_remark(remarks, "line %zu: unknown word \"%s\" left out", line, first.text);
-    if (count > 1) {
+    if (count > 1)
         glint_remark(remarks, "as are %zu more of the kind", count - 1);
-    }
 }
 
 glint_status glint_plain_no_memory(const glint_text *text, glint_error *err)

@@ -5,8 +5,8 @@
  * `plain` stays empty: assimp can have the file as it is. What cannot be read is GLINT_BAD_INPUT,
  * with the line where the format has lines; what can be read but does not become triangles gets a
  * remark. */
-#ifndef GLINT_SIM_PLAIN_H
-#define GLINT_SIM_PLAIN_H
+#ifndef GLINT_SIM_RENDER_PLAIN_H
+#define GLINT_SIM_RENDER_PLAIN_H
 
 #include "render/bytes.h"
 #include "render/remarks.h"

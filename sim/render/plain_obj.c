@@ -67,9 +67,8 @@ static word take_line(reading *in)
 {
     const char *begin = in->next;
     const char *c = begin;
-    while (c < in->end && !is_line_end(*c)) {
+    while (c < in->end && !is_line_end(*c))
         c++;
-    }
     in->next = c;
     if (in->next < in->end) {
         const bool two = *in->next == '\r' && in->next + 1 < in->end && in->next[1] == '\n';
@@ -84,9 +83,8 @@ static void trim(word *line)
         line->at++;
         line->length--;
     }
-    while (line->length > 0 && is_blank(line->at[line->length - 1])) {
+    while (line->length > 0 && is_blank(line->at[line->length - 1]))
         line->length--;
-    }
 }
 
 static bool goes_on(const word *line)
@@ -116,9 +114,8 @@ static word take_word(word *line)
 {
     trim(line);
     word w = {line->at, 0};
-    while (w.length < line->length && !is_blank(w.at[w.length])) {
+    while (w.length < line->length && !is_blank(w.at[w.length]))
         w.length++;
-    }
     line->at += w.length;
     line->length -= w.length;
     return w;
@@ -126,11 +123,9 @@ static word take_word(word *line)
 
 static bool is_one_of(const word *w, const char *const *list)
 {
-    for (; *list != NULL; list++) {
-        if (strlen(*list) == w->length && memcmp(*list, w->at, w->length) == 0) {
+    for (; *list != NULL; list++)
+        if (strlen(*list) == w->length && memcmp(*list, w->at, w->length) == 0)
             return true;
-        }
-    }
     return false;
 }
 
@@ -146,9 +141,8 @@ static bool take_index(word *corner, int64_t *index)
     size_t i = negative || (corner->length > 0 && corner->at[0] == '+') ? 1 : 0;
     const size_t first = i;
     int64_t value = 0;
-    for (; i < corner->length && '0' <= corner->at[i] && corner->at[i] <= '9'; i++) {
+    for (; i < corner->length && '0' <= corner->at[i] && corner->at[i] <= '9'; i++)
         value = value < INT64_MAX / 16 ? 10 * value + (corner->at[i] - '0') : value;
-    }
     *index = negative ? -value : value;
     corner->at += i;
     corner->length -= i;
@@ -189,9 +183,8 @@ static glint_status read_numbers(reading *in, word keyword, word rest, bool *rew
     const size_t kept = is_word(&keyword, "v") && count == 4 ? 4 : count > 3 ? 3 : count;
     in->vertices += is_word(&keyword, "v");
     *rewritten = bare_point || kept < count || count == 1;
-    if (*rewritten) {
+    if (*rewritten)
         rewrite_numbers(in, keyword, value, kept);
-    }
     return GLINT_OK;
 }
 
@@ -199,9 +192,8 @@ static glint_status read_numbers(reading *in, word keyword, word rest, bool *rew
 static bool read_corner(word corner, int64_t *vertex)
 {
     int64_t other;
-    if (!take_index(&corner, vertex)) {
+    if (!take_index(&corner, vertex))
         return false;
-    }
     for (int i = 0; i < 2 && corner.length > 0 && corner.at[0] == '/'; i++) {
         corner.at++;
         corner.length--;
@@ -230,9 +222,8 @@ static glint_status read_face(reading *in, word rest)
                               glint_plain_line(in->text, in->line),
                               glint_word_of(w.at, w.length).text);
         }
-        if (vertex == 0 || (vertex < 0 && (uint64_t)-vertex > in->vertices)) {
+        if (vertex == 0 || (vertex < 0 && (uint64_t)-vertex > in->vertices))
             return bad_corner(in, &w, vertex);
-        }
         if (vertex > 0 && (uint64_t)vertex > in->largest) {
             in->largest = (uint64_t)vertex;
             in->largest_at = in->line;
@@ -247,9 +238,8 @@ static glint_status read_face(reading *in, word rest)
 static void leave_out(reading *in, uint64_t *count, word rest, bool each)
 {
     uint64_t words = 0;
-    while (take_word(&rest).length > 0) {
+    while (take_word(&rest).length > 0)
         words++;
-    }
     *count += each ? words : 1;
     change(in);
 }
@@ -277,12 +267,10 @@ static glint_status read_statement(reading *in, word statement, bool *done)
     word rest = statement;
     const word keyword = take_word(&rest);
     *done = false;
-    if (is_one_of(&keyword, (const char *const[]){"v", "vn", "vt", NULL})) {
+    if (is_one_of(&keyword, (const char *const[]){"v", "vn", "vt", NULL}))
         return read_numbers(in, keyword, rest, done);
-    }
-    if (is_word(&keyword, "f") || is_word(&keyword, "fo")) {
+    if (is_word(&keyword, "f") || is_word(&keyword, "fo"))
         return read_face(in, rest);
-    }
     if (is_word(&keyword, "p") || is_word(&keyword, "l")) {
         leave_out(in, is_word(&keyword, "p") ? &in->points : &in->lines, rest,
                   is_word(&keyword, "p"));
@@ -306,9 +294,8 @@ static bool is_geometry(word statement)
 static bool cut_comment(word *statement)
 {
     const char *sign = memchr(statement->at, '#', statement->length);
-    if (sign == NULL || (sign != statement->at && !is_geometry(*statement))) {
+    if (sign == NULL || (sign != statement->at && !is_geometry(*statement)))
         return false;
-    }
     statement->length = (size_t)(sign - statement->at);
     trim(statement);
     return true;
@@ -320,9 +307,8 @@ static glint_status read_line(reading *in)
     const word whole = take_line(in);
     word statement = whole;
     trim(&statement);
-    if (goes_on(&statement)) {
+    if (goes_on(&statement))
         join_lines(in, &statement);
-    }
     const bool cut = cut_comment(&statement);
     /* To assimp a comment that ends with a backslash goes on in the next line. */
     const bool same = statement.length == 0 ? !cut || whole.at[whole.length - 1] != '\\'
@@ -330,9 +316,8 @@ static glint_status read_line(reading *in)
     bool done = false;
     const glint_status status =
         statement.length > 0 ? read_statement(in, statement, &done) : GLINT_OK;
-    if (!same) {
+    if (!same)
         change(in);
-    }
     if (in->changed && !done) {
         put(in, statement.at, statement.length);
         put(in, "\n", 1);
@@ -377,12 +362,10 @@ glint_status glint_plain_obj(const glint_text *text, glint_bytes *plain, glint_r
                   .changed = begin > 0,
                   .remarks = remarks,
                   .err = err};
-    while (status == GLINT_OK && in.next < in.end) {
+    while (status == GLINT_OK && in.next < in.end)
         status = read_line(&in);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = check_whole(&in);
-    }
     glint_bytes_free(&in.joined);
     return status;
 }

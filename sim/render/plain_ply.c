@@ -54,17 +54,14 @@ static bool is_space(char c)
 /* GLINT_IO_ERROR: the text is at its end. */
 static glint_status take_text_value(reading *in, double *value)
 {
-    while (in->next < in->end && is_space(*in->next)) {
+    while (in->next < in->end && is_space(*in->next))
         in->next++;
-    }
     const char *word = in->next;
-    while (in->next < in->end && !is_space(*in->next)) {
+    while (in->next < in->end && !is_space(*in->next))
         in->next++;
-    }
     const size_t length = (size_t)(in->next - word);
-    if (length == 0) {
+    if (length == 0)
         return GLINT_IO_ERROR;
-    }
     if (!glint_plain_number(word, length, value)) {
         return glint_fail(in->err, GLINT_BAD_INPUT, "%.300s: line %zu: \"%s\" is no number",
                           in->text->path, glint_plain_line(in->text, word),
@@ -101,12 +98,10 @@ static glint_status take_binary_value(reading *in, glint_ply_type type, double *
     const size_t size = glint_ply_size(type);
     const bool big = in->header->format == GLINT_PLY_BIG_ENDIAN;
     uint64_t bits = 0;
-    if ((size_t)(in->end - in->next) < size) {
+    if ((size_t)(in->end - in->next) < size)
         return GLINT_IO_ERROR;
-    }
-    for (size_t i = 0; i < size; i++) {
+    for (size_t i = 0; i < size; i++)
         bits = bits << 8 | (unsigned char)in->next[big ? i : size - 1 - i];
-    }
     in->next += size;
     *value = value_of(type, bits);
     return GLINT_OK;
@@ -169,9 +164,8 @@ static glint_status put_face(reading *in, const double *vertex, size_t count)
     put_integer(&in->corners, (uint32_t)count);
     for (size_t i = 0; i < count; i++) {
         if (!(vertex[i] >= 0.0 && vertex[i] <= (double)INT32_MAX) ||
-            vertex[i] != (double)(uint32_t)vertex[i]) {
+            vertex[i] != (double)(uint32_t)vertex[i])
             return bad_vertex(in, vertex[i]);
-        }
         put_integer(&in->corners, (uint32_t)vertex[i]);
         in->largest = vertex[i] > in->largest ? vertex[i] : in->largest;
     }
@@ -206,13 +200,11 @@ static glint_status read_vertex(reading *in, const glint_ply_element *element,
         const glint_ply_property *property = &element->property[i];
         const glint_status status =
             property->list ? take_list(in, property) : take_value(in, property->type, &value[i]);
-        if (status != GLINT_OK) {
+        if (status != GLINT_OK)
             return status;
-        }
     }
-    for (int i = 0; i < in->parts; i++) {
+    for (int i = 0; i < in->parts; i++)
         put_float(&in->vertices, (float)value[place[i]]);
-    }
     return GLINT_OK;
 }
 
@@ -230,9 +222,8 @@ static glint_status read_vertices(reading *in, const glint_ply_element *element)
     in->vertex_count = element->count;
     glint_status status = GLINT_OK;
     uint64_t at = 0;
-    for (; status == GLINT_OK && at < element->count; at++) {
+    for (; status == GLINT_OK && at < element->count; at++)
         status = read_vertex(in, element, place);
-    }
     return status == GLINT_IO_ERROR ? ends_early(in, element, at - 1) : status;
 }
 
@@ -270,12 +261,10 @@ static glint_status read_element(reading *in, const glint_ply_element *element)
 {
     const role as = role_of(element);
     const glint_word name = glint_word_of(element->name, element->length);
-    if (as == VERTICES && in->vertex_count == 0) {
+    if (as == VERTICES && in->vertex_count == 0)
         return read_vertices(in, element);
-    }
-    if (element->property_count == 0) {
+    if (element->property_count == 0)
         return GLINT_OK; /* takes no room in the file, however many there are */
-    }
     int corners = -1;
     if (as == FACES || as == STRIPS) {
         corners = glint_ply_find(element, "vertex_indices");
@@ -299,9 +288,8 @@ static glint_status check_whole(const reading *in)
 {
     glint_remark_count(in->remarks, in->thin, "face of fewer than three corners",
                        "faces of fewer than three corners");
-    if (in->vertices.failed || in->corners.failed || in->list.failed) {
+    if (in->vertices.failed || in->corners.failed || in->list.failed)
         return glint_plain_no_memory(in->text, in->err);
-    }
     if (in->face_count == 0) {
         return glint_fail(in->err, GLINT_BAD_INPUT, "%.300s: no faces in it%s%s", in->text->path,
                           in->remarks->text[0] != '\0' ? ": " : "", in->remarks->text);
@@ -342,12 +330,10 @@ glint_status glint_plain_ply(const glint_text *text, glint_bytes *plain, glint_r
                   .end = text->at + text->length,
                   .remarks = remarks,
                   .err = err};
-    for (int i = 0; status == GLINT_OK && i < header.element_count; i++) {
+    for (int i = 0; status == GLINT_OK && i < header.element_count; i++)
         status = read_element(&in, &header.element[i]);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = check_whole(&in);
-    }
     if (status == GLINT_OK) {
         write_plain(&in, plain);
         status = plain->failed ? glint_plain_no_memory(text, err) : GLINT_OK;

@@ -14,9 +14,8 @@
 static uint32_t facets_of(const glint_text *text)
 {
     uint32_t count = 0;
-    for (int i = 3; i >= 0; i--) {
+    for (int i = 3; i >= 0; i--)
         count = count << 8 | (unsigned char)text->at[80 + i];
-    }
     return count;
 }
 
@@ -25,9 +24,8 @@ static glint_status read_binary(const glint_text *text, glint_bytes *plain, glin
 {
     const uint64_t facets = facets_of(text);
     const uint64_t whole = HEADER + facets * FACET;
-    if (facets == 0) {
+    if (facets == 0)
         return glint_fail(err, GLINT_BAD_INPUT, "%.300s: no facets in it", text->path);
-    }
     if (whole > text->length) {
         return glint_fail(
             err, GLINT_BAD_INPUT,
@@ -68,13 +66,11 @@ static bool is_space(char c)
 
 static void take_word(reading *in)
 {
-    while (in->next < in->end && is_space(*in->next)) {
+    while (in->next < in->end && is_space(*in->next))
         in->next++;
-    }
     in->word = in->next;
-    while (in->next < in->end && !is_space(*in->next)) {
+    while (in->next < in->end && !is_space(*in->next))
         in->next++;
-    }
     in->length = (size_t)(in->next - in->word);
 }
 
@@ -85,9 +81,8 @@ static bool is_word(const reading *in, const char *expected)
 
 static void skip_line(reading *in)
 {
-    while (in->next < in->end && *in->next != '\n' && *in->next != '\r') {
+    while (in->next < in->end && *in->next != '\n' && *in->next != '\r')
         in->next++;
-    }
 }
 
 /* The name behind "solid", which may have any words in it, and which is the rest of the line, but
@@ -135,9 +130,8 @@ static glint_status read_vector(reading *in, float vector[3])
     for (int i = 0; i < 3; i++) {
         double value;
         take_word(in);
-        if (!glint_plain_number(in->word, in->length, &value)) {
+        if (!glint_plain_number(in->word, in->length, &value))
             return unexpected(in, "a number");
-        }
         vector[i] = (float)value;
     }
     return GLINT_OK;
@@ -147,20 +141,17 @@ static void put_float(char *to, float value)
 {
     uint32_t bits;
     memcpy(&bits, &value, sizeof bits);
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4; i++)
         to[i] = (char)(bits >> 8 * i & 0xff);
-    }
 }
 
 static void put_facet(reading *in, float vector[4][3])
 {
     char *to = glint_bytes_more(in->plain, FACET);
-    if (to == NULL) {
+    if (to == NULL)
         return;
-    }
-    for (int i = 0; i < 12; i++) {
+    for (int i = 0; i < 12; i++)
         put_float(to + 4 * i, vector[i / 3][i % 3]);
-    }
     memset(to + 48, 0, 2);
 }
 
@@ -174,24 +165,19 @@ static glint_status read_facet(reading *in)
         status = read_vector(in, vector[0]);
         take_word(in);
     }
-    if (status == GLINT_OK && !is_word(in, "outer")) {
+    if (status == GLINT_OK && !is_word(in, "outer"))
         return unexpected(in, "outer loop");
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = expect(in, "loop");
-    }
     for (int i = 1; i < 4 && status == GLINT_OK; i++) {
         status = expect(in, "vertex");
-        if (status == GLINT_OK) {
+        if (status == GLINT_OK)
             status = read_vector(in, vector[i]);
-        }
     }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = expect(in, "endloop");
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = expect(in, "endfacet");
-    }
     if (status == GLINT_OK) {
         put_facet(in, vector);
         in->facets++;
@@ -201,17 +187,15 @@ static glint_status read_facet(reading *in)
 
 static glint_status read_statement(reading *in)
 {
-    if (is_word(in, "facet")) {
+    if (is_word(in, "facet"))
         return read_facet(in);
-    }
     if (is_word(in, "solid") || is_word(in, "endsolid")) {
         in->in_solid = is_word(in, "solid");
         skip_name(in);
         return GLINT_OK;
     }
-    if (in->unknown++ == 0) {
+    if (in->unknown++ == 0)
         in->unknown_at = in->word;
-    }
     skip_line(in);
     return GLINT_OK;
 }
@@ -220,9 +204,8 @@ static glint_status check_whole(reading *in)
 {
     if (in->unknown > 0) {
         const char *end = in->unknown_at;
-        while (end < in->end && !is_space(*end)) {
+        while (end < in->end && !is_space(*end))
             end++;
-        }
         glint_plain_unknown(in->remarks, glint_plain_line(in->text, in->unknown_at),
                             glint_word_of(in->unknown_at, (size_t)(end - in->unknown_at)),
                             in->unknown);
@@ -231,15 +214,12 @@ static glint_status check_whole(reading *in)
         return glint_fail(in->err, GLINT_BAD_INPUT, "%.300s: no facets in it%s%s", in->text->path,
                           in->remarks->text[0] != '\0' ? ": " : "", in->remarks->text);
     }
-    if (in->in_solid) {
+    if (in->in_solid)
         glint_remark(in->remarks, "it ends without endsolid: cut short?");
-    }
-    if (in->plain->failed) {
+    if (in->plain->failed)
         return glint_plain_no_memory(in->text, in->err);
-    }
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4; i++)
         in->plain->at[80 + i] = (char)(in->facets >> 8 * i & 0xff);
-    }
     return GLINT_OK;
 }
 
@@ -247,21 +227,18 @@ static glint_status read_text(reading *in)
 {
     glint_status status = GLINT_OK;
     char *header = glint_bytes_more(in->plain, HEADER);
-    if (header != NULL) {
+    if (header != NULL)
         memset(header, 0, HEADER);
-    }
-    for (take_word(in); in->length > 0 && status == GLINT_OK; take_word(in)) {
+    for (take_word(in); in->length > 0 && status == GLINT_OK; take_word(in))
         status = read_statement(in);
-    }
     return status == GLINT_OK ? check_whole(in) : status;
 }
 
 /* Some programs begin binary files with the word "solid", too. */
 static bool is_text(const glint_text *text, size_t begin)
 {
-    if (text->length >= HEADER && HEADER + (uint64_t)facets_of(text) * FACET == text->length) {
+    if (text->length >= HEADER && HEADER + (uint64_t)facets_of(text) * FACET == text->length)
         return false;
-    }
     reading in = {.next = text->at + begin, .end = text->at + text->length};
     take_word(&in);
     const size_t looked_at = text->length < HEADER ? text->length : HEADER;
@@ -273,9 +250,8 @@ glint_status glint_plain_stl(const glint_text *text, glint_bytes *plain, glint_r
 {
     size_t begin;
     const glint_status status = glint_plain_begin(text, &begin, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     if (is_text(text, begin)) {
         reading in = {.text = text,
                       .next = text->at + begin,

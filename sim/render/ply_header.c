@@ -42,11 +42,9 @@ bool glint_ply_is_named(const char *name, size_t length, const char *expected)
 
 int glint_ply_find(const glint_ply_element *element, const char *name)
 {
-    for (int i = 0; i < element->property_count; i++) {
-        if (glint_ply_is_named(element->property[i].name, element->property[i].length, name)) {
+    for (int i = 0; i < element->property_count; i++)
+        if (glint_ply_is_named(element->property[i].name, element->property[i].length, name))
             return i;
-        }
-    }
     return -1;
 }
 
@@ -77,23 +75,19 @@ static bool is_blank(char c)
 static bool take_line(reading *in)
 {
     memset(in->word, 0, sizeof in->word);
-    if (in->next >= in->end) {
+    if (in->next >= in->end)
         return false;
-    }
     in->line = in->next;
     const char *c = in->line;
     for (int i = 0; c < in->end && *c != '\n' && *c != '\r';) {
         const char *begin = c;
-        while (c < in->end && is_blank(*c) == is_blank(*begin) && *c != '\n' && *c != '\r') {
+        while (c < in->end && is_blank(*c) == is_blank(*begin) && *c != '\n' && *c != '\r')
             c++;
-        }
-        if (!is_blank(*begin) && i < WORDS_MAX) {
+        if (!is_blank(*begin) && i < WORDS_MAX)
             in->word[i++] = (word){begin, (size_t)(c - begin)};
-        }
     }
-    if (c < in->end) {
+    if (c < in->end)
         c += *c == '\r' && c + 1 < in->end && c[1] == '\n' ? 2 : 1;
-    }
     in->next = c;
     return true;
 }
@@ -117,13 +111,11 @@ static glint_status read_format(reading *in)
 static glint_status read_element(reading *in)
 {
     double count;
-    if (in->header->element_count == GLINT_PLY_ELEMENTS_MAX) {
+    if (in->header->element_count == GLINT_PLY_ELEMENTS_MAX)
         return bad_line(in, "more elements than are read");
-    }
     if (!glint_plain_number(in->word[2].at, in->word[2].length, &count) || !(count >= 0.0) ||
-        count > 1e15) {
+        count > 1e15)
         return bad_word(in, &in->word[2], "is no number of elements");
-    }
     glint_ply_element *element = &in->header->element[in->header->element_count++];
     *element = (glint_ply_element){
         .name = in->word[1].at, .length = in->word[1].length, .count = (uint64_t)count};
@@ -143,21 +135,18 @@ static glint_status read_type(const reading *in, const word *w, glint_ply_type *
 
 static glint_status read_property(reading *in)
 {
-    if (in->header->element_count == 0) {
+    if (in->header->element_count == 0)
         return bad_line(in, "a property before the first element");
-    }
     glint_ply_element *element = &in->header->element[in->header->element_count - 1];
-    if (element->property_count == GLINT_PLY_PROPERTIES_MAX) {
+    if (element->property_count == GLINT_PLY_PROPERTIES_MAX)
         return bad_line(in, "more properties than are read");
-    }
     glint_ply_property *property = &element->property[element->property_count++];
     property->list = is_word(&in->word[1], "list");
     const word *type = &in->word[property->list ? 3 : 1];
     property->name = type[1].at;
     property->length = type[1].length;
-    if (property->length == 0) {
+    if (property->length == 0)
         return bad_line(in, "a property without a name");
-    }
     const glint_status status =
         property->list ? read_type(in, &in->word[2], &property->count_type) : GLINT_OK;
     return status == GLINT_OK ? read_type(in, type, &property->type) : status;
@@ -191,12 +180,10 @@ glint_status glint_ply_header_read(const glint_text *text, glint_ply_header *hea
                           text->path);
     }
     bool done = false;
-    while (status == GLINT_OK && !done && take_line(&in)) {
+    while (status == GLINT_OK && !done && take_line(&in))
         status = read_line(&in, &done);
-    }
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     if (!done) {
         return glint_fail(err, GLINT_BAD_INPUT, "%.300s: its header has no end: cut short",
                           text->path);

@@ -1,6 +1,6 @@
 /* What the header of a .ply file promises. */
-#ifndef GLINT_SIM_PLY_HEADER_H
-#define GLINT_SIM_PLY_HEADER_H
+#ifndef GLINT_SIM_RENDER_PLY_HEADER_H
+#define GLINT_SIM_RENDER_PLY_HEADER_H
 
 #include <stdint.h>
 

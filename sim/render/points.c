@@ -53,9 +53,8 @@ static glint_status find_highlights(glint_lit_points *points, const glint_lighti
         return glint_backend_shade(backend, material, &run, err);
     }
     const uint8_t color[3] = {material->r, material->g, material->b};
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; c++)
         glint_specular_color(points->count, points->value, color[c], points->highlight[c]);
-    }
     return GLINT_OK;
 }
 
@@ -63,13 +62,11 @@ static glint_status find_highlights(glint_lit_points *points, const glint_lighti
 static glint_status light_points(glint_lit_points *points, const glint_lighting *lighting,
                                  glint_backend *backend, glint_error *err)
 {
-    if (points->count == 0) {
+    if (points->count == 0)
         return GLINT_OK;
-    }
     const glint_status status = find_highlights(points, lighting, backend, err);
-    for (int c = 0; status == GLINT_OK && c < 3; c++) {
+    for (int c = 0; status == GLINT_OK && c < 3; c++)
         glint_add_highlight(points->count, points->highlight[c], points->lit, points->base[c]);
-    }
     return status;
 }
 
@@ -84,11 +81,9 @@ glint_status glint_light_vertices(glint_lit_points *points, const glint_point_li
                   glint_camera_rotate(light->camera, glint_vec3_of(&light->mesh->normal[3 * i])));
     }
     const glint_status status = light_points(points, light->lighting, backend, err);
-    for (size_t i = first; status == GLINT_OK && i < last; i++) {
-        for (int c = 0; c < 3; c++) {
+    for (size_t i = first; status == GLINT_OK && i < last; i++)
+        for (int c = 0; c < 3; c++)
             screen[i].color[c] = points->base[c][i - first];
-        }
-    }
     return status;
 }
 
@@ -97,9 +92,8 @@ static void add_triangle_point(glint_lit_points *points, const glint_point_light
 {
     const uint32_t *corner = &light->mesh->index[3 * (size_t)triangle];
     glint_view_point p[3];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         p[i] = glint_camera_view(light->camera, &light->mesh->position[3 * (size_t)corner[i]]);
-    }
     const glint_vec3 ab = {p[1].x - p[0].x, p[1].y - p[0].y, p[0].w - p[1].w};
     const glint_vec3 ac = {p[2].x - p[0].x, p[2].y - p[0].y, p[0].w - p[2].w};
     const glint_view_point centroid = {(p[0].x + p[1].x + p[2].x) / 3.0,
@@ -110,11 +104,9 @@ static void add_triangle_point(glint_lit_points *points, const glint_point_light
 
 static void give_color(const glint_lit_points *points, size_t at, glint_triangle *t)
 {
-    for (int i = 0; i < 3; i++) {
-        for (int c = 0; c < 3; c++) {
+    for (int i = 0; i < 3; i++)
+        for (int c = 0; c < 3; c++)
             t->color[i][c] = points->base[c][at];
-        }
-    }
 }
 
 glint_status glint_light_triangles(glint_lit_points *points, const glint_point_light *light,
@@ -122,11 +114,9 @@ glint_status glint_light_triangles(glint_lit_points *points, const glint_point_l
                                    uint64_t *count, glint_error *err)
 {
     points->count = 0;
-    for (size_t i = 0; i < list->count; i++) { /* parts of one triangle lie together */
-        if (i == 0 || list->triangle[i].source != list->triangle[i - 1].source) {
+    for (size_t i = 0; i < list->count; i++) /* parts of one triangle lie together */
+        if (i == 0 || list->triangle[i].source != list->triangle[i - 1].source)
             add_triangle_point(points, light, list->triangle[i].source);
-        }
-    }
     *count = points->count;
     const glint_status status = light_points(points, light->lighting, backend, err);
     size_t at = 0;

@@ -1,7 +1,7 @@
 /* Light at single points of the mesh: at its vertices, for Gouraud's shading, or once for each
  * triangle, for flat shading. The same formula as for fragments, and the same backend or model. */
-#ifndef GLINT_SIM_POINTS_H
-#define GLINT_SIM_POINTS_H
+#ifndef GLINT_SIM_RENDER_POINTS_H
+#define GLINT_SIM_RENDER_POINTS_H
 
 #include "render/setup.h"
 #include "render/shade.h"

@@ -36,19 +36,16 @@ static void *serve(void *argument)
     uint64_t served = 0;
     pthread_mutex_lock(&pool->mutex);
     for (;;) {
-        while (pool->round == served && !pool->closing) {
+        while (pool->round == served && !pool->closing)
             pthread_cond_wait(&pool->work, &pool->mutex);
-        }
-        if (pool->closing) {
+        if (pool->closing)
             break;
-        }
         served = pool->round;
         pthread_mutex_unlock(&pool->mutex);
         pool->task(pool->context, self->worker);
         pthread_mutex_lock(&pool->mutex);
-        if (--pool->busy == 0) {
+        if (--pool->busy == 0)
             pthread_cond_signal(&pool->done);
-        }
     }
     pthread_mutex_unlock(&pool->mutex);
     return NULL;
@@ -65,9 +62,8 @@ static int start_member(glint_pool *pool)
     pthread_sigmask(SIG_SETMASK, &all, &before);
     const int error = pthread_create(&m->thread, NULL, serve, m);
     pthread_sigmask(SIG_SETMASK, &before, NULL);
-    if (error == 0) {
+    if (error == 0)
         pool->member_count++;
-    }
     return error;
 }
 
@@ -81,9 +77,8 @@ glint_status glint_pool_create(int threads, glint_pool **pool, glint_error *err)
 {
     const size_t members = (size_t)threads - 1;
     glint_pool *p = calloc(1, sizeof *p + members * sizeof p->members[0]);
-    if (p == NULL) {
+    if (p == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for %d threads", threads);
-    }
     pthread_mutex_init(&p->mutex, NULL);
     pthread_cond_init(&p->work, NULL);
     pthread_cond_init(&p->done, NULL);
@@ -102,16 +97,14 @@ glint_status glint_pool_create(int threads, glint_pool **pool, glint_error *err)
 
 void glint_pool_destroy(glint_pool *pool)
 {
-    if (pool == NULL) {
+    if (pool == NULL)
         return;
-    }
     pthread_mutex_lock(&pool->mutex);
     pool->closing = true;
     pthread_cond_broadcast(&pool->work);
     pthread_mutex_unlock(&pool->mutex);
-    for (int i = 0; i < pool->member_count; i++) {
+    for (int i = 0; i < pool->member_count; i++)
         pthread_join(pool->members[i].thread, NULL);
-    }
     pthread_cond_destroy(&pool->done);
     pthread_cond_destroy(&pool->work);
     pthread_mutex_destroy(&pool->mutex);
@@ -131,8 +124,7 @@ void glint_pool_run(glint_pool *pool, glint_pool_task *task, void *context)
     task(context, 0);
 
     pthread_mutex_lock(&pool->mutex);
-    while (pool->busy > 0) {
+    while (pool->busy > 0)
         pthread_cond_wait(&pool->done, &pool->mutex);
-    }
     pthread_mutex_unlock(&pool->mutex);
 }

@@ -1,7 +1,7 @@
 /* A fixed crew of threads that is called to work again and again: starting threads anew for each
  * frame would cost more than many a frame does. */
-#ifndef GLINT_SIM_POOL_H
-#define GLINT_SIM_POOL_H
+#ifndef GLINT_SIM_RENDER_POOL_H
+#define GLINT_SIM_RENDER_POOL_H
 
 #include "glint_status.h"
 

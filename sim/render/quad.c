@@ -17,9 +17,8 @@ glint_status glint_mesh_quad(glint_mesh **mesh, glint_error *err)
     };
     glint_mesh *m = NULL;
     const glint_status status = glint_mesh_new("quad", 4, 2, &m, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     for (int i = 0; i < 4; i++) {
         const glint_vec3 n = corner[i].lean;
         glint_mesh_add_vertex(m, (glint_vec3){corner[i].x, 0.0, corner[i].z},

@@ -92,9 +92,8 @@ static glint_pixels wide_span(const edge e[3], int32_t first, int32_t last)
         const int64_t step = e[i].step_x;
         const int64_t value = e[i].value;
         if (value < 0) {
-            if (step <= 0) {
+            if (step <= 0)
                 return (glint_pixels){first, first - 1};
-            }
             const int64_t enter = (-value + step - 1) / step;
             low = low > enter ? low : enter;
         } else if (step < 0) {
@@ -117,9 +116,8 @@ glint_pixels glint_triangle_pixels(const glint_triangle *t, int32_t y)
     const int32_t first = glint_first_sample(low);
     const int32_t last = glint_last_sample(high);
     edge e[3];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         e[i] = biased_edge_at(t, i, first, y);
-    }
     return last - first >= WIDE ? wide_span(e, first, last) : narrow_span(e, first, last);
 }
 
@@ -171,9 +169,8 @@ static void draw(glint_visibility *band, glint_extent extent, const glint_triang
     const int32_t last_y = t->last_y < band->last_y ? t->last_y : band->last_y;
     const bool wide = t->last_x - t->first_x >= WIDE;
     edge e[3];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         e[i] = biased_edge_at(t, i, t->first_x, first_y);
-    }
     const depth_plane plane = depth_plane_of(t, e);
     size_t row = (size_t)(first_y - band->first_y) * (size_t)extent.width;
     for (int32_t y = first_y; y <= last_y; y++) {
@@ -185,9 +182,8 @@ static void draw(glint_visibility *band, glint_extent extent, const glint_triang
                        depth_at(&plane, e, s.first - t->first_x), plane.step);
         }
         row += (size_t)extent.width;
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < 3; i++)
             e[i].value += e[i].step_y;
-        }
     }
 }
 
@@ -217,13 +213,11 @@ void glint_visibility_begin(glint_visibility *band, glint_extent extent, int32_t
 void glint_visibility_draw(glint_visibility *band, glint_extent extent,
                            const glint_triangle_list *list)
 {
-    if (list->last_y < band->first_y || list->first_y > band->last_y) {
+    if (list->last_y < band->first_y || list->first_y > band->last_y)
         return;
-    }
     for (size_t i = 0; i < list->count; i++) {
         const glint_triangle *t = &list->triangle[i];
-        if (t->first_y <= band->last_y && t->last_y >= band->first_y) {
+        if (t->first_y <= band->last_y && t->last_y >= band->first_y)
             draw(band, extent, t);
-        }
     }
 }

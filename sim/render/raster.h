@@ -1,6 +1,6 @@
 /* Visibility: which triangle is seen in each pixel of a band of rows. */
-#ifndef GLINT_SIM_RASTER_H
-#define GLINT_SIM_RASTER_H
+#ifndef GLINT_SIM_RENDER_RASTER_H
+#define GLINT_SIM_RENDER_RASTER_H
 
 #include "render/setup.h"
 
@@ -39,14 +39,12 @@ static inline const glint_triangle *glint_visible_next(const glint_visibility *b
     const glint_triangle *const *seen =
         &band->triangle[(size_t)(y - band->first_y) * (size_t)width];
     int32_t at = *x;
-    while (at < width && seen[at] == NULL) {
+    while (at < width && seen[at] == NULL)
         at++;
-    }
     const glint_triangle *t = at < width ? seen[at] : NULL;
     pixels->first = at;
-    while (at < width && seen[at] == t) {
+    while (at < width && seen[at] == t)
         at++;
-    }
     pixels->last = at - 1;
     *x = at;
     return t;

@@ -8,9 +8,8 @@ void glint_remark(glint_remarks *remarks, const char *format, ...)
 {
     const size_t used = strlen(remarks->text);
     const size_t between = used > 0 ? 2 : 0;
-    if (sizeof remarks->text - used <= between) {
+    if (sizeof remarks->text - used <= between)
         return;
-    }
     memcpy(remarks->text + used, "; ", between);
     va_list values;
     va_start(values, format);
@@ -21,9 +20,8 @@ void glint_remark(glint_remarks *remarks, const char *format, ...)
 
 void glint_remark_count(glint_remarks *remarks, size_t count, const char *one, const char *several)
 {
-    if (count > 0) {
+    if (count > 0)
         glint_remark(remarks, "%zu %s left out", count, count == 1 ? one : several);
-    }
 }
 
 glint_word glint_word_of(const char *text, size_t length)
@@ -35,8 +33,7 @@ glint_word glint_word_of(const char *text, size_t length)
         const char c = text[i];
         word.text[i] = ' ' <= c && c <= '~' ? c : '?';
     }
-    if (kept < length) {
+    if (kept < length)
         memcpy(word.text + kept, "...", 3);
-    }
     return word;
 }

@@ -1,6 +1,6 @@
 /* What of a file does not get into its mesh: one line for who asked for the mesh. */
-#ifndef GLINT_SIM_REMARKS_H
-#define GLINT_SIM_REMARKS_H
+#ifndef GLINT_SIM_RENDER_REMARKS_H
+#define GLINT_SIM_RENDER_REMARKS_H
 
 #include <stddef.h>
 

@@ -101,9 +101,8 @@ static bool colors_at_vertices(const frame *f)
 /* Takes the next of count pieces; false when there are none left or the frame is given up. */
 static bool take(frame *f, worker *w, size_t count, size_t *piece)
 {
-    if (atomic_load_explicit(&f->failed, memory_order_relaxed)) {
+    if (atomic_load_explicit(&f->failed, memory_order_relaxed))
         return false;
-    }
     if (f->stop != NULL && *f->stop) {
         fail_worker(f, w, GLINT_INTERRUPTED, "the frame was given up: interrupted");
         return false;
@@ -160,11 +159,10 @@ static void triangle_phase(void *context, int worker_index)
     while (take(f, w, r->list_count, &piece)) {
         const size_t start = piece * TRIANGLE_RUN;
         if (!glint_setup_triangles(&f->camera, f->mesh, r->extent, r->screen, start,
-                                   end_of(start, TRIANGLE_RUN, items), &r->lists[piece])) {
+                                   end_of(start, TRIANGLE_RUN, items), &r->lists[piece]))
             fail_worker(f, w, GLINT_NO_MEMORY, "no memory for the frame's triangles");
-        } else if (f->shading == GLINT_SHADING_FLAT) {
+        else if (f->shading == GLINT_SHADING_FLAT)
             light_triangles(f, w, &r->lists[piece]);
-        }
     }
 }
 
@@ -201,9 +199,8 @@ static void draw_band(frame *f, worker *w, size_t band)
     const int32_t last_y = (after < r->extent.height ? after : r->extent.height) - 1;
     glint_visibility_begin(&w->band, r->extent, first_y, last_y);
     for (size_t i = 0; i < r->list_count; i++) {
-        if (f->stop != NULL && *f->stop) {
+        if (f->stop != NULL && *f->stop)
             return; /* take() sees it too */
-        }
         glint_visibility_draw(&w->band, r->extent, &r->lists[i]);
     }
     note(f, w, shade_band(f, w));
@@ -216,9 +213,8 @@ static void band_phase(void *context, int worker_index)
     const size_t bands = pieces((size_t)f->renderer->extent.height, GLINT_BAND_ROWS);
     size_t band;
     while (take(f, w, bands, &band)) {
-        if (worker_index == 0 && f->renderer->progress != NULL) { /* the caller's own thread */
+        if (worker_index == 0 && f->renderer->progress != NULL) /* the caller's own thread */
             f->renderer->progress(f->renderer->progress_context, band, bands);
-        }
         draw_band(f, w, band);
     }
 }
@@ -229,11 +225,9 @@ static glint_status run_phase(frame *f, glint_pool_task *phase, glint_error *err
     glint_renderer *r = f->renderer;
     atomic_store(&f->next, 0);
     glint_pool_run(r->pool, phase, f);
-    for (int i = 0; i < r->threads; i++) {
-        if (r->workers[i].status != GLINT_OK) {
+    for (int i = 0; i < r->threads; i++)
+        if (r->workers[i].status != GLINT_OK)
             return glint_fail(err, r->workers[i].status, "%s", r->workers[i].error.text);
-        }
-    }
     return GLINT_OK;
 }
 
@@ -255,9 +249,8 @@ static glint_status make_room(glint_renderer *r, const glint_mesh *mesh, glint_e
             return glint_fail(err, GLINT_NO_MEMORY, "no memory for the frame's %zu triangles",
                               mesh->triangle_count);
         }
-        for (size_t i = r->list_capacity; i < lists; i++) {
+        for (size_t i = r->list_capacity; i < lists; i++)
             more[i] = (glint_triangle_list){0};
-        }
         r->lists = more;
         r->list_capacity = lists;
     }
@@ -275,9 +268,8 @@ static glint_status prepare_gouraud(const frame *f, worker *w, glint_error *err)
                               f->renderer->extent.width);
         }
     }
-    if (f->shifts == GLINT_SHIFTS_EXACT || (w->divider != NULL && w->divider_shifts == f->shifts)) {
+    if (f->shifts == GLINT_SHIFTS_EXACT || (w->divider != NULL && w->divider_shifts == f->shifts))
         return GLINT_OK;
-    }
     const glint_divider_config config = {
         .kind = f->renderer->kind,
         .form = GLINT_DIVIDER_PIPELINED,
@@ -287,9 +279,8 @@ static glint_status prepare_gouraud(const frame *f, worker *w, glint_error *err)
     glint_divider_backend_destroy(w->divider);
     w->divider_shifts = f->shifts;
     const glint_status status = glint_divider_backend_create(&config, &w->divider, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         glint_divider_backend_set_watch(w->divider, f->renderer->watch);
-    }
     return status;
 }
 
@@ -299,9 +290,8 @@ static glint_status prepare_specular(glint_renderer *r, const glint_scene *scene
                                      const glint_reflectance **specular, glint_error *err)
 {
     *specular = NULL;
-    if (!scene->by_model) {
+    if (!scene->by_model)
         return GLINT_OK;
-    }
     if (r->kind != GLINT_BACKEND_REAL) {
         return glint_fail(err, GLINT_BAD_ARGUMENT,
                           "highlights by a reflectance model need backend real: the other two are "
@@ -309,14 +299,12 @@ static glint_status prepare_specular(glint_renderer *r, const glint_scene *scene
     }
     *specular = &r->specular;
     if (r->prepared && r->specular.model == scene->specular && r->specular.n == (double)scene->n &&
-        r->f0 == scene->f0) {
+        r->f0 == scene->f0)
         return GLINT_OK;
-    }
     const glint_reflectance_parameters parameters = {.n = scene->n, .f0 = (double)scene->f0};
     glint_status status = glint_scene_check_exponent(scene->specular, scene->n, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_reflectance_prepare(scene->specular, &parameters, &r->specular, err);
-    }
     r->prepared = status == GLINT_OK;
     r->f0 = scene->f0;
     return status;
@@ -331,9 +319,8 @@ static glint_status prepare_workers(const frame *f, glint_error *err)
         w->fragments = 0;
         w->highlights = 0;
         w->operations = (glint_span_operations){0};
-        if (f->shading == GLINT_SHADING_GOURAUD) {
+        if (f->shading == GLINT_SHADING_GOURAUD)
             status = prepare_gouraud(f, w, err);
-        }
         w->clocks_before = w->divider != NULL ? glint_divider_backend_clocks(w->divider) : 0;
     }
     return status;
@@ -349,12 +336,10 @@ static double now(void)
 static glint_status run_phases(frame *f, glint_error *err)
 {
     glint_status status = run_phase(f, vertex_phase, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = run_phase(f, triangle_phase, err);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = run_phase(f, band_phase, err);
-    }
     return status;
 }
 
@@ -370,17 +355,15 @@ static void collect_stats(const frame *f, double seconds, glint_render_stats *st
 {
     const glint_renderer *r = f->renderer;
     *stats = (glint_render_stats){.triangles = f->mesh->triangle_count, .seconds = seconds};
-    for (size_t i = 0; i < r->list_count; i++) {
+    for (size_t i = 0; i < r->list_count; i++)
         stats->drawn += r->lists[i].count;
-    }
     for (int i = 0; i < r->threads; i++) {
         const worker *w = &r->workers[i];
         stats->fragments += w->fragments;
         stats->highlights += w->highlights;
         add_operations(&stats->operations, &w->operations);
-        if (w->divider != NULL) {
+        if (w->divider != NULL)
             stats->divider_clocks += glint_divider_backend_clocks(w->divider) - w->clocks_before;
-        }
     }
     stats->divisions = (stats->operations.stage[GLINT_SPAN_EDGE_INCREMENTS].divisions +
                         stats->operations.stage[GLINT_SPAN_ROW_INCREMENTS].divisions) /
@@ -392,15 +375,12 @@ static glint_status run_frame(glint_renderer *renderer, const glint_scene *scene
 {
     glint_status status = glint_scene_check(scene, err);
     const glint_reflectance *specular = NULL;
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = prepare_specular(renderer, scene, &specular, err);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = make_room(renderer, scene->mesh, err);
-    }
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     f->renderer = renderer;
     f->mesh = scene->mesh;
     f->shading = scene->shading;
@@ -431,14 +411,12 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, gl
     renderer->recorded = false;
     frame f = {.image = image, .stop = stop};
     const glint_status status = run_frame(renderer, scene, &f, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     renderer->material = f.lighting.material;
     renderer->recorded = f.shading == GLINT_SHADING_PHONG && !scene->by_model;
-    if (stats != NULL) {
+    if (stats != NULL)
         collect_stats(&f, now() - start, stats);
-    }
     return GLINT_OK;
 }
 
@@ -447,9 +425,8 @@ static glint_status create_worker(worker *w, int32_t width, const glint_backend_
 {
     glint_visibility_create(&w->band, width);
     const bool shader = glint_shader_create(&w->shader, width);
-    if (!shader || w->band.depth == NULL || w->band.triangle == NULL) {
+    if (!shader || w->band.depth == NULL || w->band.triangle == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for a band of %d pixels' width", width);
-    }
     return glint_backend_create(config, &w->backend, err);
 }
 
@@ -468,9 +445,8 @@ static glint_status create_parts(glint_renderer *r, const glint_backend_config *
     }
     for (int i = 0; i < r->threads; i++) {
         const glint_status status = create_worker(&r->workers[i], r->extent.width, config, err);
-        if (status != GLINT_OK) {
+        if (status != GLINT_OK)
             return status;
-        }
     }
     return glint_pool_create(r->threads, &r->pool, err);
 }
@@ -488,9 +464,8 @@ glint_status glint_renderer_create(int width, int height, int threads,
                           GLINT_THREADS_MAX);
     }
     glint_renderer *r = calloc(1, sizeof *r);
-    if (r == NULL) {
+    if (r == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for a renderer");
-    }
     r->extent = (glint_extent){width, height};
     r->threads = threads;
     r->kind = config->kind;
@@ -506,9 +481,8 @@ glint_status glint_renderer_create(int width, int height, int threads,
 
 void glint_renderer_destroy(glint_renderer *renderer)
 {
-    if (renderer == NULL) {
+    if (renderer == NULL)
         return;
-    }
     glint_pool_destroy(renderer->pool);
     for (int i = 0; renderer->workers != NULL && i < renderer->threads; i++) {
         glint_backend_destroy(renderer->workers[i].backend);
@@ -517,9 +491,8 @@ void glint_renderer_destroy(glint_renderer *renderer)
         glint_visibility_destroy(&renderer->workers[i].band);
         glint_shader_destroy(&renderer->workers[i].shader);
     }
-    for (size_t i = 0; i < renderer->list_capacity; i++) {
+    for (size_t i = 0; i < renderer->list_capacity; i++)
         free(renderer->lists[i].triangle);
-    }
     free(renderer->lists);
     free(renderer->screen);
     free(renderer->record.cos_code);
@@ -539,9 +512,8 @@ glint_status glint_renderer_watch(glint_renderer *renderer, glint_backend_watch 
     }
     renderer->watch = watch;
     glint_backend_set_watch(only->backend, watch);
-    if (only->divider != NULL) {
+    if (only->divider != NULL)
         glint_divider_backend_set_watch(only->divider, watch);
-    }
     return GLINT_OK;
 }
 
@@ -549,21 +521,17 @@ bool glint_renderer_fragment(const glint_renderer *renderer, int x, int y, uint3
                              glint_material *material)
 {
     if (!renderer->recorded || x < 0 || x >= renderer->extent.width || y < 0 ||
-        y >= renderer->extent.height) {
+        y >= renderer->extent.height)
         return false;
-    }
     const int band_y = y - y % GLINT_BAND_ROWS;
     size_t at = (size_t)band_y * (size_t)renderer->extent.width;
-    for (int row = band_y; row < y; row++) {
+    for (int row = band_y; row < y; row++)
         at += renderer->record.in_row[row];
-    }
     const size_t end = at + renderer->record.in_row[y];
-    while (at < end && renderer->record.x[at] < x) {
+    while (at < end && renderer->record.x[at] < x)
         at++;
-    }
-    if (at == end || renderer->record.x[at] != x) {
+    if (at == end || renderer->record.x[at] != x)
         return false;
-    }
     *cos_code = renderer->record.cos_code[at];
     *material = renderer->material;
     return true;
@@ -572,18 +540,15 @@ bool glint_renderer_fragment(const glint_renderer *renderer, int x, int y, uint3
 bool glint_renderer_triangle(glint_renderer *renderer, int x, int y, uint32_t *triangle)
 {
     const glint_extent extent = renderer->extent;
-    if (x < 0 || x >= extent.width || y < 0 || y >= extent.height) {
+    if (x < 0 || x >= extent.width || y < 0 || y >= extent.height)
         return false;
-    }
     glint_visibility *band = &renderer->workers[0].band;
     glint_visibility_begin(band, extent, y, y);
-    for (size_t i = 0; i < renderer->list_count; i++) {
+    for (size_t i = 0; i < renderer->list_count; i++)
         glint_visibility_draw(band, extent, &renderer->lists[i]);
-    }
     const glint_triangle *seen = band->triangle[x];
-    if (seen == NULL) {
+    if (seen == NULL)
         return false;
-    }
     *triangle = seen->source;
     return true;
 }
@@ -596,12 +561,10 @@ void glint_renderer_triangles(glint_renderer *renderer, uint32_t *seen)
         const int32_t after = y + GLINT_BAND_ROWS;
         glint_visibility_begin(band, extent, y,
                                (after < extent.height ? after : extent.height) - 1);
-        for (size_t i = 0; i < renderer->list_count; i++) {
+        for (size_t i = 0; i < renderer->list_count; i++)
             glint_visibility_draw(band, extent, &renderer->lists[i]);
-        }
         const size_t pixels = (size_t)extent.width * (size_t)(band->last_y - y + 1);
-        for (size_t i = 0; i < pixels; i++) {
+        for (size_t i = 0; i < pixels; i++)
             *seen++ = band->triangle[i] != NULL ? band->triangle[i]->source : GLINT_NO_TRIANGLE;
-        }
     }
 }

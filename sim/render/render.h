@@ -1,7 +1,7 @@
 /* The software rasterizer: a mesh, a camera and a light become fragments; a backend gives each its
  * highlight; a picture comes out. Bit-equal whatever the number of threads (docs/frames.md). */
-#ifndef GLINT_SIM_RENDER_H
-#define GLINT_SIM_RENDER_H
+#ifndef GLINT_SIM_RENDER_RENDER_H
+#define GLINT_SIM_RENDER_RENDER_H
 
 #include <stdbool.h>
 #include <stdint.h>

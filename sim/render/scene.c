@@ -45,9 +45,8 @@ glint_status glint_scene_check_exponent(glint_reflectance_model model, int n, gl
 static glint_status check_range(const char *name, float value, float low, float high,
                                 glint_error *err)
 {
-    if (value >= low && value <= high) {
+    if (value >= low && value <= high)
         return GLINT_OK;
-    }
     return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: %s is %g, not from %g to %g", name,
                       (double)value, (double)low, (double)high);
 }
@@ -62,17 +61,15 @@ static glint_status check_light(const float light[3], glint_error *err)
         }
         zero = zero && light[axis] == 0.0f;
     }
-    if (zero) {
+    if (zero)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: light 0,0,0 has no direction");
-    }
     return GLINT_OK;
 }
 
 static glint_status check_shading(const glint_scene *scene, glint_error *err)
 {
-    if ((unsigned)scene->shading >= GLINT_SHADING_COUNT) {
+    if ((unsigned)scene->shading >= GLINT_SHADING_COUNT)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: no such shading");
-    }
     if (scene->shifts != GLINT_SHIFTS_EXACT &&
         (scene->shifts < GLINT_DIVIDER_SHIFTS_MIN || scene->shifts > GLINT_DIVIDER_SHIFTS_MAX)) {
         return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: shifts is %d, not from %d to %d",
@@ -101,17 +98,15 @@ glint_status glint_scene_check(const glint_scene *scene, glint_error *err)
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
         const glint_status status =
             check_range(ranges[i].name, ranges[i].value, ranges[i].low, ranges[i].high, err);
-        if (status != GLINT_OK) {
+        if (status != GLINT_OK)
             return status;
-        }
     }
     if (scene->n > GLINT_N_MAX) {
         return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: n is %u, not from 0 to %u",
                           (unsigned)scene->n, GLINT_N_MAX);
     }
-    if (scene->mesh == NULL) {
+    if (scene->mesh == NULL)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: mesh is missing");
-    }
     const glint_status status = check_shading(scene, err);
     return status == GLINT_OK ? check_light(scene->light, err) : status;
 }

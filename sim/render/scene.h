@@ -1,6 +1,6 @@
 /* A scene's values held against their ranges. */
-#ifndef GLINT_SIM_SCENE_H
-#define GLINT_SIM_SCENE_H
+#ifndef GLINT_SIM_RENDER_SCENE_H
+#define GLINT_SIM_RENDER_SCENE_H
 
 #include "render/render.h"
 

@@ -69,14 +69,12 @@ static int64_t doubled_area(const glint_screen_vertex *a, const glint_screen_ver
 
 static bool make_room(glint_triangle_list *list)
 {
-    if (list->count < list->capacity) {
+    if (list->count < list->capacity)
         return true;
-    }
     const size_t capacity = list->capacity > 0 ? 2 * list->capacity : 256;
     glint_triangle *bigger = realloc(list->triangle, capacity * sizeof *bigger);
-    if (bigger == NULL) {
+    if (bigger == NULL)
         return false;
-    }
     list->triangle = bigger;
     list->capacity = capacity;
     return true;
@@ -89,9 +87,8 @@ static bool add_triangle(glint_triangle_list *list, glint_extent extent, uint32_
                          const glint_screen_vertex *c)
 {
     const int64_t area = doubled_area(a, c, b);
-    if (area <= 0) {
+    if (area <= 0)
         return true;
-    }
     glint_triangle t = {
         .x = {a->x, c->x, b->x},
         .y = {a->y, c->y, b->y},
@@ -104,13 +101,11 @@ static bool add_triangle(glint_triangle_list *list, glint_extent extent, uint32_
                   {b->color[0], b->color[1], b->color[2]}},
         .source = source,
     };
-    if (!find_box(&t, extent)) {
+    if (!find_box(&t, extent))
         return true;
-    }
     t.inv_area = 1.0 / (double)area;
-    if (!make_room(list)) {
+    if (!make_room(list))
         return false;
-    }
     list->triangle[list->count++] = t;
     list->first_y = lesser(list->first_y, t.first_y);
     list->last_y = greater(list->last_y, t.last_y);
@@ -129,23 +124,19 @@ static bool add_clipped(const glint_camera *camera, const glint_mesh *mesh, glin
         const size_t at = 3 * (size_t)corner[i];
         polygon[i].p = glint_camera_view(camera, &mesh->position[at]);
         polygon[i].n = glint_camera_rotate(camera, glint_vec3_of(&mesh->normal[at]));
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < 3; c++)
             polygon[i].color[c] = vertices[corner[i]].color[c];
-        }
     }
     const int count = glint_clip(camera, planes, polygon);
     glint_screen_vertex screen[GLINT_CLIP_CORNERS_MAX];
     for (int i = 0; i < count; i++) {
         screen[i] = project(camera, polygon[i].p, polygon[i].n);
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < 3; c++)
             screen[i].color[c] = (uint8_t)(polygon[i].color[c] + 0.5);
-        }
     }
-    for (int i = 2; i < count; i++) {
-        if (!add_triangle(list, extent, source, &screen[0], &screen[i - 1], &screen[i])) {
+    for (int i = 2; i < count; i++)
+        if (!add_triangle(list, extent, source, &screen[0], &screen[i - 1], &screen[i]))
             return false;
-        }
-    }
     return true;
 }
 
@@ -161,17 +152,15 @@ bool glint_setup_triangles(const glint_camera *camera, const glint_mesh *mesh, g
         const glint_screen_vertex *a = &screen[corner[0]];
         const glint_screen_vertex *b = &screen[corner[1]];
         const glint_screen_vertex *c = &screen[corner[2]];
-        if ((a->outside & b->outside & c->outside) != 0) {
+        if ((a->outside & b->outside & c->outside) != 0)
             continue;
-        }
         const uint32_t planes = a->outside | b->outside | c->outside;
         const uint32_t source = (uint32_t)i;
         const bool added = planes == 0
                                ? add_triangle(list, extent, source, a, b, c)
                                : add_clipped(camera, mesh, extent, screen, source, planes, list);
-        if (!added) {
+        if (!added)
             return false;
-        }
     }
     return true;
 }

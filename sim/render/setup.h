@@ -4,8 +4,8 @@
  * Screen coordinates are fixed-point, 1/4096 of a pixel, x to the right and y down from the frame's
  * upper left corner; the sample of a pixel is its centre. From here on every question of coverage
  * is one of integers, so that it has one answer. */
-#ifndef GLINT_SIM_SETUP_H
-#define GLINT_SIM_SETUP_H
+#ifndef GLINT_SIM_RENDER_SETUP_H
+#define GLINT_SIM_RENDER_SETUP_H
 
 #include "render/camera.h"
 

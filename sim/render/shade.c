@@ -55,9 +55,8 @@ void glint_shader_destroy(glint_shader *shader)
         free(shader->base[i]);
         free(shader->highlight[i]);
     }
-    for (int i = 0; i < GLINT_SHADER_COSINES; i++) {
+    for (int i = 0; i < GLINT_SHADER_COSINES; i++)
         free(shader->cosine[i]);
-    }
     free(shader->value);
     free(shader->lit);
 }
@@ -95,9 +94,8 @@ static size_t gather_row(glint_shader *shader, const glint_visibility *band, int
         const glint_weights w = glint_triangle_weights(t, pixels.first, y);
         interpolate(t, &w, x - pixels.first, &shader->n[0][count], &shader->n[1][count],
                     &shader->n[2][count]);
-        for (int32_t column = pixels.first; column < x; column++) {
+        for (int32_t column = pixels.first; column < x; column++)
             columns[count++] = (uint16_t)column;
-        }
     }
     return count;
 }
@@ -269,9 +267,8 @@ static void model_row(const glint_shader *s, const glint_lighting *lighting, int
         microfacet_values(s, specular, count);
     }
     const uint8_t color[3] = {lighting->material.r, lighting->material.g, lighting->material.b};
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         glint_specular_color(count, s->value, color[i], &s->highlight[i][first]);
-    }
 }
 
 GLINT_MULTIVERSION
@@ -315,9 +312,8 @@ glint_status glint_shade_band(glint_shader *shader, const glint_lighting *lighti
         light_row(lighting, y, found, &columns[count], shader->n[0], shader->n[1], shader->n[2],
                   &cos_code[count], &shader->base[0][count], &shader->base[1][count],
                   &shader->base[2][count], &shader->lit[count]);
-        if (lighting->specular != NULL) {
+        if (lighting->specular != NULL)
             model_row(shader, lighting, y, found, &columns[count], count);
-        }
         record->in_row[y] = (uint32_t)found;
         count += found;
     }
@@ -327,15 +323,12 @@ glint_status glint_shade_band(glint_shader *shader, const glint_lighting *lighti
                                   .r = shader->highlight[0],
                                   .g = shader->highlight[1],
                                   .b = shader->highlight[2]};
-        const glint_status status =
-            glint_backend_shade(backend, &lighting->material, &run, err);
-        if (status != GLINT_OK) {
+        const glint_status status = glint_backend_shade(backend, &lighting->material, &run, err);
+        if (status != GLINT_OK)
             return status;
-        }
     }
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         glint_add_highlight(count, shader->highlight[i], shader->lit, shader->base[i]);
-    }
     size_t first = 0;
     for (int32_t y = band->first_y; y <= band->last_y; y++) {
         write_row(shader, columns, first, record->in_row[y], image, y);

@@ -1,8 +1,8 @@
 /* Deferred Phong shading of one band of rows: what is seen becomes fragments, the fragments'
  * cosines go to the backend in one run, and its highlights join ambient and Lambert light in the
  * picture. */
-#ifndef GLINT_SIM_SHADE_H
-#define GLINT_SIM_SHADE_H
+#ifndef GLINT_SIM_RENDER_SHADE_H
+#define GLINT_SIM_RENDER_SHADE_H
 
 #include "reflectance/reflectance.h"
 #include "render/camera.h"

@@ -28,9 +28,8 @@ static matrix combine(const matrix *outer, const matrix *inner)
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 4; k++) {
             product.at[i][k] = k == 3 ? outer->at[i][3] : 0.0;
-            for (int j = 0; j < 3; j++) {
+            for (int j = 0; j < 3; j++)
                 product.at[i][k] += outer->at[i][j] * inner->at[j][k];
-            }
         }
     }
     return product;
@@ -49,12 +48,10 @@ static void find(search *s, const struct aiNode *node, const matrix *outer, int 
 {
     const matrix own = matrix_of(&node->mTransformation);
     const matrix place = combine(outer, &own);
-    if (strcmp(node->mName.data, s->name) == 0 && s->found++ == 0) {
+    if (strcmp(node->mName.data, s->name) == 0 && s->found++ == 0)
         s->place = place;
-    }
-    for (unsigned i = 0; depth < DEPTH_MAX && i < node->mNumChildren; i++) {
+    for (unsigned i = 0; depth < DEPTH_MAX && i < node->mNumChildren; i++)
         find(s, node->mChildren[i], &place, depth + 1);
-    }
 }
 
 /* ---- Meshes -------------------------------------------------------------------------------------
@@ -73,14 +70,12 @@ static void add_joint(blend *blends, const struct aiMesh *mesh, const struct aiB
     const matrix moved = combine(place, &offset);
     for (unsigned i = 0; i < bone->mNumWeights; i++) {
         const double weight = (double)bone->mWeights[i].mWeight;
-        if (bone->mWeights[i].mVertexId >= mesh->mNumVertices) {
+        if (bone->mWeights[i].mVertexId >= mesh->mNumVertices)
             continue;
-        }
         blend *b = &blends[bone->mWeights[i].mVertexId];
         b->weight += weight;
-        for (int k = 0; k < 12; k++) {
+        for (int k = 0; k < 12; k++)
             b->sum.at[k / 4][k % 4] += weight * moved.at[k / 4][k % 4];
-        }
     }
 }
 
@@ -98,9 +93,8 @@ static struct aiVector3D stored(double x, double y, double z)
  * weight for them: only their direction counts. */
 static void move_vertex(const blend *b, struct aiVector3D *vertex, struct aiVector3D *normal)
 {
-    if (!(b->weight > 0.0)) {
+    if (!(b->weight > 0.0))
         return; /* of no joint */
-    }
     const glint_vec3 r[3] = {row(&b->sum, 0), row(&b->sum, 1), row(&b->sum, 2)};
     const glint_vec3 v = {(double)vertex->x, (double)vertex->y, (double)vertex->z};
     *vertex = stored((glint_vec3_dot(r[0], v) + b->sum.at[0][3]) / b->weight,
@@ -119,9 +113,8 @@ static glint_status pose_mesh(const char *path, const struct aiScene *scene, str
 {
     blend *blends = calloc((size_t)mesh->mNumVertices + 1, sizeof *blends);
     glint_status status = GLINT_OK;
-    if (blends == NULL) {
+    if (blends == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "%.300s: no memory for its skin", path);
-    }
     for (unsigned i = 0; status == GLINT_OK && i < mesh->mNumBones; i++) {
         const struct aiBone *bone = mesh->mBones[i];
         search s = {.name = bone->mName.data};
@@ -152,10 +145,8 @@ bool glint_skin_places(const struct aiScene *scene, const struct aiMesh *mesh)
 glint_status glint_skin_pose(const char *path, const struct aiScene *scene, glint_error *err)
 {
     glint_status status = GLINT_OK;
-    for (unsigned i = 0; status == GLINT_OK && i < scene->mNumMeshes; i++) {
-        if (scene->mRootNode != NULL && glint_skin_places(scene, scene->mMeshes[i])) {
+    for (unsigned i = 0; status == GLINT_OK && i < scene->mNumMeshes; i++)
+        if (scene->mRootNode != NULL && glint_skin_places(scene, scene->mMeshes[i]))
             status = pose_mesh(path, scene, scene->mMeshes[i], err);
-        }
-    }
     return status;
 }

@@ -1,6 +1,6 @@
 /* Skinned meshes of a glTF scene, in the pose that its joints have. */
-#ifndef GLINT_SIM_SKIN_H
-#define GLINT_SIM_SKIN_H
+#ifndef GLINT_SIM_RENDER_SKIN_H
+#define GLINT_SIM_RENDER_SKIN_H
 
 #include <assimp/scene.h>
 #include <stdbool.h>

@@ -66,9 +66,8 @@ static size_t find_slot(const glint_mesh *mesh, const uint32_t *table, size_t ma
 {
     const float *p = &mesh->position[3 * vertex];
     size_t slot = hash_of(p) & mask;
-    while (table[slot] != NOWHERE && !same_place(&mesh->position[3 * (size_t)table[slot]], p)) {
+    while (table[slot] != NOWHERE && !same_place(&mesh->position[3 * (size_t)table[slot]], p))
         slot = (slot + 1) & mask;
-    }
     return slot;
 }
 
@@ -77,13 +76,11 @@ static bool find_points(work *w)
 {
     const glint_mesh *mesh = w->from;
     size_t size = 16;
-    while (size < 2 * mesh->vertex_count) {
+    while (size < 2 * mesh->vertex_count)
         size *= 2;
-    }
     uint32_t *table = malloc(size * sizeof *table);
-    if (table == NULL) {
+    if (table == NULL)
         return false;
-    }
     memset(table, 0xff, size * sizeof *table);
     for (size_t i = 0; i < mesh->vertex_count; i++) {
         const size_t slot = find_slot(mesh, table, size - 1, i);
@@ -105,20 +102,17 @@ static bool find_corners(work *w)
     const size_t corners = 3 * mesh->triangle_count;
     w->start = calloc(w->points + 2, sizeof *w->start);
     w->corner = malloc(corners * sizeof *w->corner);
-    if (w->start == NULL || w->corner == NULL) {
+    if (w->start == NULL || w->corner == NULL)
         return false;
-    }
     uint32_t *next = w->start + 1; /* moves on to where the following point begins */
-    for (size_t i = 0; i < corners; i++) {
+    for (size_t i = 0; i < corners; i++)
         next[w->point[mesh->index[i]] + 1]++;
-    }
     for (size_t i = 1; i <= w->points; i++) {
         w->most = next[i] > w->most ? next[i] : w->most;
         next[i] += next[i - 1];
     }
-    for (size_t i = 0; i < corners; i++) {
+    for (size_t i = 0; i < corners; i++)
         w->corner[next[w->point[mesh->index[i]]]++] = (uint32_t)i;
-    }
     return true;
 }
 
@@ -153,9 +147,8 @@ static wedge wedge_of(const work *w, uint32_t corner)
 {
     const size_t triangle = corner / 3;
     glint_vec3 p[3];
-    for (size_t k = 0; k < 3; k++) {
+    for (size_t k = 0; k < 3; k++)
         p[k] = glint_vec3_of(&w->from->position[3 * (size_t)w->from->index[3 * triangle + k]]);
-    }
     const glint_vec3 *o = &p[corner % 3];
     const glint_vec3 a = glint_vec3_sub(p[(corner + 1) % 3], *o);
     const glint_vec3 b = glint_vec3_sub(p[(corner + 2) % 3], *o);
@@ -173,15 +166,12 @@ static int order_of_wedges(const void *left, const void *right)
 {
     const wedge *a = left, *b = right;
     const int plane = order_of_places(a->plane, b->plane);
-    if (plane != 0) {
+    if (plane != 0)
         return plane;
-    }
-    if (a->group != b->group) {
+    if (a->group != b->group)
         return a->group < b->group ? -1 : 1;
-    }
-    if (a->object != b->object) {
+    if (a->object != b->object)
         return a->object < b->object ? -1 : 1;
-    }
     return order_of(a->angle, b->angle);
 }
 
@@ -214,11 +204,9 @@ static glint_vec3 mean_for(const work *w, size_t count, size_t own)
     const wedge *mine = &w->wedges[own];
     const bool flat = is_zero(mine->plane);
     glint_vec3 sum = {0.0, 0.0, 0.0};
-    for (size_t i = 0; i < count; i++) {
-        if (flat || smooth_over(w->smoothing, mine, &w->wedges[i])) {
+    for (size_t i = 0; i < count; i++)
+        if (flat || smooth_over(w->smoothing, mine, &w->wedges[i]))
             sum = glint_vec3_add(sum, glint_vec3_scale(w->wedges[i].plane, w->wedges[i].angle));
-        }
-    }
     return unit_or(sum, flat ? (glint_vec3){0.0, 1.0, 0.0} : mine->plane);
 }
 
@@ -256,9 +244,8 @@ static size_t merge(work *w, size_t count)
 /* The normals of a point's corners where some have none. */
 static void make_normals(work *w, const uint32_t *corner, size_t count)
 {
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         w->wedges[i] = wedge_of(w, corner[i]);
-    }
     const size_t kinds = merge(w, count);
     uint32_t kind = NOWHERE;
     glint_vec3 mean = {0.0, 0.0, 0.0};
@@ -268,11 +255,10 @@ static void make_normals(work *w, const uint32_t *corner, size_t count)
             kind = f->kind;
             mean = mean_for(w, kinds, kind);
         }
-        if (lacks_normal(w, f->corner)) {
+        if (lacks_normal(w, f->corner))
             glint_vec3_store(mean, f->normal);
-        } else {
+        else
             memcpy(f->normal, given_normal(w, f->corner), sizeof f->normal);
-        }
     }
 }
 
@@ -285,9 +271,8 @@ static void finish_corners(work *w, const uint32_t *corner, size_t count)
         w->finished[i].corner = corner[i];
         memcpy(w->finished[i].normal, given_normal(w, corner[i]), sizeof w->finished[i].normal);
     }
-    if (lacking) {
+    if (lacking)
         make_normals(w, corner, count);
-    }
 }
 
 /* ---- The new mesh ------------------------------------------------------------------------------
@@ -296,11 +281,9 @@ static void finish_corners(work *w, const uint32_t *corner, size_t count)
 static int order_of_finished(const void *left, const void *right)
 {
     const finished *a = left, *b = right;
-    for (int i = 0; i < 3; i++) {
-        if (a->normal[i] != b->normal[i]) {
+    for (int i = 0; i < 3; i++)
+        if (a->normal[i] != b->normal[i])
             return a->normal[i] < b->normal[i] ? -1 : 1;
-        }
-    }
     return (a->corner > b->corner) - (a->corner < b->corner);
 }
 
@@ -314,13 +297,11 @@ static bool grow(float **array, size_t room)
 /* Room for so many more vertices. */
 static bool make_room(work *w, size_t more)
 {
-    if (w->to->vertex_count + more <= w->room) {
+    if (w->to->vertex_count + more <= w->room)
         return true;
-    }
     const size_t room = w->room + w->room / 2 + more;
-    if (!grow(&w->to->position, room) || !grow(&w->to->normal, room)) {
+    if (!grow(&w->to->position, room) || !grow(&w->to->normal, room))
         return false;
-    }
     w->room = room;
     return true;
 }
@@ -329,9 +310,8 @@ static bool make_room(work *w, size_t more)
 static bool join_corners(work *w, size_t count)
 {
     qsort(w->finished, count, sizeof *w->finished, order_of_finished);
-    if (!make_room(w, count)) {
+    if (!make_room(w, count))
         return false;
-    }
     for (size_t i = 0; i < count; i++) {
         const finished *f = &w->finished[i];
         if (i == 0 || !same_place(f->normal, f[-1].normal)) {
@@ -347,9 +327,8 @@ static bool join_corners(work *w, size_t count)
 static bool find_all(work *w)
 {
     w->point = malloc((w->from->vertex_count + 1) * sizeof *w->point);
-    if (w->point == NULL || !find_points(w) || !find_corners(w)) {
+    if (w->point == NULL || !find_points(w) || !find_corners(w))
         return false;
-    }
     w->wedges = malloc(w->most * sizeof *w->wedges);
     w->finished = malloc(w->most * sizeof *w->finished);
     return w->wedges != NULL && w->finished != NULL;
@@ -360,9 +339,8 @@ static bool finish_all(work *w)
     for (size_t i = 0; i < w->points; i++) {
         const size_t count = w->start[i + 1] - w->start[i];
         finish_corners(w, &w->corner[w->start[i]], count);
-        if (count > 0 && !join_corners(w, count)) {
+        if (count > 0 && !join_corners(w, count))
             return false;
-        }
     }
     return true;
 }
@@ -372,13 +350,11 @@ glint_status glint_smooth(const char *what, const glint_smoothing *smoothing, gl
 {
     work w = {.smoothing = smoothing, .from = *mesh};
     glint_status status = glint_mesh_new(what, 0, w.from->triangle_count, &w.to, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     w.to->triangle_count = w.from->triangle_count;
-    if (!find_all(&w) || !finish_all(&w)) {
+    if (!find_all(&w) || !finish_all(&w))
         status = glint_fail(err, GLINT_NO_MEMORY, "%s: no memory for its normals", what);
-    }
     free(w.point);
     free(w.start);
     free(w.corner);

@@ -1,7 +1,7 @@
 /* Normals that no one gave: a surface of triangles gets one normal for each corner, whatever the
  * order in which its triangles come and however its vertices are shared. */
-#ifndef GLINT_SIM_SMOOTH_H
-#define GLINT_SIM_SMOOTH_H
+#ifndef GLINT_SIM_RENDER_SMOOTH_H
+#define GLINT_SIM_RENDER_SMOOTH_H
 
 #include <stdbool.h>
 

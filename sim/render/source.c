@@ -48,9 +48,8 @@ static size_t read_bytes(open_file *from, char *to, size_t count)
     while (got < count) {
         const ssize_t more =
             pread(from->descriptor, to + got, count - got, (off_t)(from->at + got));
-        if (more == 0 || (more < 0 && errno != EINTR)) {
+        if (more == 0 || (more < 0 && errno != EINTR))
             break;
-        }
         got += more > 0 ? (size_t)more : 0;
     }
     return got;
@@ -82,9 +81,8 @@ static enum aiReturn seek(struct aiFile *file, size_t offset, enum aiOrigin orig
     open_file *in = file_of(file);
     const size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? in->at : in->size;
     const size_t to = base + offset; /* a negative one comes as its complement */
-    if (to > in->size) {
+    if (to > in->size)
         return aiReturn_FAILURE;
-    }
     in->at = to;
     return aiReturn_SUCCESS;
 }
@@ -118,9 +116,8 @@ static void note_refusal(glint_source *source, const char *path)
 {
     struct stat info;
     if (source->refused[0] == '\0' && stat(path, &info) == 0 && !S_ISREG(info.st_mode) &&
-        !S_ISDIR(info.st_mode)) {
+        !S_ISDIR(info.st_mode))
         strncpy(source->refused, path, sizeof source->refused - 1);
-    }
 }
 
 static struct aiFile *open_for_assimp(struct aiFileIO *io, const char *path, const char *mode)
@@ -132,9 +129,8 @@ static struct aiFile *open_for_assimp(struct aiFileIO *io, const char *path, con
     open_file *opened = plain || descriptor >= 0 ? calloc(1, sizeof *opened) : NULL;
     if (opened == NULL) {
         note_refusal(source, path);
-        if (descriptor >= 0) {
+        if (descriptor >= 0)
             (void)close(descriptor);
-        }
         return NULL;
     }
     opened->file =
@@ -149,9 +145,8 @@ static void close_for_assimp(struct aiFileIO *io, struct aiFile *file)
 {
     (void)io;
     open_file *closed = file_of(file);
-    if (closed->descriptor >= 0) {
+    if (closed->descriptor >= 0)
         (void)close(closed->descriptor);
-    }
     free(closed);
 }
 
@@ -177,11 +172,9 @@ static looking *look_for(const glint_text *text)
                      {".ply", glint_plain_ply},  {".gltf", glint_gltf_check},
                      {".glb", glint_gltf_check}, {".vrm", glint_gltf_check}};
     const char *ending = strrchr(text->path, '.');
-    for (size_t i = 0; ending != NULL && i < sizeof by_ending / sizeof by_ending[0]; i++) {
-        if (strcasecmp(ending, by_ending[i].ending) == 0) {
+    for (size_t i = 0; ending != NULL && i < sizeof by_ending / sizeof by_ending[0]; i++)
+        if (strcasecmp(ending, by_ending[i].ending) == 0)
             return by_ending[i].look;
-        }
-    }
     return begins_as_ply(text) ? glint_plain_ply : NULL;
 }
 
@@ -209,9 +202,8 @@ glint_status glint_source_open(const char *path, glint_source **source, glint_re
     struct stat info;
     *source = NULL;
     const int descriptor = open_regular(path, &info);
-    if (descriptor < 0) {
+    if (descriptor < 0)
         return glint_fail(err, GLINT_IO_ERROR, "%.300s: cannot read it", path);
-    }
     if (info.st_size == 0) {
         (void)close(descriptor);
         return glint_fail(err, GLINT_BAD_INPUT, "%.300s: empty file", path);

@@ -3,8 +3,8 @@
  * The file itself is looked through first, by its format, and put into a plainer form where assimp
  * would misread it (plain.h, gltf.h). Beside it, only regular files can be opened: opening a pipe
  * or a device might wait for ever. */
-#ifndef GLINT_SIM_SOURCE_H
-#define GLINT_SIM_SOURCE_H
+#ifndef GLINT_SIM_RENDER_SOURCE_H
+#define GLINT_SIM_RENDER_SOURCE_H
 
 #include <assimp/cfileio.h>
 

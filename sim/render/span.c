@@ -36,13 +36,11 @@ void glint_run_exact(const glint_run *run, int32_t first, int32_t last, uint8_t 
 
 glint_run glint_run_segment(const glint_run *run, int32_t index)
 {
-    if (run->end - run->start <= GLINT_DIVIDER_K_MAX) {
+    if (run->end - run->start <= GLINT_DIVIDER_K_MAX)
         return *run;
-    }
     glint_run segment = {.start = run->start + index * GLINT_DIVIDER_K_MAX, .end = run->end};
-    if (segment.end - segment.start > GLINT_DIVIDER_K_MAX) {
+    if (segment.end - segment.start > GLINT_DIVIDER_K_MAX)
         segment.end = segment.start + GLINT_DIVIDER_K_MAX;
-    }
     glint_run_exact(run, segment.start, segment.start, segment.from);
     glint_run_exact(run, segment.end, segment.end, segment.to);
     return segment;
@@ -56,9 +54,8 @@ static int32_t set_channel_up(const glint_run *segment, int c, int16_t *differen
     operations->additions++;
     const int32_t k = segment->end - segment->start;
     operations->additions++;
-    if (k > 0) {
+    if (k > 0)
         operations->divisions++;
-    }
     return k;
 }
 
@@ -66,9 +63,8 @@ bool glint_run_set_up(const glint_run *segment, glint_division *division,
                       glint_operations *operations)
 {
     int32_t k = 0;
-    for (int c = 0; c < CHANNELS; c++) {
+    for (int c = 0; c < CHANNELS; c++)
         k = set_channel_up(segment, c, &division->difference[c], operations);
-    }
     division->k = (uint8_t)k;
     return k > 0;
 }
@@ -86,18 +82,14 @@ void glint_run_walk(const glint_run *segment, int shifts, const glint_quotients 
 {
     int32_t sum[CHANNELS];
     uint64_t additions = 0;
-    for (int c = 0; c < CHANNELS; c++) {
+    for (int c = 0; c < CHANNELS; c++)
         sum[c] = segment->from[c] << shifts;
-    }
     for (int32_t place = segment->start;; place++) {
-        if (place >= first) {
-            for (int c = 0; c < CHANNELS; c++) {
+        if (place >= first)
+            for (int c = 0; c < CHANNELS; c++)
                 *values++ = intensity(sum[c], shifts);
-            }
-        }
-        if (place >= last) {
+        if (place >= last)
             break;
-        }
         for (int c = 0; c < CHANNELS; c++) {
             sum[c] += quotients->code[c];
             additions++;

@@ -6,8 +6,8 @@
  * component, all alike: a channel subtracts the intensities of the ends and their coordinates, has
  * the one divided by the other, and adds the quotient step after step. All of that is counted,
  * always: what the four rows of the thesis's Table 2.1 count. */
-#ifndef GLINT_SIM_SPAN_H
-#define GLINT_SIM_SPAN_H
+#ifndef GLINT_SIM_RENDER_SPAN_H
+#define GLINT_SIM_RENDER_SPAN_H
 
 #include "glint_divider.h"
 

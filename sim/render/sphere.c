@@ -59,9 +59,8 @@ glint_status glint_mesh_sphere(int density, glint_mesh **mesh, glint_error *err)
     const size_t vertices = (size_t)meridians * (rings - 1) + 2;
     const size_t triangles = 2 * (size_t)meridians * (rings - 1);
     const glint_status status = glint_mesh_new("sphere", vertices, triangles, &m, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     add_vertices(m, meridians, rings);
     add_triangles(m, meridians, rings);
     *mesh = m;

@@ -48,9 +48,8 @@ static glint_triangle screen_triangle(void)
         t.first_y = lesser(t.first_y, from->y);
         t.last_y = greater(t.last_y, from->y);
         t.inv_w[i] = 1.0f;
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < 3; c++)
             t.color[i][c] = from->color[c];
-        }
     }
     return t;
 }
@@ -59,9 +58,8 @@ static void count_rows(const glint_image *image, glint_table_21 *table)
 {
     for (int y = 0; y < image->height; y++) {
         int in_row = 0;
-        for (int x = 0; x < image->width; x++) {
+        for (int x = 0; x < image->width; x++)
             in_row += image->object[y * image->width + x];
-        }
         table->drawn_rows += in_row > 0;
     }
 }
@@ -77,9 +75,8 @@ static glint_status draw(glint_gouraud *gouraud, const glint_visibility *band,
         status = glint_gouraud_band(gouraud, band, divider, shifts, image, &table->drawn_pixels,
                                     &table->drawn, err);
     }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         count_rows(image, table);
-    }
     glint_image_destroy(image);
     return status;
 }
@@ -149,9 +146,8 @@ static glint_status walk_run(const walk *w, const glint_run *run, glint_span_sta
     glint_division division;
     glint_quotients quotients = {{0}, false};
     glint_status status = GLINT_OK;
-    if (glint_run_set_up(run, &division, &w->table->described.stage[increments])) {
+    if (glint_run_set_up(run, &division, &w->table->described.stage[increments]))
         status = glint_divider_backend_divide(w->divider, &division, 1, &quotients, w->err);
-    }
     if (status == GLINT_OK && run->end - run->start > 1) {
         glint_run_walk(run, w->shifts, &quotients, run->start + 1, run->end - 1, values,
                        &w->table->described.stage[points]);
@@ -203,15 +199,12 @@ static glint_status count_described(glint_divider_backend *divider, int shifts,
     const corner *c = &corners[2];
     walk w = {.divider = divider, .shifts = shifts, .table = table, .err = err};
     glint_status status = walk_edge(&w, a, b, 0, b->y);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = walk_edge(&w, b, c, 0, c->y - 1);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = walk_edge(&w, a, c, 1, c->y - 1);
-    }
-    for (int32_t y = a->y + 1; status == GLINT_OK && y < c->y; y++) {
+    for (int32_t y = a->y + 1; status == GLINT_OK && y < c->y; y++)
         status = walk_row(&w, y);
-    }
     return status;
 }
 
@@ -222,12 +215,10 @@ glint_status glint_count_table_21(int shifts, glint_table_21 *table, glint_error
     glint_divider_backend *divider = NULL;
     *table = (glint_table_21){.area = triangle_area()};
     glint_status status = glint_divider_backend_create(&config, &divider, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = count_drawn(divider, shifts, table, err);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = count_described(divider, shifts, table, err);
-    }
     glint_divider_backend_destroy(divider);
     return status;
 }

@@ -53,9 +53,8 @@ static jet evaluate(int patch, const basis *u, const basis *v)
     glint_vec3 value[4], first[4], second[4]; /* of each row, along v */
     for (int row = 0; row < 4; row++) {
         glint_vec3 p[4];
-        for (int column = 0; column < 4; column++) {
+        for (int column = 0; column < 4; column++)
             p[column] = control_point(patch, row, column);
-        }
         value[row] = blend(v->value, p);
         first[row] = blend(v->first, p);
         second[row] = blend(v->second, p);
@@ -132,12 +131,10 @@ glint_status glint_mesh_teapot(int density, glint_mesh **mesh, glint_error *err)
     const glint_status status =
         glint_mesh_new("teapot", GLINT_TEAPOT_PATCHES * (side + 1) * (side + 1),
                        GLINT_TEAPOT_PATCHES * 2 * side * side, &m, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
-    for (int patch = 0; patch < GLINT_TEAPOT_PATCHES; patch++) {
+    for (int patch = 0; patch < GLINT_TEAPOT_PATCHES; patch++)
         add_patch(m, patch, density);
-    }
     *mesh = m;
     return GLINT_OK;
 }

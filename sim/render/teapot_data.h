@@ -1,6 +1,6 @@
 /* The published data of the Newell teapot: 32 bicubic Bezier patches over 306 control points. */
-#ifndef GLINT_SIM_TEAPOT_DATA_H
-#define GLINT_SIM_TEAPOT_DATA_H
+#ifndef GLINT_SIM_RENDER_TEAPOT_DATA_H
+#define GLINT_SIM_RENDER_TEAPOT_DATA_H
 
 #include <stdint.h>
 

@@ -13,19 +13,16 @@ typedef struct aiVector3D *kept;
 
 static bool has_polygons(const struct aiMesh *mesh)
 {
-    for (unsigned i = 0; i < mesh->mNumFaces; i++) {
-        if (mesh->mFaces[i].mNumIndices > 3) {
+    for (unsigned i = 0; i < mesh->mNumFaces; i++)
+        if (mesh->mFaces[i].mNumIndices > 3)
             return true;
-        }
-    }
     return false;
 }
 
 static void fit(float *first, unsigned count, double center, double scale)
 {
-    for (unsigned i = 0; i < count; i++) {
+    for (unsigned i = 0; i < count; i++)
         first[3 * (size_t)i] = (float)(((double)first[3 * (size_t)i] - center) * scale);
-    }
 }
 
 /* Within −1 … 1, along each axis about its own middle. */
@@ -43,9 +40,8 @@ static void normalize(struct aiMesh *mesh)
         middle[axis] = low + (high - low) / 2.0;
         size = fmax(size, high - low);
     }
-    for (int axis = 0; axis < 3; axis++) {
+    for (int axis = 0; axis < 3; axis++)
         fit(p + axis, mesh->mNumVertices, middle[axis], size > 0.0 ? 2.0 / size : 1.0);
-    }
 }
 
 /* False for want of memory. */
@@ -54,13 +50,11 @@ static bool normalize_all(const struct aiScene *scene, kept *kept)
     for (unsigned i = 0; i < scene->mNumMeshes; i++) {
         struct aiMesh *mesh = scene->mMeshes[i];
         const size_t bytes = mesh->mNumVertices * sizeof *mesh->mVertices;
-        if (bytes == 0 || !has_polygons(mesh)) {
+        if (bytes == 0 || !has_polygons(mesh))
             continue;
-        }
         kept[i] = malloc(bytes);
-        if (kept[i] == NULL) {
+        if (kept[i] == NULL)
             return false;
-        }
         memcpy(kept[i], mesh->mVertices, bytes);
         normalize(mesh);
     }

@@ -1,6 +1,6 @@
 /* Polygons into triangles, by assimp. */
-#ifndef GLINT_SIM_TRIANGULATE_H
-#define GLINT_SIM_TRIANGULATE_H
+#ifndef GLINT_SIM_RENDER_TRIANGULATE_H
+#define GLINT_SIM_RENDER_TRIANGULATE_H
 
 #include <assimp/scene.h>
 

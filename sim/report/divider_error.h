@@ -1,7 +1,7 @@
 /* How wrong the divider's sum (2.18) is, from exact integers: of the increment, and of the last
  * pixel of a span that it is added along. */
-#ifndef GLINT_SIM_DIVIDER_ERROR_H
-#define GLINT_SIM_DIVIDER_ERROR_H
+#ifndef GLINT_SIM_REPORT_DIVIDER_ERROR_H
+#define GLINT_SIM_REPORT_DIVIDER_ERROR_H
 
 #include "glint_divider.h"
 

@@ -1,7 +1,7 @@
 /* What the divider's errors come to in whole frames: Gouraud's shading by numbers of shifts against
  * the same frames with exact values along edges and spans. */
-#ifndef GLINT_SIM_DIVIDER_FRAMES_H
-#define GLINT_SIM_DIVIDER_FRAMES_H
+#ifndef GLINT_SIM_REPORT_DIVIDER_FRAMES_H
+#define GLINT_SIM_REPORT_DIVIDER_FRAMES_H
 
 #include "image/image.h"
 #include "render/render.h"

@@ -1,6 +1,6 @@
 /* The parts of the report on the divider, one file each. */
-#ifndef GLINT_SIM_DIVIDER_PARTS_H
-#define GLINT_SIM_DIVIDER_PARTS_H
+#ifndef GLINT_SIM_REPORT_DIVIDER_PARTS_H
+#define GLINT_SIM_REPORT_DIVIDER_PARTS_H
 
 #include <stdio.h>
 

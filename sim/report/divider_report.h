@@ -1,6 +1,6 @@
 /* The report on the divider: the thesis's section 2.4 in numbers of our own. */
-#ifndef GLINT_SIM_DIVIDER_REPORT_H
-#define GLINT_SIM_DIVIDER_REPORT_H
+#ifndef GLINT_SIM_REPORT_DIVIDER_REPORT_H
+#define GLINT_SIM_REPORT_DIVIDER_REPORT_H
 
 #include <cjson/cJSON.h>
 

@@ -107,14 +107,13 @@ static void text_of(cmark_node *node, char *text, size_t room)
 
 static void print_escaped(FILE *out, const char *text)
 {
-    for (; *text != '\0'; text++) {
+    for (; *text != '\0'; text++)
         if (*text == '<')
             fputs("&lt;", out);
         else if (*text == '&')
             fputs("&amp;", out);
         else
             fputc(*text, out);
-    }
 }
 
 static cmark_node *raw_html(cmark_node_type type, const char *html)

@@ -3,8 +3,8 @@
  *
  * On a machine whose lowest byte comes first, a port is a row of bits whatever its size: an integer
  * of 1, 2, 4 or 8 bytes, or 32-bit words. */
-#ifndef GLINT_SIM_BITS_H
-#define GLINT_SIM_BITS_H
+#ifndef GLINT_SIM_RTL_BITS_H
+#define GLINT_SIM_RTL_BITS_H
 
 #include <stdint.h>
 #include <string.h>

@@ -4,8 +4,8 @@
  * The cache is a directory of files NAME-KIND-SOURCES-TOOLS.so: NAME is the setting's, SOURCES a
  * hash over its Verilog, its probe and the shim, TOOLS one over Verilator, the compiler and the
  * flags. Where there is no Verilator or compiler, the newest of these sources is taken. */
-#ifndef GLINT_SIM_BUILD_H
-#define GLINT_SIM_BUILD_H
+#ifndef GLINT_SIM_RTL_BUILD_H
+#define GLINT_SIM_RTL_BUILD_H
 
 #include <stdbool.h>
 

@@ -1,8 +1,8 @@
 /* A directory of things that are built once: each is one file, made in a work directory beside and
  * renamed when it is whole; whoever wants it meanwhile, thread or process, waits for its builder.
  * What a killed builder left is removed by the next one. */
-#ifndef GLINT_SIM_CACHE_H
-#define GLINT_SIM_CACHE_H
+#ifndef GLINT_SIM_RTL_CACHE_H
+#define GLINT_SIM_RTL_CACHE_H
 
 #include "glint_status.h"
 

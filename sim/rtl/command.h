@@ -2,8 +2,8 @@
  *
  * It stays in the process group of the terminal, so that Ctrl-C ends it as well, and goes when who
  * started it is killed. */
-#ifndef GLINT_SIM_COMMAND_H
-#define GLINT_SIM_COMMAND_H
+#ifndef GLINT_SIM_RTL_COMMAND_H
+#define GLINT_SIM_RTL_COMMAND_H
 
 #include <stdbool.h>
 #include <sys/types.h>

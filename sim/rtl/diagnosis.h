@@ -1,6 +1,6 @@
 /* What Verilator and the compiler say, as one line. */
-#ifndef GLINT_SIM_DIAGNOSIS_H
-#define GLINT_SIM_DIAGNOSIS_H
+#ifndef GLINT_SIM_RTL_DIAGNOSIS_H
+#define GLINT_SIM_RTL_DIAGNOSIS_H
 
 #include "rtl/probe.h"
 

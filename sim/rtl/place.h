@@ -2,8 +2,8 @@
  *
  * Built: the Makefile leaves a link `tree` to the source tree in the build directory, which lies
  * above the executable. Installed, <prefix>/bin/glint: <prefix>/share/glint. */
-#ifndef GLINT_SIM_PLACE_H
-#define GLINT_SIM_PLACE_H
+#ifndef GLINT_SIM_RTL_PLACE_H
+#define GLINT_SIM_RTL_PLACE_H
 
 #include "glint_status.h"
 

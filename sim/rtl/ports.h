@@ -1,7 +1,7 @@
 /* The ports of a setting's Verilog, as its description has them: those that pins and outputs make,
  * lane beside lane. The clock is none of them. */
-#ifndef GLINT_SIM_PORTS_H
-#define GLINT_SIM_PORTS_H
+#ifndef GLINT_SIM_RTL_PORTS_H
+#define GLINT_SIM_RTL_PORTS_H
 
 #include <stdbool.h>
 

@@ -3,8 +3,8 @@
  * all that is needed of it, and Verilator itself checks that the Verilog has the description's
  * pins and signals, and their widths: what it says of a line of the probe is said of one of them.
  */
-#ifndef GLINT_SIM_PROBE_H
-#define GLINT_SIM_PROBE_H
+#ifndef GLINT_SIM_RTL_PROBE_H
+#define GLINT_SIM_RTL_PROBE_H
 
 #include "rtl/ports.h"
 

@@ -1,6 +1,6 @@
 /* One shared object to be made: everything it is made of, and its name in the cache. */
-#ifndef GLINT_SIM_PRODUCT_H
-#define GLINT_SIM_PRODUCT_H
+#ifndef GLINT_SIM_RTL_PRODUCT_H
+#define GLINT_SIM_RTL_PRODUCT_H
 
 #include "rtl/ports.h"
 #include "rtl/probe.h"

@@ -4,8 +4,8 @@
  * be destroyed, in different threads. The circuit is a shared object that glint_rtl_open() loads;
  * where there is none for these sources, parameters, compiler and Verilator, it is built first and
  * kept in a cache (build.h). */
-#ifndef GLINT_SIM_RTL_H
-#define GLINT_SIM_RTL_H
+#ifndef GLINT_SIM_RTL_RTL_H
+#define GLINT_SIM_RTL_RTL_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,7 +1,7 @@
 /* What every circuit is linked with, Verilator's own runtime, and its headers: made once for each
  * Verilator and compiler, and kept in the cache. */
-#ifndef GLINT_SIM_RUNTIME_H
-#define GLINT_SIM_RUNTIME_H
+#ifndef GLINT_SIM_RTL_RUNTIME_H
+#define GLINT_SIM_RTL_RUNTIME_H
 
 #include "rtl/command.h"
 #include "rtl/rtl.h"

@@ -7,8 +7,8 @@
 //     GLINT_FST        defined: built with --trace-fst
 //     GLINT_VCD        defined: with --trace; neither: without waveforms
 // VM_COVERAGE is 1 where the circuit counts its lines and toggles (tests/coverage).
-#include "glint_ports.h"
 #include "shim.h"
+#include "glint_ports.h"
 
 #if defined GLINT_FST || defined GLINT_VCD
 #define GLINT_TRACED
@@ -34,8 +34,9 @@
 #endif
 
 #ifdef VL_USER_FATAL
-// The Verilog ends the simulation, or cannot be simulated (a loop that never settles): there is nothing
-// to go on with. Verilator's own would end the program as if all were well, or with a core dump.
+// The Verilog ends the simulation, or cannot be simulated (a loop that never settles): there is
+// nothing to go on with. Verilator's own would end the program as if all were well, or with a core
+// dump.
 [[noreturn]] static void give_up(const char *file, int line, const char *what)
 {
     std::fflush(stdout);
@@ -75,8 +76,9 @@ void write_counts(VerilatedContext &context)
 }
 #endif
 
-// Verilator keeps a pointer to the context that a thread used last, and takes signals' scopes out of
-// that one when a model goes. Declared first, so that it goes last and leaves no dangling pointer.
+// Verilator keeps a pointer to the context that a thread used last, and takes signals' scopes out
+// of that one when a model goes. Declared first, so that it goes last and leaves no dangling
+// pointer.
 struct ThreadContextGuard {
     ~ThreadContextGuard()
     {
@@ -96,7 +98,8 @@ struct OneThreadContext : VerilatedContext {
 #ifdef GLINT_VCD
 // A file that does not take all of it is left empty, so that nobody takes it for the waveform;
 // Verilator's own file ends the program.
-class VcdFile : public VerilatedVcdFile {
+class VcdFile : public VerilatedVcdFile
+{
     std::FILE *file = nullptr;
     std::string path;
     bool failed = false;

@@ -1,7 +1,7 @@
 /* What a circuit is built from, as it was read: so what is hashed is what is built, whatever an
  * editor does meanwhile. */
-#ifndef GLINT_SIM_SOURCES_H
-#define GLINT_SIM_SOURCES_H
+#ifndef GLINT_SIM_RTL_SOURCES_H
+#define GLINT_SIM_RTL_SOURCES_H
 
 #include <stddef.h>
 

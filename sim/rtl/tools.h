@@ -1,6 +1,6 @@
 /* Verilator and the C++ compiler: where they are, and which ones. */
-#ifndef GLINT_SIM_TOOLS_H
-#define GLINT_SIM_TOOLS_H
+#ifndef GLINT_SIM_RTL_TOOLS_H
+#define GLINT_SIM_RTL_TOOLS_H
 
 #include <stdbool.h>
 

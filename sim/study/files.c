@@ -34,25 +34,21 @@ glint_status glint_study_files_create(const char *directory, glint_study_files *
 {
     *files = NULL;
     const glint_status status = glint_directory_make(directory, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     *files = calloc(1, sizeof **files);
-    if (*files == NULL) {
+    if (*files == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for the files of a study");
-    }
     (*files)->directory = directory;
     return GLINT_OK;
 }
 
 void glint_study_files_destroy(glint_study_files *files)
 {
-    if (files == NULL) {
+    if (files == NULL)
         return;
-    }
-    for (int i = 0; i < files->count; i++) {
+    for (int i = 0; i < files->count; i++)
         glint_new_file_discard(files->entry[i].file);
-    }
     free(files);
 }
 
@@ -72,12 +68,10 @@ glint_status glint_study_files_add(glint_study_files *files, const char *name, F
     glint_status status = files->count < FILES_MAX
                               ? path_of(files, name, path, err)
                               : glint_fail(err, GLINT_BAD_ARGUMENT, "too many files in a study");
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_new_file_open(path, &file, err);
-    }
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     snprintf(files->entry[files->count].name, NAME_SIZE, "%s", name);
     files->entry[files->count++].file = file;
     *stream = glint_new_file_stream(file);
@@ -88,9 +82,8 @@ glint_status glint_study_files_end(glint_study_files *files, glint_error *err)
 {
     glint_new_file **file = &files->entry[files->count - 1].file;
     const glint_status status = glint_new_file_close(*file, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         *file = NULL; /* it is gone */
-    }
     return status;
 }
 
@@ -99,19 +92,16 @@ static bool is_of_some_studies(const char *name)
 {
     bool picture = strlen(name) == strlen("n-NNNN.png") && strncmp(name, "n-", 2) == 0 &&
                    strcmp(name + 6, ".png") == 0;
-    for (int i = 2; picture && i < 6; i++) {
+    for (int i = 2; picture && i < 6; i++)
         picture = isdigit((unsigned char)name[i]);
-    }
     return picture || strcmp(name, "times.csv") == 0;
 }
 
 static bool is_of_this_study(const glint_study_files *files, const char *name)
 {
-    for (int i = 0; i < files->count; i++) {
-        if (strcmp(files->entry[i].name, name) == 0) {
+    for (int i = 0; i < files->count; i++)
+        if (strcmp(files->entry[i].name, name) == 0)
             return true;
-        }
-    }
     return false;
 }
 
@@ -121,9 +111,8 @@ static glint_status remove_file(const glint_study_files *files, const char *name
     struct stat info;
     const glint_status status = path_of(files, name, path, err);
     if (status != GLINT_OK || lstat(path, &info) != 0 || S_ISDIR(info.st_mode) ||
-        glint_file_replaceable(path, NULL) != GLINT_OK || unlink(path) == 0) {
+        glint_file_replaceable(path, NULL) != GLINT_OK || unlink(path) == 0)
         return status;
-    }
     return glint_fail(err, GLINT_IO_ERROR, "cannot remove %.400s, of an earlier study: %s", path,
                       strerror(errno));
 }
@@ -132,11 +121,9 @@ static glint_status remove_earlier(const glint_study_files *files, DIR *director
 {
     glint_status status = GLINT_OK;
     const struct dirent *found;
-    while (status == GLINT_OK && (found = readdir(directory)) != NULL) {
-        if (is_of_some_studies(found->d_name) && !is_of_this_study(files, found->d_name)) {
+    while (status == GLINT_OK && (found = readdir(directory)) != NULL)
+        if (is_of_some_studies(found->d_name) && !is_of_this_study(files, found->d_name))
             status = remove_file(files, found->d_name, err);
-        }
-    }
     return status;
 }
 
@@ -153,9 +140,8 @@ glint_status glint_study_files_commit(glint_study_files *files, glint_error *err
         files->entry[i].file = NULL; /* gone, well or not */
         status = glint_new_file_commit(file, err);
     }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = remove_earlier(files, directory, err);
-    }
     closedir(directory);
     return status;
 }

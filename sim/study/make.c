@@ -93,13 +93,11 @@ static glint_status make_row(making *m, int at, glint_study_row *row, glint_erro
         status = glint_image_difference_picture(glint_study_picture(m->study, 0),
                                                 glint_study_picture(m->study, 1), &difference, err);
     }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = write_sheet(m, at, row, difference, err);
-    }
     glint_image_destroy(difference);
-    if (status == GLINT_OK && options->progress != NULL) {
+    if (status == GLINT_OK && options->progress != NULL)
         options->progress(options->context, at + 1, options->count);
-    }
     return status;
 }
 
@@ -110,9 +108,8 @@ static glint_status write_table(const making *m, const char *name,
 {
     FILE *stream;
     const glint_status status = glint_study_files_add(m->files, name, &stream, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     write(stream, &m->options->setup, rows, m->options->count);
     return glint_study_files_end(m->files, err);
 }
@@ -136,12 +133,10 @@ static glint_status write_json(const making *m, const glint_study_row *rows, gli
 static glint_status write_tables(const making *m, const glint_study_row *rows, glint_error *err)
 {
     glint_status status = write_picture(m, m->all, "sheet.png", err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = write_table(m, "study.csv", glint_study_write_differences, rows, err);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = write_json(m, rows, err);
-    }
     return status == GLINT_OK && m->options->frames > 0
                ? write_table(m, "times.csv", glint_study_write_times, rows, err)
                : status;
@@ -160,9 +155,8 @@ static glint_status check_exponents(const glint_study_options *options, glint_er
     glint_status status = GLINT_OK;
     for (int i = 0; status == GLINT_OK && i < 2 * options->count; i++) {
         const glint_study_method *method = &options->setup.method[i % 2];
-        if (method->by_model) {
+        if (method->by_model)
             status = glint_scene_check_exponent(method->model, options->n[i / 2], err);
-        }
     }
     return status;
 }
@@ -177,27 +171,22 @@ glint_status glint_study_make(const glint_study_options *options, glint_study_ro
     const glint_study_setup *setup = &options->setup;
     making m = {.options = options};
     glint_status status = check_exponents(options, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_study_files_create(options->directory, &m.files, err);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_study_create(setup, &m.study, err);
-    }
     if (status == GLINT_OK) {
         const int shrink = glint_sheet_shrink_for(options->count, COLUMNS, setup->width,
                                                   setup->height, SHEET_WIDTH);
         status = glint_sheet_create(options->count, COLUMNS, setup->width, setup->height, shrink,
                                     note, &m.all, err);
     }
-    for (int i = 0; status == GLINT_OK && i < options->count; i++) {
+    for (int i = 0; status == GLINT_OK && i < options->count; i++)
         status = make_row(&m, i, &rows[i], err);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = write_tables(&m, rows, err);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = finish(&m, err);
-    }
     *words = m.words;
     glint_sheet_destroy(m.all);
     glint_study_destroy(m.study);

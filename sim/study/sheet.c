@@ -45,9 +45,8 @@ int glint_sheet_shrink_for(int rows, int columns, int width, int height, int max
 {
     int shrink = 1;
     while (shrink < width && (sheet_width(columns, width, shrink) > max_width ||
-                              sheet_height(rows, height, shrink) > GLINT_IMAGE_SIDE_MAX)) {
+                              sheet_height(rows, height, shrink) > GLINT_IMAGE_SIDE_MAX))
         shrink++;
-    }
     return shrink;
 }
 
@@ -56,13 +55,11 @@ static glint_status create_page(glint_sheet *sheet, int64_t width, int64_t heigh
                                 glint_error *err)
 {
     const glint_status status = glint_image_create((int)width, (int)height, &sheet->image, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     const size_t pixels = (size_t)(width * height);
-    for (size_t i = 0; i < pixels; i++) {
+    for (size_t i = 0; i < pixels; i++)
         memcpy(&sheet->image->rgb[3 * i], background, 3);
-    }
     memset(sheet->image->object, 1, pixels);
     if (sheet->text != NULL) {
         glint_text_draw(sheet->text, sheet->image, MARGIN, (int)height - MARGIN - LINE, (int)width,
@@ -84,9 +81,8 @@ glint_status glint_sheet_create(int rows, int columns, int width, int height, in
                           GLINT_IMAGE_SIDE_MAX);
     }
     glint_sheet *created = calloc(1, sizeof *created);
-    if (created == NULL) {
+    if (created == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for a sheet");
-    }
     created->width = width;
     created->height = height;
     created->shrink = shrink;
@@ -122,15 +118,13 @@ static void mean_of(const glint_image *picture, int shrink, int column, int row,
         for (int x = column * shrink; x < (column + 1) * shrink && x < picture->width; x++) {
             const size_t at = (size_t)y * (size_t)picture->width + (size_t)x;
             const uint8_t *rgb = picture->object[at] ? &picture->rgb[3 * at] : background;
-            for (int c = 0; c < 3; c++) {
+            for (int c = 0; c < 3; c++)
                 sum[c] += rgb[c];
-            }
             count++;
         }
     }
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; c++)
         mean[c] = (uint8_t)((sum[c] + count / 2) / count);
-    }
 }
 
 /* The mean where none differs. */

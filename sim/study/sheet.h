@@ -1,6 +1,6 @@
 /* Contact sheets: pictures in rows and columns, with two lines of words over each. */
-#ifndef GLINT_SIM_SHEET_H
-#define GLINT_SIM_SHEET_H
+#ifndef GLINT_SIM_STUDY_SHEET_H
+#define GLINT_SIM_STUDY_SHEET_H
 
 #include <stdbool.h>
 

@@ -104,15 +104,12 @@ static glint_status create_parts(glint_study *study, glint_error *err)
 {
     const glint_study_setup *setup = &study->setup;
     glint_status status = GLINT_OK;
-    for (int i = 0; status == GLINT_OK && i < 2; i++) {
+    for (int i = 0; status == GLINT_OK && i < 2; i++)
         status = create_side(setup, &setup->method[i], &study->side[i], err);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_image_create(setup->width, setup->height, &study->dull, err);
-    }
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     study->seen = malloc((size_t)setup->width * (size_t)setup->height * sizeof *study->seen);
     study->mark = malloc(setup->scene.mesh->triangle_count);
     return study->seen != NULL && study->mark != NULL
@@ -125,9 +122,8 @@ glint_status glint_study_create(const glint_study_setup *setup, glint_study **st
 {
     *study = NULL;
     glint_study *created = calloc(1, sizeof *created);
-    if (created == NULL) {
+    if (created == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for a study");
-    }
     created->setup = *setup;
     const glint_status status = create_parts(created, err);
     if (status != GLINT_OK) {
@@ -140,9 +136,8 @@ glint_status glint_study_create(const glint_study_setup *setup, glint_study **st
 
 void glint_study_destroy(glint_study *study)
 {
-    if (study == NULL) {
+    if (study == NULL)
         return;
-    }
     for (int i = 0; i < 2; i++) {
         glint_renderer_destroy(study->side[i].renderer);
         glint_image_destroy(study->side[i].image);
@@ -201,9 +196,8 @@ static glint_status count_highlit(glint_study *study, int which, int n, const vo
     glint_scene scene = scene_of(study, which, n);
     scene.ks = 0.0f;
     const glint_status status = shoot(study, which, &scene, study->dull, stop, NULL, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         row->highlit[which] = count_triangles(study, study->side[which].image, study->dull);
-    }
     return status;
 }
 
@@ -223,9 +217,8 @@ static glint_status compare_pictures(glint_study *study, int n, const volatile b
         status =
             glint_image_compare(study->side[0].image, study->side[1].image, &row->difference, err);
     }
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     if (row->difference.object_pixels == 0) {
         return glint_fail(err, GLINT_BAD_INPUT,
                           "nothing to compare: no pixel of the object is in the frame");
@@ -237,14 +230,12 @@ static glint_status compare(glint_study *study, int n, const volatile bool *stop
                             glint_study_row *row, glint_error *err)
 {
     glint_status status = compare_pictures(study, n, stop, row, err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         return status;
-    }
     glint_renderer_triangles(study->side[0].renderer, study->seen);
     row->seen = count_triangles(study, NULL, NULL);
-    for (int i = 0; status == GLINT_OK && i < 2; i++) {
+    for (int i = 0; status == GLINT_OK && i < 2; i++)
         status = count_highlit(study, i, n, stop, row, err);
-    }
     return status;
 }
 
@@ -272,9 +263,8 @@ static glint_status time_frames(glint_study *study, int n, int frames, const vol
             glint_render_stats stats = {0};
             const glint_status status =
                 shoot(study, i, &scene, study->side[i].image, stop, &stats, err);
-            if (status != GLINT_OK) {
+            if (status != GLINT_OK)
                 return status;
-            }
             seconds[i][frame] = stats.seconds;
         }
         ratio[frame] = seconds[1][frame] / seconds[0][frame];
@@ -298,21 +288,18 @@ glint_status glint_study_compare(glint_study *study, int n, const volatile bool 
 {
     glint_study_row row;
     glint_status status = check_n(n, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = compare_pictures(study, n, stop, &row, err);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         *difference = row.difference;
-    }
     return status;
 }
 
 glint_status glint_study_run(glint_study *study, int n, int frames, const volatile bool *stop,
                              glint_study_row *row, glint_error *err)
 {
-    if (check_n(n, err) != GLINT_OK) {
+    if (check_n(n, err) != GLINT_OK)
         return GLINT_BAD_ARGUMENT;
-    }
     if (frames < 0 || frames > GLINT_STUDY_FRAMES_MAX) {
         return glint_fail(err, GLINT_BAD_ARGUMENT, "%d frames: not from 0 to %d", frames,
                           GLINT_STUDY_FRAMES_MAX);

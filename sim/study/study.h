@@ -7,8 +7,8 @@
  *     glint_study_create(&setup, &study, err);
  *     glint_study_run(study, 50, 0, NULL, &row, err);      → row.difference.nmse
  *     glint_study_destroy(study); */
-#ifndef GLINT_SIM_STUDY_H
-#define GLINT_SIM_STUDY_H
+#ifndef GLINT_SIM_STUDY_STUDY_H
+#define GLINT_SIM_STUDY_STUDY_H
 
 #include "render/render.h"
 

@@ -12,9 +12,8 @@ static void write_text(FILE *to, const char *text)
         return;
     }
     fputc('"', to);
-    for (; *text != '\0'; text++) {
+    for (; *text != '\0'; text++)
         fprintf(to, *text == '"' ? "\"\"" : "%c", *text);
-    }
     fputc('"', to);
 }
 
@@ -27,11 +26,10 @@ static void write_source(FILE *to, const glint_study_setup *setup)
     fprintf(to, ",%s,%s,", glint_study_method_name(&setup->method[0], &a),
             glint_study_method_name(&setup->method[1], &b));
     write_text(to, setup->model);
-    if (setup->density > 0) {
+    if (setup->density > 0)
         fprintf(to, ",%d\n", setup->density);
-    } else {
+    else
         fputs(",\n", to);
-    }
 }
 
 void glint_study_write_differences(FILE *to, const glint_study_setup *setup,
@@ -43,11 +41,10 @@ void glint_study_write_differences(FILE *to, const glint_study_setup *setup,
         const glint_study_row *r = &rows[i];
         const glint_image_difference *d = &r->difference;
         fprintf(to, "%d,%.9g,", r->n, d->nmse);
-        if (d->largest_x >= 0) {
+        if (d->largest_x >= 0)
             fprintf(to, "%.9g,%d,%d,%d,", d->psnr, d->largest, d->largest_x, d->largest_y);
-        } else {
+        else
             fputs("inf,0,,,", to); /* equal: there is no such pixel */
-        }
         fprintf(to,
                 "%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64
                 ",%s",
@@ -98,11 +95,10 @@ static void add_scene(cJSON *json, const glint_study_setup *setup)
     const glint_scene *s = &setup->scene;
     cJSON *scene = cJSON_AddObjectToObject(json, "scene");
     cJSON_AddStringToObject(scene, "model", setup->model);
-    if (setup->density > 0) {
+    if (setup->density > 0)
         cJSON_AddNumberToObject(scene, "density", setup->density);
-    } else {
+    else
         cJSON_AddNullToObject(scene, "density");
-    }
     cJSON_AddNumberToObject(scene, "width", setup->width);
     cJSON_AddNumberToObject(scene, "height", setup->height);
     add_color(scene, "color", s->color);
@@ -117,9 +113,8 @@ static void add_scene(cJSON *json, const glint_study_setup *setup)
                  {"ks", s->ks},   {"f0", s->f0},
                  {"yaw", s->yaw}, {"pitch", s->pitch},
                  {"fov", s->fov}, {"distance", s->distance}};
-    for (size_t i = 0; i < sizeof reals / sizeof reals[0]; i++) {
+    for (size_t i = 0; i < sizeof reals / sizeof reals[0]; i++)
         cJSON_AddNumberToObject(scene, reals[i].name, plain(reals[i].value));
-    }
 }
 
 static cJSON *row_json(const glint_study_row *r)
@@ -156,9 +151,8 @@ cJSON *glint_study_json(const glint_study_setup *setup, const glint_study_row *r
     cJSON_AddStringToObject(json, "b", glint_study_method_name(&setup->method[1], &name));
     add_scene(json, setup);
     cJSON *array = cJSON_AddArrayToObject(json, "rows");
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; i++)
         cJSON_AddItemToArray(array, row_json(&rows[i]));
-    }
     return json;
 }
 

@@ -1,8 +1,8 @@
 /* The dividers' demonstration scene: 255/7, −255/9 with a stall in its middle, a start while that
  * division is under way, 100/1 (the bit i₀), 200/16, and 37/17, which is beyond the table. The
  * sequential form takes one after the other, the pipelined one of them a clock. */
-#ifndef GLINT_SIM_DIVIDER_SCENE_H
-#define GLINT_SIM_DIVIDER_SCENE_H
+#ifndef GLINT_SIM_WAVE_DIVIDER_SCENE_H
+#define GLINT_SIM_WAVE_DIVIDER_SCENE_H
 
 #include "glint_divider_device.h"
 

@@ -1,6 +1,6 @@
 /* Writes GTKWave save files: their rows, and the view that they open with. */
-#ifndef GLINT_SIM_GTKW_H
-#define GLINT_SIM_GTKW_H
+#ifndef GLINT_SIM_WAVE_GTKW_H
+#define GLINT_SIM_WAVE_GTKW_H
 
 #include <stdbool.h>
 #include <stdint.h>

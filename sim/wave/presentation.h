@@ -1,7 +1,7 @@
 /* How a circuit is shown, in waveforms of it and of a failure: by what name, in which radix and
  * colour. Under which heading is the description's: signal.heading, circuit.headings. */
-#ifndef GLINT_SIM_PRESENTATION_H
-#define GLINT_SIM_PRESENTATION_H
+#ifndef GLINT_SIM_WAVE_PRESENTATION_H
+#define GLINT_SIM_WAVE_PRESENTATION_H
 
 #include <stdbool.h>
 

@@ -1,6 +1,6 @@
 /* The GTKWave save file for a waveform of a circuit, by its description. */
-#ifndef GLINT_SIM_SAVE_FILE_H
-#define GLINT_SIM_SAVE_FILE_H
+#ifndef GLINT_SIM_WAVE_SAVE_FILE_H
+#define GLINT_SIM_WAVE_SAVE_FILE_H
 
 #include "circuit/setting.h"
 #include "wave/gtkw.h"

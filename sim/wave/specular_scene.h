@@ -1,8 +1,8 @@
 /* The specular device's demonstration scene: a scan line across a highlight, from outside over its
  * edge and its centre and out again, with a stall in its middle; then another material with the
  * very next point, a gap, a code above 1.0, and a third material between points. */
-#ifndef GLINT_SIM_SPECULAR_SCENE_H
-#define GLINT_SIM_SPECULAR_SCENE_H
+#ifndef GLINT_SIM_WAVE_SPECULAR_SCENE_H
+#define GLINT_SIM_WAVE_SPECULAR_SCENE_H
 
 #include "glint_specular_device.h"
 

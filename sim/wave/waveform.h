@@ -1,6 +1,6 @@
 /* Waveforms as files. */
-#ifndef GLINT_SIM_WAVEFORM_H
-#define GLINT_SIM_WAVEFORM_H
+#ifndef GLINT_SIM_WAVE_WAVEFORM_H
+#define GLINT_SIM_WAVE_WAVEFORM_H
 
 #include <stdbool.h>
 

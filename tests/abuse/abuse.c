@@ -47,11 +47,9 @@ static double begun;
 
 static int index_of(const char *heading)
 {
-    for (int i = 0; i < heading_count; i++) {
-        if (strcmp(headings[i].name, heading) == 0) {
+    for (int i = 0; i < heading_count; i++)
+        if (strcmp(headings[i].name, heading) == 0)
             return i;
-        }
-    }
     assert_true(heading_count < HEADINGS_MAX);
     headings[heading_count].name = heading;
     return heading_count++;
@@ -87,9 +85,8 @@ typedef struct lines {
 
 static void connect(int from, int to)
 {
-    if (from >= 0 && dup2(from, to) < 0) {
+    if (from >= 0 && dup2(from, to) < 0)
         _exit(125);
-    }
 }
 
 static int input_of(const abuse *how, const lines *l)
@@ -107,9 +104,8 @@ static int output_of(const abuse *how, const lines *l)
 static void limit_files(long bytes)
 {
     const struct rlimit bound = {(rlim_t)bytes, (rlim_t)bytes};
-    if (setrlimit(RLIMIT_FSIZE, &bound) != 0) {
+    if (setrlimit(RLIMIT_FSIZE, &bound) != 0)
         _exit(125);
-    }
 }
 
 /* The program is opened first: nobody may not be able to find it. */
@@ -124,17 +120,13 @@ static _Noreturn void be_run(const char *program, char **argv, const abuse *how,
         bool closed;
         int stream;
     } streams[] = {{how->close_in, 0}, {how->close_out, 1}, {how->close_err, 2}};
-    for (int i = 0; i < 3; i++) {
-        if (streams[i].closed) {
+    for (int i = 0; i < 3; i++)
+        if (streams[i].closed)
             (void)close(streams[i].stream);
-        }
-    }
-    if (how->file_limit > 0) {
+    if (how->file_limit > 0)
         limit_files(how->file_limit);
-    }
-    if (how->as_nobody && geteuid() == 0 && (setgid(NOBODY) != 0 || setuid(NOBODY) != 0)) {
+    if (how->as_nobody && geteuid() == 0 && (setgid(NOBODY) != 0 || setuid(NOBODY) != 0))
         _exit(125);
-    }
     (void)fexecve(file, argv, environ);
     _exit(126);
 }
@@ -145,9 +137,8 @@ static bool read_more(int pipe, char *text, size_t *length)
     char rest[4096];
     const ssize_t got = *length < KEPT_MAX ? read(pipe, text + *length, KEPT_MAX - *length)
                                            : read(pipe, rest, sizeof rest);
-    if (got > 0 && *length < KEPT_MAX) {
+    if (got > 0 && *length < KEPT_MAX)
         *length += (size_t)got;
-    }
     return got > 0;
 }
 
@@ -165,12 +156,10 @@ static bool catches(pid_t process, int signal)
     unsigned long long caught = 0;
     (void)snprintf(path, sizeof path, "/proc/%d/status", (int)process);
     FILE *status = fopen(path, "r");
-    while (status != NULL && fgets(line, sizeof line, status) != NULL) {
+    while (status != NULL && fgets(line, sizeof line, status) != NULL)
         (void)sscanf(line, "SigCgt: %llx", &caught);
-    }
-    if (status != NULL) {
+    if (status != NULL)
         (void)fclose(status);
-    }
     return (caught >> (signal - 1) & 1) != 0;
 }
 
@@ -190,14 +179,11 @@ static int follow(pid_t child, const abuse *how, lines *l, outcome *done)
         struct pollfd ready[2] = {{.fd = open[0] ? l->out.read : -1, .events = POLLIN},
                                   {.fd = open[1] ? l->err.read : -1, .events = POLLIN}};
         (void)poll(ready, 2, 2);
-        for (int i = 0; i < 2; i++) {
-            if (ready[i].revents != 0) {
+        for (int i = 0; i < 2; i++)
+            if (ready[i].revents != 0)
                 open[i] = read_more(ready[i].fd, text[i], &length[i]);
-            }
-        }
-        if (!sent && isinf(send) && catches(child, how->signal)) {
+        if (!sent && isinf(send) && catches(child, how->signal))
             send = child_seconds() + how->milliseconds * 1e-3;
-        }
         if (!sent && child_seconds() >= send) {
             sent = true;
             done->caught = catches(child, how->signal);
@@ -209,9 +195,8 @@ static int follow(pid_t child, const abuse *how, lines *l, outcome *done)
             (void)kill(child, SIGKILL);
         }
         end = ended && end == 0.0 ? child_seconds() : end;
-        if (ended && !ends_within(l->alive.read, 0) && child_seconds() > end + SURVIVES) {
+        if (ended && !ends_within(l->alive.read, 0) && child_seconds() > end + SURVIVES)
             break; /* someone else holds the pipes */
-        }
     }
     return late ? -1 : status;
 }
@@ -219,14 +204,12 @@ static int follow(pid_t child, const abuse *how, lines *l, outcome *done)
 static int run_child(const char *program, char **argv, const abuse *how, outcome *done)
 {
     lines l = {make_line(), make_line(), make_line(), make_line()};
-    if (how->broken_out) {
+    if (how->broken_out)
         (void)close(l.out.read); /* now: a run may be quicker than what comes after the fork */
-    }
     const pid_t child = fork();
     assert_true(child >= 0);
-    if (child == 0) {
+    if (child == 0)
         be_run(program, argv, how, &l);
-    }
     (void)close(l.out.write);
     (void)close(l.err.write);
     (void)close(l.alive.write);
@@ -236,9 +219,8 @@ static int run_child(const char *program, char **argv, const abuse *how, outcome
     (void)close(l.in.write);
     (void)close(l.err.read);
     (void)close(l.alive.read);
-    if (!how->broken_out) {
+    if (!how->broken_out)
         (void)close(l.out.read);
-    }
     return status;
 }
 
@@ -288,9 +270,8 @@ outcome abuse_run(const char *heading, const char *command_line, const abuse *ho
     char *argv[WORDS_MAX + 2] = {NULL};
     const char *program = getenv("GLINT");
     program = program != NULL ? program : "build/glint";
-    if (begun == 0.0) {
+    if (begun == 0.0)
         begun = child_seconds();
-    }
     headings[index_of(heading)].count++;
     assert_true(strlen(command_line) < sizeof words);
     strcpy(words, command_line);
@@ -396,9 +377,8 @@ static int look_at(const char *path, const struct stat *info, int type, struct F
 {
     const bool making = strstr(path + place->base, ".tmp") != NULL || strstr(path, ".tmp/") != NULL;
     walk.count += type == FTW_F;
-    if (making ? !walk.in_the_making : type == FTW_F && (info->st_size == 0 || !is_whole(path))) {
+    if (making ? !walk.in_the_making : type == FTW_F && (info->st_size == 0 || !is_whole(path)))
         (void)snprintf(walk.bad, sizeof walk.bad, "%s", path);
-    }
     return 0;
 }
 
@@ -408,9 +388,8 @@ int abuse_expect_whole(const char *directory, bool in_the_making)
     walk.count = 0;
     walk.bad[0] = '\0';
     assert_int_equal(nftw(directory, look_at, 8, FTW_PHYS), 0);
-    if (walk.bad[0] != '\0') {
+    if (walk.bad[0] != '\0')
         fail_msg("left behind, or not whole: %s", walk.bad);
-    }
     return walk.count;
 }
 

@@ -6,8 +6,8 @@
  *
  * Every run is counted under the heading it was tried under; docs/abuse.md has each heading with
  * its count, and abuse_expect_documented() fails when it has not. */
-#ifndef GLINT_TESTS_ABUSE_H
-#define GLINT_TESTS_ABUSE_H
+#ifndef GLINT_TESTS_ABUSE_ABUSE_H
+#define GLINT_TESTS_ABUSE_ABUSE_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -123,16 +123,13 @@ static void try_mesh(const char *name, int expected)
     (void)snprintf(line, sizeof line, "render --model %s --size 64x48 --out %s", path, out);
     outcome done = abuse_run("mesh files", line, &plainly);
     abuse_expect_sane(&done, line);
-    if (expected == EITHER) {
+    if (expected == EITHER)
         expected = done.status;
-    }
-    if (done.status != expected) {
+    if (done.status != expected)
         fail_msg("%s: exit status %d, expected %d: %s", path, done.status, expected, done.err);
-    }
     assert_int_equal(abuse_expect_whole(scratch_path("out"), false), expected == DRAWN ? 1 : 0);
-    if (expected == REFUSED && strstr(done.err, path) == NULL) {
+    if (expected == REFUSED && strstr(done.err, path) == NULL)
         fail_msg("\"%s\" does not name %s", done.err, path);
-    }
     (void)unlink(out);
     abuse_forget(&done);
 }
@@ -194,14 +191,12 @@ static void what_is_no_mesh_file(void **state)
     assert_int_equal(symlink("loop.obj", scratch_path("loop.obj")), 0);
     assert_int_equal(symlink("nowhere", scratch_path("dangling.obj")), 0);
     const char *const paths[] = {"/dev/null", "/dev/zero", "/proc/self/mem", "/", longest};
-    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
+    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++)
         try_mesh(paths[i], REFUSED);
-    }
     static const char *const names[] = {"pipe.obj", "directory.obj", "loop.obj", "dangling.obj",
                                         "missing.obj"};
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
         try_mesh(scratch_path(names[i]), REFUSED);
-    }
     abuse_all_tried();
 }
 
@@ -215,9 +210,8 @@ static void compare_with(const char *path, int status, const char *part)
     (void)snprintf(line, sizeof line, "compare %s tests/fuzz/corpus/png/rgba.png --diff %s", path,
                    scratch_path("out/d.png"));
     outcome done = abuse_run("pictures", line, &plainly);
-    if (status != 0) {
+    if (status != 0)
         abuse_expect_failure(&done, line, status, part);
-    }
     assert_int_equal(done.status, status);
     (void)abuse_expect_whole(scratch_path("out"), false);
     (void)unlink(scratch_path("out/d.png"));

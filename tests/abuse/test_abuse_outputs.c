@@ -73,15 +73,13 @@ static bool write_fails(const char *reason, const char *heading, const writer *w
     line_of(w, directory, line);
     outcome done = abuse_run(heading, line, &how);
     const bool failed = strstr(done.err, reason) != NULL;
-    if (!w->wrong) { /* that one has a report and a packet to tell of as well */
+    if (!w->wrong) /* that one has a report and a packet to tell of as well */
         abuse_expect_sane(&done, line);
-    }
     /* A mismatch counts where only its packet could not be written. */
     const bool fitting = failed ? done.status == w->failed || (w->wrong && done.status == w->status)
                                 : done.status == w->status;
-    if (!fitting || (failed && strstr(done.err, directory) == NULL)) {
+    if (!fitting || (failed && strstr(done.err, directory) == NULL))
         fail_msg("%s: exit status %d, \"%s\"", line, done.status, done.err);
-    }
     (void)abuse_expect_whole(directory, false);
     abuse_forget(&done);
     return failed;
@@ -146,9 +144,8 @@ static void a_directory_that_is_none(void **state)
             char line[2048];
             line_of(&writers[i], places[k], line);
             outcome done = abuse_run("a directory that cannot be written", line, &(abuse){0});
-            if (done.status != writers[i].failed || strstr(done.err, places[k]) == NULL) {
+            if (done.status != writers[i].failed || strstr(done.err, places[k]) == NULL)
                 fail_msg("%s: exit status %d, \"%s\"", line, done.status, done.err);
-            }
             abuse_forget(&done);
         }
     }
@@ -168,9 +165,8 @@ static void a_directory_of_someone_else(void **state)
         line_of(&writers[i], closed, line);
         outcome done =
             abuse_run("a directory that cannot be written", line, &(abuse){.as_nobody = true});
-        if (done.status != writers[i].failed || strstr(done.err, "Permission denied") == NULL) {
+        if (done.status != writers[i].failed || strstr(done.err, "Permission denied") == NULL)
             fail_msg("%s: exit status %d, \"%s\"", line, done.status, done.err);
-        }
         assert_int_equal(abuse_expect_whole(closed, false), 0);
         abuse_forget(&done);
     }
@@ -216,11 +212,10 @@ static void try_printer(const char *printer, const char *directory, const abuse 
                    place != NULL ? (int)(place - printer) : (int)strlen(printer), printer,
                    place != NULL ? directory : "", place != NULL ? place + 2 : "");
     outcome done = abuse_run("standard streams", line, how);
-    if (part != NULL) {
+    if (part != NULL)
         abuse_expect_failure(&done, line, status, part);
-    } else {
+    else
         abuse_expect_sane(&done, line);
-    }
     assert_int_equal(done.status, status);
     (void)abuse_expect_whole(directory, false);
     abuse_forget(&done);
@@ -237,9 +232,8 @@ static void standard_output_that_is_not_taken(void **state)
         const bool slow = strncmp(printers[i], "bench", 5) == 0 ||
                           strncmp(printers[i], "report", 6) == 0 ||
                           strcmp(printers[i], "models --coefficients") == 0;
-        for (size_t k = 0; k < (slow ? 1 : 3); k++) {
+        for (size_t k = 0; k < (slow ? 1 : 3); k++)
             try_printer(printers[i], out, &ways[k], 2, "cannot write to standard output: ");
-        }
     }
     abuse_all_tried();
 }
@@ -257,11 +251,9 @@ static void other_streams_closed(void **state)
     char out[1024];
     keep(out, scratch_path("streams"));
     assert_int_equal(mkdir(out, 0777), 0);
-    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
-        for (size_t k = 0; k < 3; k++) {
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++)
+        for (size_t k = 0; k < 3; k++)
             try_printer(commands[i], out, &ways[k], k == 2 ? 2 : 0, NULL);
-        }
-    }
     abuse_all_tried();
 }
 

@@ -64,13 +64,11 @@ static char own[1024], out[1024];
 static void line_of(const victim *v, char line[4096])
 {
     char *end = line;
-    for (const char *c = v->line; *c != '\0'; c++) {
-        if ((*c == 'D' || *c == 'S') && c[1] == '/') {
+    for (const char *c = v->line; *c != '\0'; c++)
+        if ((*c == 'D' || *c == 'S') && c[1] == '/')
             end += snprintf(end, 1024, "%s", *c == 'D' ? out : own);
-        } else {
+        else
             *end++ = *c;
-        }
-    }
     (void)strcpy(end, v->wrong != NULL ? abuse_wrong_circuit(v->wrong) : "");
 }
 
@@ -82,9 +80,8 @@ static void clear_up(void)
     for (size_t i = 0; i < sizeof below / sizeof below[0]; i++) {
         char picture[2048];
         (void)snprintf(picture, sizeof picture, "%s%s", out, below[i]);
-        if (access(picture, F_OK) != 0) {
+        if (access(picture, F_OK) != 0)
             continue;
-        }
         (void)snprintf(picture, sizeof picture, "%s%s/next.png", out, below[i]);
         const char *const next[] = {glint != NULL ? glint : "build/glint",
                                     "render",
@@ -134,20 +131,17 @@ static void try_signal(const victim *v, int signal, moment when)
 /* moments: milliseconds after the start, the last is 0. */
 static void each_command_at(int signal, const int *moments)
 {
-    for (size_t i = 0; i < sizeof victims / sizeof victims[0]; i++) {
-        for (const int *after = moments; *after != 0; after++) {
+    for (size_t i = 0; i < sizeof victims / sizeof victims[0]; i++)
+        for (const int *after = moments; *after != 0; after++)
             try_signal(&victims[i], signal, (moment){*after, false});
-        }
-    }
 }
 
 /* At work, and not yet done: each says so. */
 static void interrupted_at_work(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < sizeof victims / sizeof victims[0]; i++) {
+    for (size_t i = 0; i < sizeof victims / sizeof victims[0]; i++)
         try_signal(&victims[i], SIGINT, (moment){5, true});
-    }
     abuse_all_tried();
 }
 
@@ -189,9 +183,8 @@ static int write_far_packet(void)
         "\"circuit\":\"specular\",\"gate\":\"cosine\",\"pipeline\":\"pipelined\",\"lanes\":1,"
         "\"seed\":\"2\",\"found\":{\"lockstep_differs\":true,\"clock\":1000000000000,"
         "\"mismatches\":[]}}";
-    if (mkdir(scratch_path("far"), 0777) != 0) {
+    if (mkdir(scratch_path("far"), 0777) != 0)
         return -1;
-    }
     scratch_write(scratch_path("far/failure.json"), text, sizeof text - 1);
     return 0;
 }
@@ -210,9 +203,8 @@ static int set_up(void **state)
 {
     ignore_no_signal();
     if (scratch_make(state) != 0 || write_far_packet() != 0 || make_pipes() != 0 ||
-        abuse_build_circuits(scratch_directory) != 0) {
+        abuse_build_circuits(scratch_directory) != 0)
         return -1;
-    }
     (void)snprintf(out, sizeof out, "%s", scratch_path("out"));
     (void)snprintf(own, sizeof own, "%s", scratch_directory);
     scratch_write(scratch_path("endless.smd"), "version 1\nnodes\n", 16);

@@ -20,9 +20,8 @@ static inline void own_edit(const char *directory, const char *file, const char 
     (void)snprintf(path, sizeof path, "%s/%s", directory, file);
     char *text = scratch_read(path, NULL);
     char *place = strstr(text, from);
-    if (place == NULL || strstr(place + 1, from) != NULL) {
+    if (place == NULL || strstr(place + 1, from) != NULL)
         fail_msg("%s: \"%s\" is not there once", path, from);
-    }
     FILE *stream = fopen(path, "wb");
     assert_non_null(stream);
     assert_true(fprintf(stream, "%.*s%s%s", (int)(place - text), text, to, place + strlen(from)) >
@@ -41,9 +40,8 @@ static inline void own_copy(const char *from, const char *name, char path[OWN_PA
     DIR *listing = opendir(from);
     assert_non_null(listing);
     while ((entry = readdir(listing)) != NULL) {
-        if (entry->d_name[0] == '.') {
+        if (entry->d_name[0] == '.')
             continue;
-        }
         (void)snprintf(file, sizeof file, "%s/%s", from, entry->d_name);
         char *text = scratch_read(file, &size);
         (void)snprintf(file, sizeof file, "%s/%s", path, entry->d_name);

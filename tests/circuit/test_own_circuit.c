@@ -311,9 +311,8 @@ int main(void)
     size_t count = 0;
     for (size_t c = 0; c < CIRCUITS; c++) {
         for (size_t t = 0; t < sizeof each / sizeof each[0]; t++) {
-            if (each[t].run == its_waveform_has_a_save_file && !circuits[c].waves) {
+            if (each[t].run == its_waveform_has_a_save_file && !circuits[c].waves)
                 continue;
-            }
             (void)snprintf(names[count], sizeof names[count], "%s %s", circuits[c].name,
                            each[t].what);
             tests[count] = (struct CMUnitTest){names[count], each[t].run, NULL, NULL,
@@ -321,8 +320,7 @@ int main(void)
             count++;
         }
     }
-    for (size_t t = 0; t < sizeof others / sizeof others[0]; t++) {
+    for (size_t t = 0; t < sizeof others / sizeof others[0]; t++)
         tests[count++] = others[t];
-    }
     return cmocka_run_group_tests_name("own_circuit", tests, scratch_make, scratch_remove);
 }

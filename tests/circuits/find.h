@@ -1,6 +1,6 @@
 /* A listed setting by its name, as build/settings has it. */
-#ifndef GLINT_TESTS_FIND_H
-#define GLINT_TESTS_FIND_H
+#ifndef GLINT_TESTS_CIRCUITS_FIND_H
+#define GLINT_TESTS_CIRCUITS_FIND_H
 
 #include <string.h>
 
@@ -13,9 +13,8 @@ static inline bool settings_find(const char *name, glint_setting *setting)
     for (int c = 0; (circuit = glint_circuit_number(c)) != NULL; c++) {
         for (int i = 0; glint_setting_listed(circuit, i, setting); i++) {
             glint_setting_name(setting, text);
-            if (strcmp(text, name) == 0) {
+            if (strcmp(text, name) == 0)
                 return true;
-            }
         }
     }
     return false;

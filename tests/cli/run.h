@@ -61,12 +61,10 @@ static inline void connect_streams(posix_spawn_file_actions_t *actions, const pl
     assert_int_equal(posix_spawn_file_actions_addopen(actions, 2, scratch_path("stderr"),
                                                       O_WRONLY | O_CREAT | O_TRUNC, 0666),
                      0);
-    if (pipes->close_in) {
+    if (pipes->close_in)
         assert_int_equal(posix_spawn_file_actions_addclose(actions, 0), 0);
-    }
-    if (pipes->close_out) {
+    if (pipes->close_out)
         assert_int_equal(posix_spawn_file_actions_addclose(actions, 1), 0);
-    }
 }
 
 static inline int wait_for(pid_t child)
@@ -124,9 +122,8 @@ static inline void assert_outcome(const outcome *done, int status, const char *e
 
 static inline void assert_says(const char *text, const char *part)
 {
-    if (strstr(text, part) == NULL) {
+    if (strstr(text, part) == NULL)
         fail_msg("\"%s\" does not say \"%s\"", text, part);
-    }
 }
 
 #endif

@@ -66,9 +66,8 @@ static void the_text_has_all_parts(void **state)
                                         "\n  sphere "};
     outcome done = run("bench --seconds 0.01 --threads 1", "");
     assert_outcome(&done, 0, "");
-    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++)
         assert_says(done.out, parts[i]);
-    }
     forget(&done);
 }
 

@@ -93,9 +93,8 @@ static void a_differing_mask_is_a_difference(void **state)
 static double number(const cJSON *json, const char *name)
 {
     const cJSON *value = cJSON_GetObjectItem(json, name);
-    if (!cJSON_IsNumber(value)) {
+    if (!cJSON_IsNumber(value))
         fail_msg("%s is no number", name);
-    }
     return value->valuedouble;
 }
 

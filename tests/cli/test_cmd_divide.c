@@ -68,9 +68,8 @@ static void the_input_is_read_generously_in_its_blanks(void **state)
         "12 3\r",        "\n\n12 3\n",     "# a comment\n12 3\n#\n",
         " \r\n+12 3\n",  "  # 1 2\n12 03", "0012\t\t,\t003\n",
     };
-    for (size_t i = 0; i < sizeof inputs / sizeof inputs[0]; i++) {
+    for (size_t i = 0; i < sizeof inputs / sizeof inputs[0]; i++)
         assert_answer("--shifts 8", inputs[i], HEADER "12,3,8,1020,3.984375,4,-0.015625\n");
-    }
 }
 
 static void what_divide_prints_divide_takes(void **state)
@@ -99,9 +98,8 @@ static double children_seconds(void)
 static int lines_in(const char *text)
 {
     int count = 0;
-    for (const char *c = text; *c != '\0'; c++) {
+    for (const char *c = text; *c != '\0'; c++)
         count += *c == '\n';
-    }
     return count;
 }
 
@@ -130,9 +128,8 @@ static void a_row_costs_no_more_than_its_like(void **state)
     }
     const double of_points = seconds_of("eval", points);
     const double of_divisions = seconds_of("divide", divisions);
-    if (of_divisions > 4.0 * of_points) {
+    if (of_divisions > 4.0 * of_points)
         fail_msg("%d divisions %.2f s, as many points %.2f s", ROWS, of_divisions, of_points);
-    }
     free(divisions);
     free(points);
 }
@@ -345,9 +342,8 @@ static void check_row(const char *row, const char *division, int shifts)
                      7);
     const int64_t one = INT64_C(1) << shifts;
     int64_t bits = one / k;
-    if (2 * (one - bits * k) >= k) {
+    if (2 * (one - bits * k) >= k)
         bits++;
-    }
     assert_int_equal(found_difference, difference);
     assert_int_equal(found_k, k);
     assert_int_equal(found_shifts, shifts);

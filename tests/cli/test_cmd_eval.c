@@ -63,9 +63,8 @@ static void the_input_is_read_generously_in_its_blanks(void **state)
         "  # 1 2 3\n+2 0X20000 4 8 12\n \n",
         "002 0.50 004 8 12\n",
     };
-    for (size_t i = 0; i < sizeof inputs / sizeof inputs[0]; i++) {
+    for (size_t i = 0; i < sizeof inputs / sizeof inputs[0]; i++)
         assert_answer("", inputs[i], HEADER "2,131072,65536,1,2,3\n");
-    }
 }
 
 /* Any number of them; 0 is the usual one. */
@@ -417,9 +416,8 @@ static long expected_code(const char *cosine)
 
 static void assert_close(double found, double expected, double tolerance, const char *line)
 {
-    if (!(fabs(found - expected) <= tolerance)) {
+    if (!(fabs(found - expected) <= tolerance))
         fail_msg("%g is more than %g from %.9f for %.40s", found, tolerance, expected, line);
-    }
 }
 
 static void check_row(const char *line, const char *row, double tolerance)
@@ -436,9 +434,8 @@ static void check_row(const char *line, const char *row, double tolerance)
     const double w = formula(n, cos_code);
     /* What is left of the tolerance after the output's own rounding is W's. */
     assert_close((double)w_code / 262144.0 * 255.0, w * 255.0, tolerance - 0.5, line);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         assert_close(component[i], w * given.component[i], tolerance, line);
-    }
 }
 
 static const char *next_line(const char *text)
@@ -558,9 +555,8 @@ static void an_interrupt_leaves_whole_json(void **state)
     count += (size_t)got;
     /* It waits for more by now, or still reads what it was given. */
     assert_int_equal(kill(child, SIGINT), 0);
-    while ((got = read(output, out + count, sizeof out - 1 - count)) > 0) {
+    while ((got = read(output, out + count, sizeof out - 1 - count)) > 0)
         count += (size_t)got;
-    }
     assert_int_equal(wait_for(child), 2);
     close(input);
     close(output);

@@ -30,9 +30,8 @@ static glint_image *read_picture(const char *name)
 {
     glint_error err;
     glint_image *image;
-    if (glint_image_read_png(scratch_path(name), &image, &err) != GLINT_OK) {
+    if (glint_image_read_png(scratch_path(name), &image, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
     return image;
 }
 
@@ -61,9 +60,8 @@ static void a_picture_of_the_size_asked_for(void **state)
     assert_int_equal(image->width, 160);
     assert_int_equal(image->height, 90);
     int covered = 0;
-    for (int i = 0; i < 160 * 90; i++) {
+    for (int i = 0; i < 160 * 90; i++)
         covered += image->object[i];
-    }
     assert_in_range(covered, 160 * 90 / 10, 160 * 90 - 1);
     assert_true(scratch_count() <= before + 4); /* the picture and the three streams */
     glint_image_destroy(image);
@@ -168,9 +166,8 @@ static void each_option_changes_the_picture(void **state)
         char options[128];
         snprintf(options, sizeof options, "--size 160x120 %s", changes[i]);
         glint_image *changed = rendered(options);
-        if (differing_pixels(usual, changed) == 0) {
+        if (differing_pixels(usual, changed) == 0)
             fail_msg("%s changed nothing", changes[i]);
-        }
         glint_image_destroy(changed);
     }
     glint_image_destroy(usual);
@@ -212,9 +209,8 @@ static void threads_lanes_and_pipeline_do_not_change_the_picture(void **state)
         char options[128];
         snprintf(options, sizeof options, "--size 160x120 %s", same[i]);
         glint_image *other = rendered(options);
-        if (differing_pixels(usual, other) != 0) {
+        if (differing_pixels(usual, other) != 0)
             fail_msg("%s changed the picture", same[i]);
-        }
         glint_image_destroy(other);
     }
     glint_image_destroy(usual);
@@ -257,18 +253,15 @@ static void every_model_that_help_names_is_rendered(void **state)
         forget(&done);
         assert_true(count < 64);
         picture[count] = read_picture("model.png");
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < count; i++)
             if (differing_pixels(picture[i], picture[count]) == 0 &&
-                strcmp(name, "device") != 0) { /* rounded as finely as these pictures show */
+                strcmp(name, "device") != 0) /* rounded as finely as these pictures show */
                 fail_msg("%s makes the picture of model %d", name, i);
-            }
-        }
         count++;
     }
     assert_int_equal(count, GLINT_REFLECTANCE_COUNT);
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; i++)
         glint_image_destroy(picture[i]);
-    }
     forget(&help);
 }
 

@@ -41,9 +41,8 @@ static bool is_there(const char *directory, const char *name)
 static int lines_of(const char *text)
 {
     int count = 0;
-    for (; *text != '\0'; text++) {
+    for (; *text != '\0'; text++)
         count += *text == '\n';
-    }
     return count;
 }
 
@@ -246,9 +245,8 @@ static int entries_of(const char *directory)
     int count = -2; /* "." and ".." */
     DIR *opened = opendir(scratch_path(directory));
     assert_non_null(opened);
-    while (readdir(opened) != NULL) {
+    while (readdir(opened) != NULL)
         count++;
-    }
     closedir(opened);
     return count;
 }
@@ -267,9 +265,8 @@ static int open_in(pid_t process, const char *directory)
         target[length > 0 ? length : 0] = '\0';
         count += strncmp(target, directory, strlen(directory)) == 0;
     }
-    if (opened != NULL) {
+    if (opened != NULL)
         closedir(opened);
-    }
     return count;
 }
 
@@ -283,18 +280,16 @@ static void an_interrupted_study_leaves_the_one_before(void **state)
     outcome done = study("mixed", "--n 1,2 --frames 1");
     assert_outcome(&done, 0, "");
     forget(&done);
-    for (int i = 0; i < OF_A_STUDY; i++) {
+    for (int i = 0; i < OF_A_STUDY; i++)
         before[i] = read_from("mixed", of_a_study[i], &size[i]);
-    }
     const char *const argv[] = {
         glint_under_test(), "study", "--size", "320x240", "--b",       "schlick", "--n", "1,2,3,4",
         "--frames",         "200",   "--out",  out,       "--threads", "1",       NULL};
     const pid_t child = child_start(argv, scratch_path("child.out"), scratch_path("child.err"));
     const double start = child_seconds();
     while (open_in(child, out) < 2 && !child_has_ended(child) &&
-           child_seconds() - start < child_patience) {
+           child_seconds() - start < child_patience)
         child_pause(); /* until a sheet is made, and held */
-    }
     assert_true(open_in(child, out) >= 2);
     kill(child, SIGINT);
     assert_int_equal(child_wait(child, 60), 2);
@@ -317,16 +312,14 @@ static void a_study_removes_what_the_one_before_left_and_nothing_else(void **sta
     outcome done = study("again", "--n 1,2,1000 --frames 1");
     assert_outcome(&done, 0, "");
     forget(&done);
-    for (size_t i = 0; i < sizeof kept / sizeof kept[0]; i++) {
+    for (size_t i = 0; i < sizeof kept / sizeof kept[0]; i++)
         scratch_write(scratch_path(kept[i]), "x", 1);
-    }
     assert_int_equal(mkdir(scratch_path("again/n-0099.png"), 0777), 0);
     done = study("again", "--n 2,3 --frames 0");
     assert_outcome(&done, 0, "");
     forget(&done);
-    for (size_t i = 0; i < sizeof kept / sizeof kept[0]; i++) {
+    for (size_t i = 0; i < sizeof kept / sizeof kept[0]; i++)
         assert_int_equal(access(scratch_path(kept[i]), F_OK), 0);
-    }
     assert_true(is_there("again", "n-0099.png") && is_there("again", "n-0002.png") &&
                 is_there("again", "n-0003.png"));
     assert_false(is_there("again", "n-0001.png") || is_there("again", "n-1000.png") ||

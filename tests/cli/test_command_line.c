@@ -25,9 +25,8 @@ static void help_lists_every_subcommand(void **state)
         outcome done = run(asked[i], "");
         assert_outcome(&done, 0, "");
         assert_says(done.out, "Usage: glint SUBCOMMAND");
-        for (size_t j = 0; j < SUBCOMMAND_COUNT; j++) {
+        for (size_t j = 0; j < SUBCOMMAND_COUNT; j++)
             assert_says(done.out, subcommands[j]);
-        }
         forget(&done);
     }
 }
@@ -69,12 +68,10 @@ static void help_fits_and_is_regular(void **state)
         assert_null(strstr(done.out, "\n\n\n"));
         for (char *line = strtok(done.out, "\n"); line != NULL; line = strtok(NULL, "\n")) {
             size_t columns = 0;
-            for (const char *c = line; *c != '\0'; c++) {
+            for (const char *c = line; *c != '\0'; c++)
                 columns += ((unsigned char)*c & 0xc0) != 0x80;
-            }
-            if (columns > 80) {
+            if (columns > 80)
                 fail_msg("%s: %zu columns: %s", command_line, columns, line);
-            }
         }
         forget(&done);
         forget(&same);

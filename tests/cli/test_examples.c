@@ -25,11 +25,9 @@ static char program[1024], wrong[1024];
 
 static bool is_lengthy(const char *line)
 {
-    for (size_t i = 0; i < sizeof lengthy / sizeof lengthy[0]; i++) {
-        if (strncmp(line, lengthy[i], strlen(lengthy[i])) == 0) {
+    for (size_t i = 0; i < sizeof lengthy / sizeof lengthy[0]; i++)
+        if (strncmp(line, lengthy[i], strlen(lengthy[i])) == 0)
             return true;
-        }
-    }
     return false;
 }
 
@@ -86,9 +84,8 @@ static int set_up(void **state)
     static const char mesh[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     const char *build = getenv("GLINT_BUILD");
     char here[512], path[2048], line[2048];
-    if (scratch_make(state) != 0 || getcwd(here, sizeof here) == NULL) {
+    if (scratch_make(state) != 0 || getcwd(here, sizeof here) == NULL)
         return -1;
-    }
     const char *glint = glint_under_test();
     (void)snprintf(program, sizeof program, "%s%s%s", glint[0] == '/' ? "" : here,
                    glint[0] == '/' ? "" : "/", glint);
@@ -97,13 +94,11 @@ static int set_up(void **state)
                    build[0] == '/' ? "" : "/", build);
     (void)snprintf(path, sizeof path, "%s/bin", scratch_directory);
     scratch_write(scratch_path("mesh.obj"), mesh, sizeof mesh - 1);
-    if (mkdir(path, 0777) != 0 || symlink(program, strcat(path, "/glint")) != 0) {
+    if (mkdir(path, 0777) != 0 || symlink(program, strcat(path, "/glint")) != 0)
         return -1;
-    }
     (void)snprintf(line, sizeof line, "ln -s '%s/rtl' '%s/my-rtl'", here, scratch_directory);
-    if (system(line) != 0) {
+    if (system(line) != 0)
         return -1;
-    }
     (void)snprintf(line, sizeof line,
                    "glint verify --gate cosine --pipeline pipelined --lanes 1 --clocks 2000 "
                    "--seed 1 --rtl '%s'",

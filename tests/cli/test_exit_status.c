@@ -145,9 +145,8 @@ static void output_that_is_not_taken_is_trouble(void **state)
     const plumbing full = {.out = "/dev/full"};
     for (size_t i = 0; i < CASES; i++) {
         const bool to_the_other_stream = strstr(cases[i].line, "/dev/null/") != NULL;
-        if (cases[i].status == 2 || to_the_other_stream) {
+        if (cases[i].status == 2 || to_the_other_stream)
             continue;
-        }
         outcome done = run_case(i, &full);
         if (done.status != 2) {
             fail_msg("%s: exit status %d; standard error \"%s\"", cases[i].line, done.status,
@@ -163,9 +162,8 @@ static bool is_tried(const char *name, int status)
     for (size_t i = 0; i < CASES; i++) {
         const size_t length = strcspn(cases[i].line, " ");
         if (length == strlen(name) && strncmp(cases[i].line, name, length) == 0 &&
-            cases[i].status == status) {
+            cases[i].status == status)
             return true;
-        }
     }
     return false;
 }
@@ -183,9 +181,8 @@ static void no_subcommand_is_left_out(void **state)
         assert_int_equal(sscanf(line, " %31s", name), 1);
         count++;
         /* The whole report takes long: tests/cli/test_cmd_report.c has its 0. */
-        if ((!is_tried(name, 0) && strcmp(name, "report") != 0) || !is_tried(name, 2)) {
+        if ((!is_tried(name, 0) && strcmp(name, "report") != 0) || !is_tried(name, 2))
             fail_msg("%s: not tried", name);
-        }
     }
     assert_true(count >= 13);
     forget(&done);

@@ -47,9 +47,8 @@ static glint_image *read_picture(const char *path)
 {
     glint_error err;
     glint_image *image;
-    if (glint_image_read_png(path, &image, &err) != GLINT_OK) {
+    if (glint_image_read_png(path, &image, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
     return image;
 }
 
@@ -81,9 +80,8 @@ static void a_frame_that_differs_is_a_failure(void **state)
 static bool find_line(const char *text, const char *name, char *line, size_t size)
 {
     const char *at = strstr(text, name);
-    if (at == NULL) {
+    if (at == NULL)
         return false;
-    }
     at += strlen(name);
     at += strspn(at, " ");
     (void)snprintf(line, size, "%.*s", (int)strcspn(at, "\n"), at);
@@ -104,9 +102,8 @@ static void assert_packet(const char *directory, int files)
     int found = -2; /* "." and ".." */
     DIR *listing = opendir(scratch_path(directory));
     assert_non_null(listing);
-    while (readdir(listing) != NULL) {
+    while (readdir(listing) != NULL)
         found++;
-    }
     closedir(listing);
     assert_int_equal(found, files);
     (void)snprintf(path, sizeof path, "%s/wave.vcd", directory);
@@ -235,9 +232,8 @@ static void a_frame_that_differs_leaves_a_packet(void **state)
     assert_says(done.out, "its highlight there: n 80, cosine 0x");
     assert_says(done.out, own_line("whole:  ", "render --model sphere --size 96x80"));
     glint_image *frame = read_picture(scratch_path("whole-c.png"));
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         assert_int_equal(frame->rgb[3 * (y * 96 + x) + i], c[i]);
-    }
     glint_image_destroy(frame);
     assert_crop("whole-failure/model.png", "whole-c.png", x, y);
     assert_crop("whole-failure/rtl.png", "whole.png", x, y);

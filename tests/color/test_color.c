@@ -31,9 +31,8 @@ static void every_rgb_comes_back_from_hsv(void **state)
         glint_rgb back = {0, 0, 0};
         const bool held = hsv.h >= 0.0 && hsv.h < 360.0 && hsv.s >= 0.0 && hsv.s <= 1.0 &&
                           hsv.v >= 0.0 && hsv.v <= 1.0;
-        if (!held || glint_rgb_of_hsv(&hsv, &back) != GLINT_OK || code_of(back) != code) {
+        if (!held || glint_rgb_of_hsv(&hsv, &back) != GLINT_OK || code_of(back) != code)
             fail_msg("#%06x is hsv %g,%g,%g is #%06x", code, hsv.h, hsv.s, hsv.v, code_of(back));
-        }
     }
 }
 
@@ -167,12 +166,10 @@ static void values_out_of_range_are_refused(void **state)
     const glint_cmyk cmyk[] = {{-0.1, 0, 0, 0}, {0, 1.1, 0, 0}, {0, 0, 1.1, 0},
                                {0, 0, 0, 1.1},  {NAN, 0, 0, 0}, {0, 0, 0, NAN}};
     glint_rgb rgb = {1, 2, 3};
-    for (size_t i = 0; i < sizeof hsv / sizeof hsv[0]; i++) {
+    for (size_t i = 0; i < sizeof hsv / sizeof hsv[0]; i++)
         assert_int_equal(glint_rgb_of_hsv(&hsv[i], &rgb), GLINT_BAD_ARGUMENT);
-    }
-    for (size_t i = 0; i < sizeof cmyk / sizeof cmyk[0]; i++) {
+    for (size_t i = 0; i < sizeof cmyk / sizeof cmyk[0]; i++)
         assert_int_equal(glint_rgb_of_cmyk(&cmyk[i], &rgb), GLINT_BAD_ARGUMENT);
-    }
     assert_int_equal(code_of(rgb), 0x010203);
 }
 

@@ -46,9 +46,8 @@ static int report(const char *reasons, const char *counts)
 
 static void assert_printed(const char *text)
 {
-    if (strstr(printed, text) == NULL) {
+    if (strstr(printed, text) == NULL)
         fail_msg("no \"%s\" in:\n%s", text, printed);
-    }
 }
 
 #define COVERED LINE("9", "1") TOGGLE("a[0]", "top", "2")

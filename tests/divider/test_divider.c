@@ -63,9 +63,8 @@ static void the_table_is_the_nearest_of_the_reciprocal(void **state)
                 continue;
             }
             const int64_t twice = INT64_C(2) << n;
-            if (!((2 * b - 1) * (int64_t)k <= twice && twice < (2 * b + 1) * (int64_t)k)) {
+            if (!((2 * b - 1) * (int64_t)k <= twice && twice < (2 * b + 1) * (int64_t)k))
                 fail_msg("n = %d, k = %u: %" PRId64 " is not the nearest", n, k, b);
-            }
             entries++;
         }
     }
@@ -80,9 +79,8 @@ static void the_table_has_the_entries_of_the_thesis(void **state)
 {
     (void)state;
     static const uint32_t six[] = {0, 64, 32, 21, 16, 13, 11, 9, 8, 7, 6, 6, 5, 5, 5, 4, 4, 0};
-    for (uint32_t k = 0; k < sizeof six / sizeof six[0]; k++) {
+    for (uint32_t k = 0; k < sizeof six / sizeof six[0]; k++)
         assert_int_equal(glint_divider_bits(6, k), six[k]);
-    }
     assert_int_equal(divide(6, 1, 7), 9);
 }
 
@@ -94,13 +92,11 @@ static void the_bit_of_weight_one_is_for_one_alone(void **state)
         for (uint32_t k = 0; k < K_COUNT; k++) {
             const uint32_t bits = glint_divider_bits(n, k);
             assert_int_equal(bits >> n, k == 1);
-            if (k == 1) {
+            if (k == 1)
                 assert_int_equal(bits, 1 << n);
-            }
         }
-        for (int d = -D_MAX; d <= D_MAX; d++) {
+        for (int d = -D_MAX; d <= D_MAX; d++)
             assert_int_equal(divide(n, d, 1), d * (1 << n));
-        }
     }
 }
 
@@ -140,17 +136,15 @@ static int64_t sum_by_shifting(int n, uint32_t bits, int difference)
 {
     int64_t shift_register = difference;
     int64_t sum = 0;
-    for (int j = 0; j < n; j++) {
+    for (int j = 0; j < n; j++)
         shift_register *= 2;
-    }
     for (int j = 0; j <= n; j++) {
         if (j > 0) {
             assert_true(shift_register % 2 == 0);
             shift_register /= 2;
         }
-        if ((bits & 1u << (n - j)) != 0) {
+        if ((bits & 1u << (n - j)) != 0)
             sum += shift_register;
-        }
     }
     return sum;
 }
@@ -163,9 +157,8 @@ static void the_quotient_is_the_sum_of_the_terms(void **state)
         for (uint32_t k = 0; k <= K_TABLE + 1; k++) {
             const uint32_t bits = glint_divider_bits(n, k);
             for (int d = -D_MAX; d <= D_MAX; d++) {
-                if (divide(n, d, k) != sum_by_shifting(n, bits, d)) {
+                if (divide(n, d, k) != sum_by_shifting(n, bits, d))
                     fail_msg("n = %d: %d/%u is not the sum of its terms", n, d, k);
-                }
                 sums++;
             }
         }
@@ -187,12 +180,10 @@ static void the_division_identity_holds(void **state)
             for (int64_t d = -D_MAX; d <= D_MAX; d++) {
                 const int64_t q = divide(n, (int32_t)d, (uint32_t)k);
                 const int64_t error = 2 * llabs(q * k - d * (INT64_C(1) << n));
-                if (error > llabs(d) * k) {
+                if (error > llabs(d) * k)
                     fail_msg("n = %d: %" PRId64 "/%" PRId64 " is outside the bound", n, d, k);
-                }
-                if (d != 0) {
+                if (d != 0)
                     used = fmax(used, (double)error / (double)(llabs(d) * k));
-                }
                 quotients++;
             }
         }
@@ -211,12 +202,10 @@ static void powers_of_two_are_exact_and_signs_mirror(void **state)
     (void)state;
     for (int n = N_FIRST; n <= N_LAST; n++) {
         for (int d = -D_MAX; d <= D_MAX; d++) {
-            for (uint32_t shift = 0; shift <= 4; shift++) {
+            for (uint32_t shift = 0; shift <= 4; shift++)
                 assert_int_equal(divide(n, d, 1u << shift) * (1 << shift), d * (1 << n));
-            }
-            for (uint32_t k = 0; k <= K_TABLE; k++) {
+            for (uint32_t k = 0; k <= K_TABLE; k++)
                 assert_int_equal(divide(n, -d, k), -divide(n, d, k));
-            }
         }
     }
 }
@@ -226,11 +215,9 @@ static void out_of_the_table_is_flagged(void **state)
 {
     (void)state;
     for (int n = N_FIRST; n <= N_LAST; n++) {
-        for (uint32_t k = 0; k < K_COUNT; k += k == 0 ? K_TABLE + 1 : 1) {
-            for (int d = -D_MAX; d <= D_MAX; d += 5) {
+        for (uint32_t k = 0; k < K_COUNT; k += k == 0 ? K_TABLE + 1 : 1)
+            for (int d = -D_MAX; d <= D_MAX; d += 5)
                 assert_int_equal(divide(n, d, k), 0);
-            }
-        }
     }
 }
 
@@ -304,9 +291,8 @@ static void the_batch_is_the_single_division(void **state)
         for (uint32_t k = 0; k < K_COUNT; k++) {
             for (int i = 0; i < D_COUNT; i++) {
                 divisions[i].k = (uint8_t)k;
-                for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++) {
+                for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++)
                     divisions[i].difference[c] = (int16_t)((i + 170 * c) % D_COUNT - D_MAX);
-                }
             }
             assert_int_equal(glint_divide_batch(n, divisions, D_COUNT, quotients), GLINT_OK);
             for (int i = 0; i < D_COUNT; i++) {

@@ -64,9 +64,8 @@ static void draw_inputs(int clock, glint_divider_inputs *in)
     in->start = glint_random_chance(&draw, start);
     in->k = glint_random_chance(&draw, miss) ? (uint8_t)glint_random_bits(&draw)
                                              : (uint8_t)(1 + glint_random_below(&draw, K_TABLE));
-    for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++) {
+    for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++)
         in->difference[c] = (int16_t)((int)glint_random_below(&draw, 2 * D_MAX + 1) - D_MAX);
-    }
 }
 
 /* ---- The sequential form ------------------------------------------------------------------------
@@ -118,9 +117,8 @@ static void expect_sequential(contract *c, const glint_divider_inputs *in)
         }
     } else {
         c->held += c->known && !c->done && !in->start;
-        if (in->start) {
+        if (in->start)
             expect_start(c, in);
-        }
         c->done = false;
     }
 }
@@ -142,9 +140,8 @@ static void the_sequential_form_keeps_its_contract(void **state)
             assert_int_equal(s->busy, c.left > 0);
             assert_int_equal(s->done, c.done);
             assert_int_equal(s->out_of_table, c.out_of_table);
-            if (c.known) {
+            if (c.known)
                 assert_int_equal(s->quotient, c.quotient);
-            }
         }
         glint_divider_device_destroy(device);
         assert_true(c.divisions > 100 && c.ignored > 0 && c.with_done > 0 && c.held > 0);
@@ -192,9 +189,8 @@ static void divisions_follow_each_other_without_a_gap(void **state)
                 .en = 1, .start = 1, .k = (uint8_t)(1 + clock % 16), .difference = {-200}};
             glint_divider_device_clock(device, &in);
             assert_int_equal(s->done, clock % (n + 1) == 0);
-            if (s->done) {
+            if (s->done)
                 assert_int_equal(s->quotient, divide(n, -200, 1u + (uint32_t)(clock - n) % 16));
-            }
         }
         glint_divider_device_destroy(device);
     }
@@ -217,9 +213,8 @@ typedef struct pipeline {
 static void expect_pipelined(pipeline *p, const glint_divider_inputs *in)
 {
     if (in->reset) {
-        for (int j = 0; j <= p->n; j++) {
+        for (int j = 0; j <= p->n; j++)
             p->lost_in_reset += p->stage[j].valid;
-        }
         memset(p->stage, 0, sizeof p->stage);
         return;
     }
@@ -229,9 +224,8 @@ static void expect_pipelined(pipeline *p, const glint_divider_inputs *in)
     }
     memmove(&p->stage[1], &p->stage[0], (size_t)p->n * sizeof p->stage[0]);
     p->stage[0] = (expectation){.valid = in->start, .out_of_table = is_miss(in->k)};
-    for (int c = 0; in->start && c < GLINT_DIVIDER_COMPONENTS; c++) {
+    for (int c = 0; in->start && c < GLINT_DIVIDER_COMPONENTS; c++)
         p->stage[0].code[c] = divide(p->n, in->difference[c], in->k);
-    }
     p->divisions += in->start;
     p->bubbles += !in->start;
     p->misses += in->start && p->stage[0].out_of_table;
@@ -335,9 +329,8 @@ static void the_forms_are_equal(void **state)
     for (int n = N_FIRST; n <= N_LAST; n++) {
         glint_divider_device *sequential = create(GLINT_DIVIDER_SEQUENTIAL, n);
         glint_divider_device *pipelined = create(GLINT_DIVIDER_PIPELINED, n);
-        for (uint32_t k = 0; k <= K_TABLE + 1; k++) {
+        for (uint32_t k = 0; k <= K_TABLE + 1; k++)
             compared += compare_forms(n, k, sequential, pipelined);
-        }
         glint_divider_device_destroy(sequential);
         glint_divider_device_destroy(pipelined);
     }
@@ -354,9 +347,8 @@ static void read_all(const glint_divider_device *device, glint_divider_form form
     const int count = glint_divider_signal_count(form, glint_divider_device_shifts(device));
     assert_in_range(count, 1, SIGNALS_MAX);
     memset(bits, 0, SIGNALS_MAX * sizeof bits[0]);
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; i++)
         bits[i] = glint_divider_signal_bits(device, i);
-    }
 }
 
 /* In the sequential form the table hangs on the pin k: it follows that, stalled or not. */
@@ -481,23 +473,17 @@ static int width_due(const char *name, int n)
 {
     static const char *const single[] = {"busy",     "rom_miss",  "done",  "out_of_table",
                                          "s0_valid", "out_valid", "valid", "miss"};
-    for (size_t i = 0; i < sizeof single / sizeof single[0]; i++) {
-        if (strcmp(name, single[i]) == 0) {
+    for (size_t i = 0; i < sizeof single / sizeof single[0]; i++)
+        if (strcmp(name, single[i]) == 0)
             return 1;
-        }
-    }
-    if (strcmp(name, "left") == 0) {
+    if (strcmp(name, "left") == 0)
         return 5;
-    }
-    if (strcmp(name, "s0_k") == 0) {
+    if (strcmp(name, "s0_k") == 0)
         return 8;
-    }
-    if (strcmp(name, "bits_rg") == 0) {
+    if (strcmp(name, "bits_rg") == 0)
         return n;
-    }
-    if (strcmp(name, "rom_bits") == 0 || strcmp(name, "bits") == 0) {
+    if (strcmp(name, "rom_bits") == 0 || strcmp(name, "bits") == 0)
         return n + 1;
-    }
     return strstr(name, "d_") != NULL ? 9 : 9 + n;
 }
 
@@ -512,11 +498,9 @@ static bool is_difference(const char *name)
 static bool is_sum(const char *name)
 {
     static const char *const sums[] = {"shift_rg", "shifted", "term", "sum", "acc_", "quotient"};
-    for (size_t i = 0; i < sizeof sums / sizeof sums[0]; i++) {
-        if (strncmp(name, sums[i], strlen(sums[i])) == 0) {
+    for (size_t i = 0; i < sizeof sums / sizeof sums[0]; i++)
+        if (strncmp(name, sums[i], strlen(sums[i])) == 0)
             return true;
-        }
-    }
     return false;
 }
 
@@ -524,16 +508,12 @@ static glint_signal_kind kind_due(const glint_signal_info *info)
 {
     static const char *const outputs[] = {"done", "out_", "quotient"};
     static const char *const blocks[] = {"rom_", "shifted", "term", "sum"};
-    for (size_t i = 0; i < sizeof outputs / sizeof outputs[0]; i++) {
-        if (strncmp(info->name, outputs[i], strlen(outputs[i])) == 0) {
+    for (size_t i = 0; i < sizeof outputs / sizeof outputs[0]; i++)
+        if (strncmp(info->name, outputs[i], strlen(outputs[i])) == 0)
             return GLINT_SIGNAL_OUTPUT;
-        }
-    }
-    for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) {
-        if (strncmp(info->name, blocks[i], strlen(blocks[i])) == 0) {
+    for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++)
+        if (strncmp(info->name, blocks[i], strlen(blocks[i])) == 0)
             return GLINT_SIGNAL_BLOCK;
-        }
-    }
     return info->lane > 0 ? GLINT_SIGNAL_STAGE : GLINT_SIGNAL_REGISTER;
 }
 
@@ -603,14 +583,12 @@ static void assert_all_bits(const glint_divider_device *device, glint_divider_fo
     const glint_divider_sequential_signals *s = glint_divider_device_sequential(device);
     const glint_divider_pipelined_signals *p = glint_divider_device_pipelined(device);
     int index = 0;
-    if (s != NULL) {
+    if (s != NULL)
         GLINT_DIVIDER_SEQUENTIAL_SIGNALS(ASSERT_SEQUENTIAL)
-    }
     if (p != NULL) {
         GLINT_DIVIDER_PIPELINED_SIGNALS(ASSERT_PIPELINED)
-        for (int stage = 1; stage <= n; stage++) {
+        for (int stage = 1; stage <= n; stage++)
             GLINT_DIVIDER_STAGE_SIGNALS(ASSERT_STAGE)
-        }
     }
     assert_int_equal(index, glint_divider_signal_count(form, n));
 }

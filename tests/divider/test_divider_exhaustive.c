@@ -40,9 +40,8 @@ static glint_rtl *create(glint_divider_form form, int n)
     glint_rtl *rtl;
     glint_error err;
     const glint_setting setting = glint_setting_divider(form, n);
-    if (glint_rtl_open(&setting, GLINT_RTL_FAST, &rtl, &err) != GLINT_OK) {
+    if (glint_rtl_open(&setting, GLINT_RTL_FAST, &rtl, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
     return rtl;
 }
 
@@ -59,9 +58,8 @@ static void divide_all(glint_divider_form form, int n, size_t count, glint_quoti
 {
     glint_error err;
     glint_rtl *rtl = create(form, n);
-    if (glint_rtl_divide(rtl, divisions, count, quotients, &err) != GLINT_OK) {
+    if (glint_rtl_divide(rtl, divisions, count, quotients, &err) != GLINT_OK)
         fail_msg("%s, n = %d: %s", glint_divider_form_name(form), n, err.text);
-    }
     assert_int_equal(glint_rtl_clocks(rtl), clocks_due(form, n, count));
     glint_rtl_destroy(rtl);
 }
@@ -98,9 +96,8 @@ static void fill_divisions_of_every_component(void)
 {
     for (int i = 0; i < DIVISIONS; i++) {
         divisions[i].k = (uint8_t)(i / D_COUNT);
-        for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++) {
+        for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++)
             divisions[i].difference[c] = (int16_t)(D_MIN + (i + 171 * c) % D_COUNT);
-        }
     }
 }
 
@@ -114,9 +111,8 @@ static void fill_divisions_of_three(void)
 {
     for (int i = 0; i < DIVISIONS_OF_THREE; i++) {
         divisions[i].k = (uint8_t)(i / GROUPS);
-        for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++) {
+        for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++)
             divisions[i].difference[c] = difference_of_three(i % GROUPS, c);
-        }
     }
 }
 
@@ -128,9 +124,8 @@ static void the_pipelined_form_equals_the_model(void **state)
     fill_divisions_of_every_component();
     for (int n = N_FIRST; n <= N_LAST; n++) {
         divide_all(GLINT_DIVIDER_PIPELINED, n, DIVISIONS, of_pipelined);
-        for (int i = 0; i < DIVISIONS; i++) {
+        for (int i = 0; i < DIVISIONS; i++)
             compared += compare("pipelined", n, &divisions[i], &of_pipelined[i]);
-        }
     }
     print_message("pipelined: 0 mismatches of %" PRIu64 " quotients\n", compared);
     assert_true(compared == UINT64_C(11) * K_COUNT * D_COUNT * 3);
@@ -176,21 +171,16 @@ static void every_case_of_the_table_was_among_them(void **state)
     static bool seen[2][K_COUNT][D_COUNT];
     uint64_t cases[2] = {0, 0};
     for (int form = 0; form < 2; form++) {
-        if (form == 0) {
+        if (form == 0)
             fill_divisions_of_every_component();
-        } else {
+        else
             fill_divisions_of_three();
-        }
-        for (int i = 0; i < (form == 0 ? DIVISIONS : DIVISIONS_OF_THREE); i++) {
-            for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++) {
+        for (int i = 0; i < (form == 0 ? DIVISIONS : DIVISIONS_OF_THREE); i++)
+            for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++)
                 seen[form][divisions[i].k][divisions[i].difference[c] - D_MIN] = true;
-            }
-        }
-        for (int k = 0; k <= K_TABLE + 1; k++) {
-            for (int d = -255; d <= 255; d++) {
+        for (int k = 0; k <= K_TABLE + 1; k++)
+            for (int d = -255; d <= 255; d++)
                 cases[form] += seen[form][k][d - D_MIN];
-            }
-        }
     }
     assert_true(cases[0] == 18 * 511 && cases[1] == 18 * 511);
 }

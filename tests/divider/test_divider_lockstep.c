@@ -33,9 +33,8 @@ static uint64_t compare_build(glint_divider_form form, int n)
     const glint_lockstep_options options = {
         .setting = glint_setting_divider(form, n), .clocks = CLOCKS, .seed = seed};
     memset(&result, 0x5a, sizeof result);
-    if (glint_lockstep_run(&options, &result, &err) != GLINT_OK) {
+    if (glint_lockstep_run(&options, &result, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
     const glint_lockstep_result *found = &result;
     if (found->mismatches != 0) {
         fail_msg("%s, n = %d, seed %" PRIu64 ": %" PRIu64
@@ -173,9 +172,8 @@ static void a_seed_gives_the_same_inputs_again(void **state)
 {
     (void)state;
     assert_int_equal(count_equal_inputs(seed, seed), CLOCKS);
-    for (uint64_t other = seed + 1; other <= seed + 20; other++) {
+    for (uint64_t other = seed + 1; other <= seed + 20; other++)
         assert_true(count_equal_inputs(seed, other) < CLOCKS / 10);
-    }
 }
 
 /* One input or state a clock that the stimulus promises, and how often it came. */
@@ -243,9 +241,8 @@ static void count_operands(situations *c, const glint_divider_inputs *in, uint32
     c->k_zero += in->k == 0;
     c->k_seventeen += in->k == K_TABLE + 1;
     c->k_far_beyond += in->k > 128;
-    if (in->k <= K_TABLE) {
+    if (in->k <= K_TABLE)
         *seen_k |= 1u << in->k;
-    }
     c->every_k_of_the_table += *seen_k == (1u << (K_TABLE + 1)) - 1;
     c->difference_zero += difference == 0;
     c->difference_one += difference == 1;
@@ -272,9 +269,8 @@ static void count_pipelined(situations *c, const glint_divider_inputs *in,
 }
 
 #define ASSERT_CAME(name)                                                                          \
-    if (counted.name == 0) {                                                                       \
-        fail_msg("n = %d, seed %" PRIu64 ": " #name " never came", n, seed);                       \
-    }
+    if (counted.name == 0)                                                                         \
+        fail_msg("n = %d, seed %" PRIu64 ": " #name " never came", n, seed);
 #define PRINT_COUNT(name) print_message("%8" PRIu64 " " #name "\n", counted.name);
 
 static void the_stimulus_reaches_every_situation(void **state)
@@ -297,9 +293,8 @@ static void the_stimulus_reaches_every_situation(void **state)
             glint_divider_stimulus_next(&stimulus, &in);
             count_sequential(&counted, &in, s);
             count_pipelined(&counted, &in, glint_divider_device_pipelined(pipelined), n);
-            if (in.en && !in.reset && in.start && !s->busy) {
+            if (in.en && !in.reset && in.start && !s->busy)
                 count_operands(&counted, &in, &seen_k);
-            }
             glint_divider_device_clock(sequential, &in);
             glint_divider_device_clock(pipelined, &in);
         }
@@ -317,9 +312,8 @@ static void the_stimulus_reaches_every_situation(void **state)
 static uint64_t moving_bits(const glint_signal_info *info, int n)
 {
     const uint64_t all = (UINT64_C(1) << (info->int_bits + info->frac_bits)) - 1;
-    if (strcmp(info->name, "left") == 0) { /* n…0 */
+    if (strcmp(info->name, "left") == 0) /* n…0 */
         return n == 16 ? 31 : n >= 8 ? 15 : 7;
-    }
     /* Behind stage j nothing has been shifted further than j places. */
     return strncmp(info->name, "acc_", 4) == 0 && info->lane > 0
                ? all & ~((UINT64_C(1) << (n - info->lane)) - 1)

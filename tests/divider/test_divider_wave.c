@@ -48,9 +48,8 @@ static glint_status try_record(glint_divider_form form, int n, glint_wave_format
 static void record(glint_divider_form form, int n, glint_wave_format format, const char *path)
 {
     glint_error err;
-    if (try_record(form, n, format, path, &err) != GLINT_OK) {
+    if (try_record(form, n, format, path, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
 }
 
 static glint_divider_device *create(glint_divider_form form, int n)
@@ -77,9 +76,8 @@ static unsigned compare_scene(glint_divider_form form, int n, const vcd *wave)
             const uint64_t expected = glint_divider_signal_bits(device, i);
             char name[112];
             divider_signal_name(form, &info, name, sizeof name);
-            if (vcd_value(wave, name, rising_edge_of(clock)) != expected) {
+            if (vcd_value(wave, name, rising_edge_of(clock)) != expected)
                 fail_msg("%s, n = %d, at clock %d is not 0x%" PRIx64, name, n, clock, expected);
-            }
             compared++;
         }
     }
@@ -94,9 +92,8 @@ static void the_waveform_shows_the_circuit(void **state)
     for (size_t i = 0; i < SHIFTS_COUNT; i++) {
         for (int f = 0; f < GLINT_DIVIDER_FORM_COUNT; f++) {
             const glint_divider_form form = (glint_divider_form)f;
-            if (form == GLINT_DIVIDER_PIPELINED && shifts[i] > 8) {
+            if (form == GLINT_DIVIDER_PIPELINED && shifts[i] > 8)
                 continue; /* thousands of values more; lockstep has them all */
-            }
             record(form, shifts[i], GLINT_WAVE_VCD, scratch_path("scene.vcd"));
             vcd wave = vcd_read(scratch_path("scene.vcd"));
             compared += compare_scene(form, shifts[i], &wave);
@@ -146,9 +143,8 @@ static int signal_of(glint_divider_form form, int n, const saved_trace *trace)
         const glint_signal_info info = glint_divider_signal_info(form, n, i);
         char name[112];
         divider_signal_name(form, &info, name, sizeof name);
-        if (strcmp(name, trace->name) == 0) {
+        if (strcmp(name, trace->name) == 0)
             return i;
-        }
     }
     return -1;
 }
@@ -182,9 +178,8 @@ static void the_save_file_names_what_is_there(void **state)
             saved_read(scratch_path("names.gtkw"), &file);
             for (int t = 0; t < file.count; t++) {
                 const vcd_signal *signal = vcd_find(&wave, file.trace[t].name);
-                if (signal == NULL) {
+                if (signal == NULL)
                     fail_msg("the waveform has no %s", file.trace[t].name);
-                }
                 assert_int_equal(signal->width, file.trace[t].width);
                 assert_format(form, n, &file.trace[t]);
             }
@@ -195,11 +190,9 @@ static void the_save_file_names_what_is_there(void **state)
 
 static bool is_named(const saved *file, const char *name)
 {
-    for (int t = 0; t < file->count; t++) {
-        if (strcmp(file->trace[t].name, name) == 0) {
+    for (int t = 0; t < file->count; t++)
+        if (strcmp(file->trace[t].name, name) == 0)
             return true;
-        }
-    }
     return false;
 }
 
@@ -220,9 +213,8 @@ static void the_save_file_leaves_nothing_out(void **state)
             for (int i = 0; i < glint_divider_signal_count(form, n); i++) {
                 const glint_signal_info info = glint_divider_signal_info(form, n, i);
                 divider_signal_name(form, &info, name, sizeof name);
-                if (!is_named(&file, name)) {
+                if (!is_named(&file, name))
                     fail_msg("%s is not in the save file", name);
-                }
             }
             for (int p = 0; pins[f][p] != NULL; p++) {
                 (void)snprintf(name, sizeof name, "%s.%s", divider_top(form), pins[f][p]);
@@ -299,11 +291,10 @@ static scene_counts play_scene(glint_divider_form form, int n)
         glint_divider_inputs in;
         glint_divider_scene(form, n, clock, &in);
         glint_divider_device_clock(device, &in);
-        if (s != NULL) {
+        if (s != NULL)
             count_sequential(&c, n, clock, &in, s, was_busy);
-        } else {
+        else
             count_pipelined(&c, n, clock, &in, p);
-        }
     }
     glint_divider_device_destroy(device);
     return c;

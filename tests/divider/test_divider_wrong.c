@@ -57,9 +57,8 @@ static void run_lockstep(const glint_lockstep_options *options)
 {
     glint_error err;
     memset(&result, 0x5a, sizeof result);
-    if (glint_lockstep_run(options, &result, &err) != GLINT_OK) {
+    if (glint_lockstep_run(options, &result, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
 }
 
 static bool is_named(const char *names, const char *name)

@@ -1,7 +1,7 @@
 /* The circuits that are wrong on purpose, of both kinds: tests/lockstep/wrong, tests/divider/wrong.
  */
-#ifndef GLINT_TESTS_FAULTS_H
-#define GLINT_TESTS_FAULTS_H
+#ifndef GLINT_TESTS_FAILURE_FAULTS_H
+#define GLINT_TESTS_FAILURE_FAULTS_H
 
 #include "../wrong.h"
 #include "circuit/circuits.h"

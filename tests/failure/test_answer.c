@@ -31,9 +31,8 @@ static int clean_up(void **state)
 
 static void assert_done(glint_status status, const glint_error *err)
 {
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         fail_msg("%s", err->text);
-    }
 }
 
 static void make_failure(const glint_setting *setting, const glint_answer *answer)
@@ -48,9 +47,8 @@ static void make_failure(const glint_setting *setting, const glint_answer *answe
 static const fault *fault_of(const char *name)
 {
     size_t i = 0;
-    while (strcmp(faults[i].name, name) != 0) {
+    while (strcmp(faults[i].name, name) != 0)
         assert_true(++i < FAULT_COUNT);
-    }
     return &faults[i];
 }
 
@@ -145,9 +143,8 @@ static int32_t run_alone(const char *verilog, int column)
     }
     assert_int_equal(pclose(answers), 0);
     char *value = strtok(row, ",");
-    for (int i = 0; i < column; i++) {
+    for (int i = 0; i < column; i++)
         value = strtok(NULL, ",");
-    }
     assert_non_null(value);
     return (int32_t)strtol(value, NULL, 10);
 }
@@ -219,9 +216,8 @@ static void the_points_about_it_stay_on_their_lanes(void **state)
     static uint32_t cos_code[2000];
     static glint_answer answer;
     const glint_material material = {7, 1, 2, 3};
-    for (uint32_t i = 0; i < 2000; i++) {
+    for (uint32_t i = 0; i < 2000; i++)
         cos_code[i] = 1000 + i;
-    }
     for (int lanes = 1; lanes <= GLINT_LANES_MAX; lanes++) {
         for (size_t at = 0; at < 2000; at += 37) {
             glint_answer_keep_points(&answer, lanes, &material, cos_code, 2000, at);
@@ -346,9 +342,8 @@ static void clock_ageing(glint_rtl *rtl, const void *pins)
         taken.cos[0] ^= WRONG_BIT;
         taken.in_valid = takes_none ? 0 : taken.in_valid;
     }
-    if (is_trigger) {
+    if (is_trigger)
         clocks_since_trigger = 0;
-    }
     __real_glint_rtl_clock(rtl, &taken);
 }
 
@@ -361,9 +356,8 @@ static glint_status shade_ageing(glint_rtl *rtl, const glint_material *material,
     const bool goes_wrong = before < WRONG_CLOCK && WRONG_CLOCK <= before + points->count;
     assert_true(points->count <= 5000);
     memcpy(taken, points->cos, points->count * sizeof *taken);
-    if (goes_wrong) {
+    if (goes_wrong)
         taken[WRONG_CLOCK - before - 1] ^= WRONG_BIT;
-    }
     wrong.cos = taken;
     clocks_since_made += points->count + GLINT_LATENCY_PIPELINED - 1;
     const glint_status status = __real_glint_rtl_shade(rtl, material, &wrong, err);
@@ -481,9 +475,8 @@ static void what_does_not_matter_is_left_out(void **state)
     const glint_material material = {2, 10, 20, 30};
     const glint_batch batch = {.material = &material, .cos_code = cos_code, .count = 200};
     for (uint32_t first = 1000; first <= 2000; first += 500) {
-        for (uint32_t i = 0; i < 200; i++) {
+        for (uint32_t i = 0; i < 200; i++)
             cos_code[i] = first + i;
-        }
         glint_history_add(&history, &setting, &batch);
     }
     assert_non_null(history);
@@ -498,9 +491,8 @@ static void what_does_not_matter_is_left_out(void **state)
     static const volatile bool stop = true;
     const glint_setting right = glint_setting_specular(&one_lane);
     glint_failure *stopped;
-    for (int i = 0; i < 100; i++) { /* more clocks than are played whether stopped or not */
+    for (int i = 0; i < 100; i++) /* more clocks than are played whether stopped or not */
         glint_history_add(&history, &right, &batch);
-    }
     assert_int_equal(glint_failure_of_history(GLINT_FAILURE_EXHAUSTIVE, &right, NULL, history,
                                               &stop, &stopped, &err),
                      GLINT_INTERRUPTED);
@@ -527,12 +519,10 @@ static void a_history_keeps_the_last_clocks(void **state)
     glint_history *history = NULL;
     size_t count;
     uint64_t first;
-    for (uint32_t i = 0; i < 40000; i++) {
+    for (uint32_t i = 0; i < 40000; i++)
         cos_code[i] = i;
-    }
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < 5; i++)
         glint_history_add(&history, &setting, &batch);
-    }
     assert_non_null(history);
     glint_pins *pins = glint_history_pins(history, &count, &first);
     assert_non_null(pins);
@@ -562,9 +552,8 @@ static void assert_division(const char *fault, int component, const glint_divisi
     const glint_setting setting = setting_of(fault_of(fault), true);
     for (int i = 0; i < 80; i++) {
         divisions[i].k = (uint8_t)(1 + glint_random_below(&random, 3));
-        for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++) {
+        for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++)
             divisions[i].difference[c] = (int16_t)glint_random_below(&random, 200);
-        }
     }
     divisions[50] = *asked;
     memset(&answer, 0, sizeof answer);
@@ -575,9 +564,8 @@ static void assert_division(const char *fault, int component, const glint_divisi
     const glint_failure_finding *finding = &failure->finding;
     assert_true(finding->answer_differs && finding->lockstep_differs);
     const char *first = failure->capture->found.mismatch[0].signal.name;
-    if (strstr(signals, first) == NULL) {
+    if (strstr(signals, first) == NULL)
         fail_msg("%s: the first to differ is %s", fault, first);
-    }
     assert_survives_the_packet(&setting);
     static const char *const outputs[] = {"quotient_r", "quotient_g", "quotient_b"};
     const bool sequential = setting.values[GLINT_DIVIDER_FORM] == GLINT_DIVIDER_SEQUENTIAL;
@@ -593,9 +581,8 @@ static void a_divider_is_asked_clock_by_clock(void **state)
     assert_division("divider_logical_shift", 1, &negative, "shifted");
     assert_division("divider_unsigned_stage", 1, &negative, "acc_g quotient_g");
     const glint_division seventh = {{255, 254, 253}, 7};
-    for (int component = 0; component < GLINT_DIVIDER_COMPONENTS; component++) {
+    for (int component = 0; component < GLINT_DIVIDER_COMPONENTS; component++)
         assert_division("divider_table_off_by_one", component, &seventh, "rom_bits");
-    }
 }
 
 /* ---- A frame without an answer ------------------------------------------------------------------

@@ -26,9 +26,8 @@ static char *packets[PACKETS];
 
 static void assert_done(glint_status status, const glint_error *err)
 {
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         fail_msg("%s", err->text);
-    }
 }
 
 static void write_packet(int which, glint_failure *failure)
@@ -50,9 +49,8 @@ static void write_answer(int which, const glint_setting *setting, const glint_an
 
 static int prepare(void **state)
 {
-    if (scratch_make(state) != 0) {
+    if (scratch_make(state) != 0)
         return -1;
-    }
     static glint_lockstep_result result;
     static glint_answer answer;
     glint_error err;
@@ -78,9 +76,8 @@ static int prepare(void **state)
 
 static int clean_up(void **state)
 {
-    for (int i = 0; i < PACKETS; i++) {
+    for (int i = 0; i < PACKETS; i++)
         free(packets[i]);
-    }
     return scratch_remove(state);
 }
 
@@ -465,9 +462,8 @@ static void it_can_be_interrupted(void **state)
         glint_under_test(), "replay", scratch_path("packet"), "--rtl", "rtl", NULL};
     const pid_t child = child_start(argv, scratch_path("child.out"), scratch_path("child.err"));
     child_wait_for_handler(child);
-    for (int i = 0; i < 10; i++) {
+    for (int i = 0; i < 10; i++)
         child_pause();
-    }
     assert_int_equal(kill(child, SIGINT), 0);
     assert_int_equal(child_wait(child, 60), 2);
     char *said = scratch_read(scratch_path("child.err"), NULL);

@@ -54,9 +54,8 @@ static int clean_up(void **state)
 
 static void assert_done(glint_status status, const glint_error *err)
 {
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         fail_msg("%s", err->text);
-    }
 }
 
 /* Runs lockstep on a setting, and makes the case of what it finds. */
@@ -110,17 +109,15 @@ static void assert_as_in_the_run(void)
         uint64_t model[GLINT_SIGNAL_WORDS_MAX], rtl[GLINT_SIGNAL_WORDS_MAX];
         glint_random_pins_next(&source, &pins);
         glint_twin_clock(twin, &pins);
-        if (clock < capture->clock[row].clock) {
+        if (clock < capture->clock[row].clock)
             continue;
-        }
         const glint_capture_clock *kept = &capture->clock[row++];
         glint_twin_read(twin, model, rtl);
         assert_int_equal(kept->clock, clock);
         assert_memory_equal(kept->model, model, size);
         assert_memory_equal(kept->rtl, rtl, size);
-        for (int i = 0; i < glint_setting_pin_count(&options.setting); i++) {
+        for (int i = 0; i < glint_setting_pin_count(&options.setting); i++)
             assert_int_equal(pin_value(&kept->pins, i), pin_value(&pins, i));
-        }
     }
     glint_twin_destroy(twin);
 }
@@ -178,9 +175,8 @@ static int place_of_out_r(const glint_setting *setting)
     glint_error err;
     int i = 0;
     assert_done(glint_signals_find(setting, &signals, &err), &err);
-    while (strcmp(signals.info[i].name, "out_r") != 0) {
+    while (strcmp(signals.info[i].name, "out_r") != 0)
         i++;
-    }
     return signals.place[i];
 }
 
@@ -238,9 +234,8 @@ static void assert_says(const char *format, ...)
     va_start(args, format);
     (void)vsnprintf(part, sizeof part, format, args);
     va_end(args);
-    if (strstr(text, part) == NULL) {
+    if (strstr(text, part) == NULL)
         fail_msg("the report does not say \"%s\":\n%s", part, text);
-    }
 }
 
 /* The rows below the table's heading: the pins, numbers in any base, and both values. */
@@ -252,18 +247,16 @@ static void assert_table(void)
     int signal = 0;
     assert_non_null(line);
     while (capture->clock[capture->failing].model[signal] ==
-           capture->clock[capture->failing].rtl[signal]) {
+           capture->clock[capture->failing].rtl[signal])
         signal++;
-    }
     line = strchr(line + 1, '\n') + 1;
     for (int row = first; row <= capture->failing; row++, line = strchr(line, '\n') + 1) {
         const glint_capture_clock *clock = &capture->clock[row];
         char *end;
         assert_int_equal(line[0], row == capture->failing ? '>' : ' ');
         assert_true(strtoull(line + 1, &end, 10) == clock->clock);
-        for (int i = 0; i < glint_setting_pin_count(setting); i++) {
+        for (int i = 0; i < glint_setting_pin_count(setting); i++)
             assert_int_equal(strtoll(end, &end, 0), pin_value(&clock->pins, i));
-        }
         assert_true(strtoull(end, &end, 16) == clock->model[signal]);
         assert_true(strtoull(end, &end, 16) == clock->rtl[signal]);
         assert_int_equal(*end, '\n');
@@ -292,9 +285,8 @@ static void the_text_tells_all_of_it(void **state)
         assert_says("\nlook:   gtkwave some/where/wave.vcd some/where/wave.gtkw\n");
         assert_says("\nreplay: build/glint replay some/where --rtl %s\n",
                     wrong_rtl(faults[f].name));
-        for (int i = 0; i < result.totals_count; i++) {
+        for (int i = 0; i < result.totals_count; i++)
             assert_says(" %" PRIu64 "\n", result.totals[i].mismatches);
-        }
     }
 }
 
@@ -350,9 +342,8 @@ static void assert_number(const vcd *wave, int lane, const char *name, const cha
     variable_name(lane, name, variable, full, sizeof full);
     vcd_text(wave, full, time, text, sizeof text);
     assert_null(strpbrk(text, "eE"));
-    if (strtod(text, &end) != expected || *end != '\0') {
+    if (strtod(text, &end) != expected || *end != '\0')
         fail_msg("%s is %s, not %.17g", full, text, expected);
-    }
 }
 
 static double number_of(const glint_signal_info *signal, uint64_t bits)
@@ -386,9 +377,8 @@ static void assert_clock(const vcd *wave, const glint_capture_clock *clock)
         const uint64_t value = (uint64_t)pin_value(&clock->pins, i) & mask;
         assert_true(value_at(wave, pin.lane, pin.name, "", edge) == value);
         assert_true(value_at(wave, pin.lane, pin.name, "", edge - 5) == value);
-        if (pin.frac_bits > 0) {
+        if (pin.frac_bits > 0)
             assert_number(wave, pin.lane, pin.name, "", edge, ldexp((double)value, -pin.frac_bits));
-        }
     }
     assert_int_equal(vcd_value(wave, "TOP.mismatch", edge), differs);
     assert_true(vcd_value(wave, "TOP.clock", edge) == clock->clock);
@@ -409,9 +399,8 @@ static void assert_flags(const vcd *wave)
             const glint_capture_clock *clock = &capture->clock[row];
             const bool differs = clock->rtl[i] != clock->model[i];
             ever |= differs;
-            if (there) {
+            if (there)
                 assert_int_equal(vcd_value(wave, full, clock->clock * 10), differs);
-            }
         }
         assert_int_equal(there, ever);
     }
@@ -423,9 +412,8 @@ static void assert_end(const vcd *wave)
     const uint64_t last = capture->clock[capture->count - 1].clock * 10;
     char text[64];
     assert_true(wave->last_time >= last + 5);
-    if (wave->last_time == last + 5) {
+    if (wave->last_time == last + 5)
         return;
-    }
     for (int i = 0; i < wave->signal_count; i++) {
         vcd_text(wave, wave->signals[i].name, last + 10, text, sizeof text);
         assert_int_equal(strspn(text, "x"), strlen(text));
@@ -445,9 +433,8 @@ static void assert_trace_hides_nothing(const saved *file, int t)
         const glint_signal_info signal = glint_setting_signal(&options.setting, i);
         char side[64];
         (void)snprintf(side, sizeof side, "%s_rtl", signal.name);
-        if (signal.frac_bits == 0 || strcmp(name, side) != 0) {
+        if (signal.frac_bits == 0 || strcmp(name, side) != 0)
             continue;
-        }
         const int number = strstr(file->trace[t + 2].name, "_differs") != NULL ? t + 3 : t + 2;
         assert_true((trace->flags & SAVED_HEX) != 0);
         (void)snprintf(side, sizeof side, "%s_real", trace->name);
@@ -472,9 +459,8 @@ static void assert_save_file(const saved *file, const vcd *wave)
         assert_int_equal(variable->width, variable->width == 0 ? 0 : trace->width);
         assert_trace_hides_nothing(file, t);
         char *ending = strrchr(trace->name, '_');
-        if (ending == NULL || strcmp(ending, "_rtl") != 0) {
+        if (ending == NULL || strcmp(ending, "_rtl") != 0)
             continue;
-        }
         const int stem = (int)(ending - trace->name);
         assert_int_equal(strncmp(trace[1].name, trace->name, (size_t)stem), 0);
         assert_string_equal(trace[1].name + stem, "_model");
@@ -508,9 +494,8 @@ static void the_waveform_has_both_sides(void **state)
         vcd wave = vcd_read(scratch_path(wave_name));
         assert_true(wave.first_time == capture->clock[0].clock * 10 - 5);
         assert_end(&wave);
-        for (int row = 0; row < capture->count; row += 4) {
+        for (int row = 0; row < capture->count; row += 4)
             assert_clock(&wave, &capture->clock[row]);
-        }
         assert_clock(&wave, &capture->clock[capture->failing]);
         assert_flags(&wave);
         saved_read(scratch_path(save_name), &file);
@@ -531,9 +516,8 @@ static void every_lane_is_there(void **state)
     const glint_material material = {20, 255, 255, 255};
     uint32_t cos_code[100];
     glint_answer answer = {.value = GLINT_ANSWER_R};
-    for (uint32_t i = 0; i < 100; i++) {
+    for (uint32_t i = 0; i < 100; i++)
         cos_code[i] = GLINT_COS_ONE - i;
-    }
     glint_answer_keep_points(&answer, lanes, &material, cos_code, 100, 37);
     glint_failure_destroy(failure);
     assert_done(
@@ -551,9 +535,8 @@ static void every_lane_is_there(void **state)
         assert_non_null(vcd_find(&wave, name));
     }
     int numbers = lanes; /* of the cosines, and of what else is fixed-point */
-    for (int i = 0; i < glint_setting_signal_count(&setting); i++) {
+    for (int i = 0; i < glint_setting_signal_count(&setting); i++)
         numbers += glint_setting_signal(&setting, i).frac_bits > 0;
-    }
     /* mismatch, clock, clk; the pins; both sides of all signals */
     assert_int_equal(file.count, 3 + glint_setting_pin_count(&setting) +
                                      2 * glint_setting_signal_count(&setting) + numbers);

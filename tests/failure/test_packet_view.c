@@ -73,9 +73,8 @@ static int signal_of(const shape *shape)
     const glint_setting setting = shape->setting();
     for (int i = 0; i < glint_setting_signal_count(&setting); i++) {
         const glint_signal_info signal = glint_setting_signal(&setting, i);
-        if (signal.lane == shape->lane && strcmp(signal.name, shape->signal) == 0) {
+        if (signal.lane == shape->lane && strcmp(signal.name, shape->signal) == 0)
             return i;
-        }
     }
     fail_msg("no signal %s", shape->signal);
     return 0;
@@ -102,9 +101,8 @@ static glint_capture *capture_of(const shape *shape)
         glint_capture_clock *clock = &capture->clock[i];
         clock->clock = shape->first_clock + (uint64_t)i;
         clock->model[index] = clock->rtl[index] = shape->code;
-        if (i >= shape->failing) {
+        if (i >= shape->failing)
             clock->rtl[index] = (shape->code + 1) & mask_of(shape, index);
-        }
     }
     return capture;
 }
@@ -146,9 +144,8 @@ static void the_marker_is_in_view_in_every_window(void **state)
         vcd wave = vcd_read(scratch_path("wave.vcd"));
         assert_int_equal(file.marker, (shapes[i].first_clock + (uint64_t)shapes[i].failing) * 10);
         assert_in_range(file.first_time, wave.first_time, wave.last_time);
-        for (uint64_t view = 100; view <= 1000; view++) {
+        for (uint64_t view = 100; view <= 1000; view++)
             assert_marker_in_view(&shapes[i], &file, &wave, view);
-        }
         /* In its own window all of the view is in the waveform. */
         assert_true(file.first_time + 200 <= wave.last_time);
         vcd_free(&wave);
@@ -158,11 +155,9 @@ static void the_marker_is_in_view_in_every_window(void **state)
 /* Row of a trace by its label. */
 static int row_of(const gtkwave_shown *shown, const char *label)
 {
-    for (int row = 0; row < shown->count; row++) {
-        if (strcmp(shown->name[row], label) == 0) {
+    for (int row = 0; row < shown->count; row++)
+        if (strcmp(shown->name[row], label) == 0)
             return row;
-        }
-    }
     fail_msg("GTKWave does not show %s", label);
     return 0;
 }
@@ -230,9 +225,8 @@ static void check(const shape *shape, int width, int height)
 static void it_opens_at_the_mismatch(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < SHAPE_COUNT; i++) {
+    for (size_t i = 0; i < SHAPE_COUNT; i++)
         check(&shapes[i], 1280, 800);
-    }
 }
 
 static void it_opens_at_the_mismatch_in_large_windows(void **state)

@@ -36,9 +36,8 @@ static void utf_8_stays(void **state)
         "\xe0\xa0\x80 \xed\x9f\xbf \xee\x80\x80 \xef\xbf\xbd", /* U+0800, U+D7FF, U+E000, U+FFFD */
         "\xf0\x90\x80\x80 \xf4\x8f\xbf\xbf",                   /* U+10000, U+10FFFF */
     };
-    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
         assert_text(texts[i], texts[i]);
-    }
 }
 
 static void other_bytes_are_replaced(void **state)

@@ -147,12 +147,10 @@ static void be_killed(const char *path, moment when)
     glint_error err;
     glint_new_file *file;
     if (glint_new_file_open(path, &file, &err) == GLINT_OK) {
-        for (int i = 0; i < 100000 && when >= WRITTEN; i++) {
+        for (int i = 0; i < 100000 && when >= WRITTEN; i++)
             fputs("half of", glint_new_file_stream(file));
-        }
-        if (when == CLOSED) {
+        if (when == CLOSED)
             (void)glint_new_file_close(file, &err);
-        }
         kill(getpid(), SIGKILL);
     }
     _exit(1);
@@ -163,9 +161,8 @@ static void end_in_the_middle(const char *path, moment when)
     int status;
     const pid_t child = fork();
     assert_true(child >= 0);
-    if (child == 0) {
+    if (child == 0)
         be_killed(path, when);
-    }
     assert_int_equal(waitpid(child, &status, 0), child);
     assert_true(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
 }
@@ -214,9 +211,8 @@ static long dead_process(void)
 {
     const pid_t child = fork();
     assert_true(child >= 0);
-    if (child == 0) {
+    if (child == 0)
         _exit(0);
-    }
     assert_int_equal(waitpid(child, NULL, 0), child);
     return child;
 }
@@ -245,9 +241,8 @@ static void what_the_dead_have_left_is_cleared(void **state)
 static int leave_a_name(void)
 {
     if (unshare(CLONE_NEWNS) != 0 || mount("none", "/", NULL, MS_REC | MS_PRIVATE, NULL) != 0 ||
-        mount("tmpfs", "/proc", "tmpfs", 0, NULL) != 0) {
+        mount("tmpfs", "/proc", "tmpfs", 0, NULL) != 0)
         return 2;
-    }
     const int before = scratch_count();
     end_in_the_middle(scratch_path("late"), WRITTEN);
     const int after = scratch_count();
@@ -261,9 +256,8 @@ static void without_unnamed_files_a_name_is_left_and_cleared(void **state)
     int status;
     const pid_t child = fork();
     assert_true(child >= 0);
-    if (child == 0) {
+    if (child == 0)
         _exit(leave_a_name());
-    }
     assert_int_equal(waitpid(child, &status, 0), child);
     assert_true(WIFEXITED(status));
     if (WEXITSTATUS(status) == 2) {
@@ -286,9 +280,8 @@ static void what_may_be_someone_elses_stays(void **state)
     (void)snprintf(keep[count++], sizeof keep[0], "%s", name_of(-1, 0, false));
     (void)snprintf(keep[count++], sizeof keep[0], "%s/.glint-notes.tmp", scratch_directory);
     (void)snprintf(keep[count++], sizeof keep[0], "%s/glint-%ld-0.tmp", scratch_directory, dead);
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; i++)
         scratch_write(keep[i], "keep", 4);
-    }
     if (geteuid() == 0) { /* only root can give a file away */
         (void)snprintf(keep[count++], sizeof keep[0], "%s", name_of(dead, 3, false));
         scratch_write(keep[count - 1], "keep", 4);
@@ -366,17 +359,15 @@ static void a_pipe_is_written_to(void **state)
     const pid_t child = child_start(reader, copy, "/dev/null");
     assert_int_equal(glint_new_file_check(path, &err), GLINT_OK);
     assert_int_equal(glint_new_file_open(path, &file, &err), GLINT_OK);
-    for (int i = 0; i < 200000; i++) {
+    for (int i = 0; i < 200000; i++)
         fputc('a' + i % 26, glint_new_file_stream(file));
-    }
     assert_int_equal(glint_new_file_commit(file, &err), GLINT_OK);
     assert_int_equal(child_wait(child, 20.0), 0);
     size_t count;
     char *got = scratch_read(copy, &count);
     assert_int_equal(count, 200000);
-    for (int i = 0; i < 200000; i++) {
+    for (int i = 0; i < 200000; i++)
         assert_int_equal(got[i], 'a' + i % 26);
-    }
     free(got);
 }
 

@@ -27,18 +27,16 @@ static int prove(const char *proof, const char *fault, const char *property)
 static void assert_result(const char *part)
 {
     char *line = scratch_read(scratch_path("proof/result"), NULL);
-    if (strstr(line, part) == NULL) {
+    if (strstr(line, part) == NULL)
         fail_msg("\"%s\" does not say \"%s\"", line, part);
-    }
     free(line);
 }
 
 static void assert_says(const char *part)
 {
     char *text = scratch_read(scratch_path("child.err"), NULL);
-    if (strstr(text, part) == NULL) {
+    if (strstr(text, part) == NULL)
         fail_msg("\"%s\" does not say \"%s\"", text, part);
-    }
     free(text);
 }
 
@@ -73,9 +71,8 @@ static void every_lane_of_every_device_is_to_be_proved(void **state)
             for (int lane = 0; lane < lanes; lane++) {
                 snprintf(line, sizeof line, "\n%s-%d-%d\n", kinds[k], lanes, lane);
                 if (strstr(proofs, line) == NULL &&
-                    strncmp(proofs, line + 1, strlen(line) - 1) != 0) {
+                    strncmp(proofs, line + 1, strlen(line) - 1) != 0)
                     fail_msg("make formal does not prove%s", line);
-                }
             }
         }
     }

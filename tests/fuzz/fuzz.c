@@ -26,9 +26,8 @@ void fuzz_expect(int condition, const char *text, const char *file, int line)
 
 static void remove_scratch(void)
 {
-    for (int i = 0; i < removed_count; i++) {
+    for (int i = 0; i < removed_count; i++)
         (void)unlink(removed_later[i]);
-    }
     (void)rmdir(directory);
 }
 
@@ -42,11 +41,9 @@ const char *fuzz_scratch(const char *name)
         FUZZ_EXPECT(atexit(remove_scratch) == 0);
     }
     snprintf(path, sizeof path, "%s/%s", directory, name);
-    for (int i = 0; i < removed_count; i++) {
-        if (strcmp(removed_later[i], path) == 0) {
+    for (int i = 0; i < removed_count; i++)
+        if (strcmp(removed_later[i], path) == 0)
             return path;
-        }
-    }
     FUZZ_EXPECT(removed_count < NAMES_MAX);
     strcpy(removed_later[removed_count++], path);
     return path;
@@ -67,18 +64,16 @@ size_t fuzz_first_line(const uint8_t *bytes, size_t count, char *line, size_t si
     const uint8_t *end = count > 0 ? memchr(bytes, '\n', count) : NULL;
     const size_t length = end != NULL ? (size_t)(end - bytes) : count;
     const size_t kept = length < size ? length : size - 1;
-    if (kept > 0) {
+    if (kept > 0)
         memcpy(line, bytes, kept);
-    }
     line[kept] = '\0';
     return end != NULL ? length + 1 : length;
 }
 
 uint8_t fuzz_take(const uint8_t **bytes, size_t *count)
 {
-    if (*count == 0) {
+    if (*count == 0)
         return 0;
-    }
     (*count)--;
     return *(*bytes)++;
 }
@@ -88,9 +83,8 @@ static int split(char *options, char **argv)
     int argc = 1;
     char *rest = NULL;
     for (char *word = strtok_r(options, " ", &rest); word != NULL && argc < WORDS_MAX;
-         word = strtok_r(NULL, " ", &rest)) {
+         word = strtok_r(NULL, " ", &rest))
         argv[argc++] = word;
-    }
     return argc;
 }
 
@@ -108,9 +102,8 @@ fuzz_run fuzz_command(int (*command)(int argc, char **argv), const char *name, c
     stdout = open_memstream(&done.out, &out_size);
     stderr = open_memstream(&done.err, &err_size);
     const bool opened = stdin != NULL && stdout != NULL && stderr != NULL;
-    if (opened && count == 0) {
+    if (opened && count == 0)
         (void)getc(stdin); /* fmemopen() wants at least one byte */
-    }
     done.status = opened ? command(argc, argv) : 0;
     if (opened) {
         (void)fclose(stdin);
@@ -140,8 +133,7 @@ void fuzz_expect_outcome(const fuzz_run *done, const char *name)
         const char *end = strchr(done->err, '\n');
         FUZZ_EXPECT(strncmp(done->err, begin, strlen(begin)) == 0);
         FUZZ_EXPECT(end != NULL && end[1] == '\0');
-        for (const char *c = done->err; c < end; c++) {
+        for (const char *c = done->err; c < end; c++)
             FUZZ_EXPECT((unsigned char)*c >= 0x20 && *c != 0x7f);
-        }
     }
 }

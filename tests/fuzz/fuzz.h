@@ -2,8 +2,8 @@
  * and aborts when something that must hold for every input does not. Crashes, leaks and undefined
  * behaviour are for the sanitizers to find. The same functions run under libFuzzer (`make fuzz`)
  * and, on kept and on freshly mutated inputs, in the ordinary tests (test_fuzz.c). */
-#ifndef GLINT_TESTS_FUZZ_H
-#define GLINT_TESTS_FUZZ_H
+#ifndef GLINT_TESTS_FUZZ_FUZZ_H
+#define GLINT_TESTS_FUZZ_FUZZ_H
 
 #include <stddef.h>
 #include <stdint.h>

@@ -13,16 +13,14 @@
 static void expect_sound(const glint_mesh *mesh)
 {
     FUZZ_EXPECT(mesh->triangle_count > 0);
-    for (size_t i = 0; i < 3 * mesh->vertex_count; i++) {
+    for (size_t i = 0; i < 3 * mesh->vertex_count; i++)
         FUZZ_EXPECT(isfinite(mesh->position[i]));
-    }
     for (size_t v = 0; v < mesh->vertex_count; v++) {
         const glint_vec3 n = glint_vec3_of(&mesh->normal[3 * v]);
         FUZZ_EXPECT(fabs(glint_vec3_length(n) - 1.0) < 1e-5);
     }
-    for (size_t i = 0; i < 3 * mesh->triangle_count; i++) {
+    for (size_t i = 0; i < 3 * mesh->triangle_count; i++)
         FUZZ_EXPECT(mesh->index[i] < mesh->vertex_count);
-    }
 }
 
 static glint_scene view_of(const glint_mesh *mesh, uint32_t view)

@@ -55,11 +55,10 @@ static int run_lines(int (*command)(int argc, char **argv), const char *name, co
     const size_t taken = fuzz_first_line(bytes, count, options, sizeof options);
     fuzz_run done = fuzz_command(command, name, options, bytes + taken, count - taken);
     fuzz_expect_outcome(&done, name);
-    if (done.out[0] == '[') {
+    if (done.out[0] == '[')
         expect_json(done.out, columns);
-    } else if (strncmp(done.out, "Usage: ", 7) != 0 && done.out[0] != '\0') {
+    else if (strncmp(done.out, "Usage: ", 7) != 0 && done.out[0] != '\0')
         expect_csv(done.out, header, columns);
-    }
     fuzz_forget(&done);
     return 0;
 }

@@ -50,9 +50,8 @@ int fuzz_mesh(const uint8_t *bytes, size_t count)
 {
     static int counting;
     char line[32], name[16];
-    if (!counting) {
+    if (!counting)
         counting = atexit(say_counts) == 0;
-    }
     const size_t taken = fuzz_first_line(bytes, count, line, sizeof line);
     for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++) {
         if (strcmp(line, endings[i]) == 0) {

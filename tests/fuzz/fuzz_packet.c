@@ -26,9 +26,8 @@ static bool is_listed(const glint_setting *setting)
     glint_setting listed;
     for (int i = 0; glint_setting_listed(setting->circuit, i, &listed); i++) {
         listed.verilog = setting->verilog;
-        if (glint_setting_equal(&listed, setting)) {
+        if (glint_setting_equal(&listed, setting))
             return true;
-        }
     }
     return false;
 }
@@ -40,9 +39,8 @@ static void expect_played(const glint_failure *failure)
     glint_capture *capture = NULL;
     glint_error err = {""};
     if ((failure->kind == GLINT_FAILURE_RANDOM && failure->pins == NULL) ||
-        !is_listed(&failure->setting)) {
+        !is_listed(&failure->setting))
         return;
-    }
     const glint_status status = glint_failure_play(failure, NULL, &finding, &capture, &err);
     FUZZ_EXPECT((status == GLINT_OK) == (capture != NULL));
     if (status == GLINT_OK) {

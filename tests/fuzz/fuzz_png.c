@@ -36,18 +36,16 @@ int fuzz_png(const uint8_t *bytes, size_t count)
     glint_error err = {""};
     const uint32_t width = side_of(bytes, count, 16), height = side_of(bytes, count, 20);
     if (width <= GLINT_IMAGE_SIDE_MAX && height <= GLINT_IMAGE_SIDE_MAX &&
-        (width > SIDE_MAX || height > SIDE_MAX)) {
+        (width > SIDE_MAX || height > SIDE_MAX))
         return -1;
-    }
     const glint_status status =
         glint_image_read_png(fuzz_write("picture.png", bytes, count), &image, &err);
     FUZZ_EXPECT(status == GLINT_OK || status == GLINT_BAD_INPUT || status == GLINT_NO_MEMORY);
     FUZZ_EXPECT((status == GLINT_OK) == (image != NULL));
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         FUZZ_EXPECT(strstr(err.text, "picture.png") != NULL && strchr(err.text, '\n') == NULL);
-    } else {
+    else
         expect_round_trip(image);
-    }
     glint_image_destroy(image);
     return 0;
 }

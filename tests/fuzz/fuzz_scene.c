@@ -31,16 +31,13 @@ static float take_float(source *from)
                                     1e-45f,  1e18f,    -1e18f,    1.1e18f,  1e9f,     1e-9f,
                                     -1e-30f, 1e30f,    -0.0f,     0x1p-126f};
     const uint8_t kind = take(from);
-    if (kind < 224) {
+    if (kind < 224)
         return (float)(int8_t)take(from) / 16.0f;
-    }
-    if (kind < 248) {
+    if (kind < 248)
         return special[take(from) % (sizeof special / sizeof special[0])];
-    }
     uint32_t bits = 0;
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4; i++)
         bits = bits << 8 | take(from);
-    }
     float value;
     memcpy(&value, &bits, sizeof value);
     return value;
@@ -56,9 +53,8 @@ static void *room(size_t count, size_t size)
 static struct aiVector3D *take_vectors(source *from, unsigned count)
 {
     struct aiVector3D *made = room(count, sizeof *made);
-    for (unsigned i = 0; i < count; i++) {
+    for (unsigned i = 0; i < count; i++)
         made[i] = (struct aiVector3D){take_float(from), take_float(from), take_float(from)};
-    }
     return made;
 }
 
@@ -78,14 +74,12 @@ static struct aiMesh *take_mesh(source *from)
     struct aiMesh *mesh = room(1, sizeof *mesh);
     mesh->mNumVertices = take(from) % (VERTICES_MAX + 1);
     mesh->mVertices = take_vectors(from, mesh->mNumVertices);
-    if (take(from) % 2 == 1) {
+    if (take(from) % 2 == 1)
         mesh->mNormals = take_vectors(from, mesh->mNumVertices);
-    }
     mesh->mNumFaces = take(from) % (FACES_MAX + 1);
     mesh->mFaces = room(mesh->mNumFaces, sizeof *mesh->mFaces);
-    for (unsigned i = 0; i < mesh->mNumFaces; i++) {
+    for (unsigned i = 0; i < mesh->mNumFaces; i++)
         take_face(from, mesh->mNumVertices, &mesh->mFaces[i]);
-    }
     return mesh;
 }
 
@@ -115,17 +109,15 @@ static struct aiNode *take_node(source *from, int depth)
     }
     node->mNumChildren = kind == 255 && depth < DEEP ? 1 : depth < 8 ? kind >> 2 & 3 : 0;
     node->mChildren = (struct aiNode **)room(node->mNumChildren, sizeof *node->mChildren);
-    for (unsigned i = 0; i < node->mNumChildren; i++) {
+    for (unsigned i = 0; i < node->mNumChildren; i++)
         node->mChildren[i] = take_node(from, depth + 1);
-    }
     return node;
 }
 
 static void free_node(struct aiNode *node)
 {
-    for (unsigned i = 0; i < node->mNumChildren; i++) {
+    for (unsigned i = 0; i < node->mNumChildren; i++)
         free_node(node->mChildren[i]);
-    }
     free(node->mMeshes);
     free((void *)node->mChildren);
     free(node);
@@ -133,9 +125,8 @@ static void free_node(struct aiNode *node)
 
 static void free_mesh(struct aiMesh *mesh)
 {
-    for (unsigned i = 0; i < mesh->mNumFaces; i++) {
+    for (unsigned i = 0; i < mesh->mNumFaces; i++)
         free(mesh->mFaces[i].mIndices);
-    }
     free(mesh->mFaces);
     free(mesh->mVertices);
     free(mesh->mNormals);
@@ -148,21 +139,17 @@ static void import_and_draw(const struct aiScene *scene, uint32_t view)
     glint_remarks remarks = {""};
     glint_error err = {""};
     glint_status status = glint_imported_check("scene", scene, &err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_detail_check("scene", scene, &remarks, &err);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_imported_mesh("scene", scene, NULL, &imported, &err);
-    }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_smooth("scene", &imported.smoothing, &imported.mesh, &err);
-    }
     FUZZ_EXPECT(status == GLINT_OK || status == GLINT_BAD_INPUT);
     FUZZ_EXPECT((status == GLINT_OK) == (imported.mesh != NULL));
     FUZZ_EXPECT((status == GLINT_OK) == (err.text[0] == '\0'));
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         fuzz_draw(imported.mesh, view);
-    }
     glint_imported_clear(&imported);
 }
 
@@ -171,22 +158,18 @@ int fuzz_scene(const uint8_t *bytes, size_t count)
     source from = {bytes, count};
     uint32_t view = 0;
     struct aiScene *scene = room(1, sizeof *scene);
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4; i++)
         view = view << 8 | take(&from);
-    }
     scene->mNumMeshes = 1 + take(&from) % MESHES_MAX;
     scene->mMeshes = (struct aiMesh **)room(scene->mNumMeshes, sizeof *scene->mMeshes);
-    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+    for (unsigned i = 0; i < scene->mNumMeshes; i++)
         scene->mMeshes[i] = take_mesh(&from);
-    }
     scene->mRootNode = from.count > 0 ? take_node(&from, 0) : NULL;
     import_and_draw(scene, view);
-    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+    for (unsigned i = 0; i < scene->mNumMeshes; i++)
         free_mesh(scene->mMeshes[i]);
-    }
-    if (scene->mRootNode != NULL) {
+    if (scene->mRootNode != NULL)
         free_node(scene->mRootNode);
-    }
     free((void *)scene->mMeshes);
     free(scene);
     return 0;

@@ -66,9 +66,8 @@ static corpus *read_corpus(const char *target)
     assert_non_null(stream);
     const struct dirent *entry;
     while ((entry = readdir(stream)) != NULL) {
-        if (entry->d_name[0] == '.') {
+        if (entry->d_name[0] == '.')
             continue;
-        }
         assert_true(all->count < INPUTS_MAX);
         (void)snprintf(path, sizeof path, "%s/%s", directory, entry->d_name);
         read_input(path, entry->d_name, &all->inputs[all->count++]);
@@ -113,17 +112,16 @@ static void mutate(input *it)
 {
     for (uint64_t changes = 1 + draw(6); changes > 0; changes--) {
         const uint64_t kind = draw(it->count > 0 ? 5 : 1);
-        if (kind == 0) {
+        if (kind == 0)
             overwrite(it);
-        } else if (kind == 1) {
+        else if (kind == 1)
             shift(it);
-        } else if (kind == 2) {
+        else if (kind == 2)
             it->bytes[draw(it->count)] = (uint8_t)draw(256);
-        } else if (kind == 3) {
+        else if (kind == 3)
             it->bytes[draw(it->count)] ^= (uint8_t)(1u << draw(8));
-        } else if (draw(8) == 0) {
+        else if (draw(8) == 0)
             it->count = (size_t)draw(it->count + 1);
-        }
     }
 }
 

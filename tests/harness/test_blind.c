@@ -97,9 +97,8 @@ static int declared_in(const char *source)
     static const char word[] = "cmocka_unit_test";
     int count = 0;
     char *text = scratch_read(source, NULL);
-    for (const char *c = text; (c = strstr(c, word)) != NULL; c += sizeof word) {
+    for (const char *c = text; (c = strstr(c, word)) != NULL; c += sizeof word)
         count++;
-    }
     free(text);
     return count;
 }

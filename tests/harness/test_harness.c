@@ -25,9 +25,8 @@ static int run_shell(const char *script, double seconds)
 static void assert_said(const char *file, const char *part)
 {
     char *text = scratch_read(scratch_path(file), NULL);
-    if (strstr(text, part) == NULL) {
+    if (strstr(text, part) == NULL)
         fail_msg("\"%s\" does not say \"%s\"", text, part);
-    }
     free(text);
 }
 

@@ -32,9 +32,8 @@ static glint_image_difference compare(const glint_image *a, const glint_image *b
 
 static void assert_near(double found, double expected)
 {
-    if (!(fabs(found - expected) <= 1e-12 * fabs(expected))) {
+    if (!(fabs(found - expected) <= 1e-12 * fabs(expected)))
         fail_msg("%.17g is not %.17g", found, expected);
-    }
 }
 
 static void equal_pictures(void **state)
@@ -82,11 +81,10 @@ static void each_component_of_each_pixel_is_looked_at(void **state)
         glint_image *b = make_grey();
         const int pixel = i / 4;
         const bool is_mask = i % 4 == 3;
-        if (is_mask) {
+        if (is_mask)
             b->object[pixel] = 0;
-        } else {
+        else
             b->rgb[3 * pixel + i % 4] = 101;
-        }
         const glint_image_difference difference = compare(a, b);
         assert_int_equal(difference.differing_pixels, !is_mask);
         assert_int_equal(difference.mask_pixels, is_mask);

@@ -77,20 +77,17 @@ static void write_foreign(const char *path, const foreign *kind)
     png_set_IHDR(png, info, (png_uint_32)kind->width, (png_uint_32)kind->height, kind->depth,
                  kind->color_type, kind->interlace, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
-    if (kind->color_type == PNG_COLOR_TYPE_PALETTE) {
+    if (kind->color_type == PNG_COLOR_TYPE_PALETTE)
         png_set_PLTE(png, info, palette, 4);
-    }
     if (kind->transparent_grey >= 0) {
         const png_color_16 transparent = {.gray = (png_uint_16)kind->transparent_grey};
         png_set_tRNS(png, info, NULL, 0, &transparent);
     }
     png_write_info(png, info);
     const int passes = png_set_interlace_handling(png);
-    for (int pass = 0; pass < passes; pass++) {
-        for (int y = 0; y < kind->height; y++) {
+    for (int pass = 0; pass < passes; pass++)
+        for (int y = 0; y < kind->height; y++)
             png_write_row(png, kind->rows + (size_t)y * kind->row_bytes);
-        }
-    }
     png_write_end(png, info);
     png_destroy_write_struct(&png, &info);
     assert_int_equal(fclose(stream), 0);
@@ -168,9 +165,8 @@ static void interlaced(void **state)
     (void)state;
     uint8_t rows[9 * 11 * 3];
     uint8_t object[9 * 11];
-    for (size_t i = 0; i < sizeof rows; i++) {
+    for (size_t i = 0; i < sizeof rows; i++)
         rows[i] = (uint8_t)(i * 37);
-    }
     memset(object, 1, sizeof object);
     const foreign kind = {9, 11, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_ADAM7, -1, rows, 27};
     assert_reads_as(&kind, rows, object);
@@ -183,9 +179,8 @@ static void assert_refused(const char *path, glint_status status, const char *re
     assert_int_equal(glint_image_read_png(path, &image, &err), status);
     assert_null(image);
     assert_non_null(strstr(err.text, path));
-    if (strstr(err.text, reason) == NULL) {
+    if (strstr(err.text, reason) == NULL)
         fail_msg("\"%s\" does not say \"%s\"", err.text, reason);
-    }
 }
 
 static void every_truncation_is_refused(void **state)

@@ -17,9 +17,8 @@ static bool replace(const glint_rtl *rtl, const glint_rtl *with)
     pthread_mutex_lock(&lock);
     for (int i = 0; i < CIRCUITS && !found; i++) {
         found = mocked[i] == rtl;
-        if (found) {
+        if (found)
             mocked[i] = with;
-        }
     }
     pthread_mutex_unlock(&lock);
     return found;
@@ -41,17 +40,14 @@ glint_status __wrap_glint_rtl_open(const glint_setting *setting, glint_rtl_kind 
 {
     glint_setting real = *setting;
     const bool is_mock = real.verilog != NULL && strcmp(real.verilog, mock_verilog) == 0;
-    if (is_mock) {
+    if (is_mock)
         real.verilog = NULL;
-    }
     const glint_status status = __real_glint_rtl_open(&real, kind, rtl, err);
     if (status == GLINT_OK && is_mock) {
-        if (!replace(NULL, *rtl)) {
+        if (!replace(NULL, *rtl))
             return glint_fail(err, GLINT_NO_MEMORY, "more circuits than the test has room for");
-        }
-        if (mock.opened != NULL) {
+        if (mock.opened != NULL)
             mock.opened();
-        }
     }
     return status;
 }
@@ -59,9 +55,8 @@ glint_status __wrap_glint_rtl_open(const glint_setting *setting, glint_rtl_kind 
 void __wrap_glint_rtl_destroy(glint_rtl *rtl);
 void __wrap_glint_rtl_destroy(glint_rtl *rtl)
 {
-    if (rtl != NULL) {
+    if (rtl != NULL)
         (void)replace(rtl, NULL);
-    }
     __real_glint_rtl_destroy(rtl);
 }
 

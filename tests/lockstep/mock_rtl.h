@@ -5,8 +5,8 @@
  * rtl/batch.h go to mock_rtl.c, which calls the real ones, and for a circuit whose
  * setting.verilog is mock_verilog what the test has put in `mock` instead; that calls
  * __real_glint_rtl_… where it wants. */
-#ifndef GLINT_TESTS_MOCK_RTL_H
-#define GLINT_TESTS_MOCK_RTL_H
+#ifndef GLINT_TESTS_LOCKSTEP_MOCK_RTL_H
+#define GLINT_TESTS_LOCKSTEP_MOCK_RTL_H
 
 #include "rtl/batch.h"
 

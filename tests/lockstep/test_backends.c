@@ -56,9 +56,8 @@ static run expected_run(glint_gate gate, const glint_material *material, const r
     for (size_t i = 0; i < count; i++) {
         glint_specular_values v;
         assert_int_equal(glint_specular_eval(gate, material, before->cosine[i], &v), GLINT_OK);
-        if (with_w) {
+        if (with_w)
             expected.w[i] = v.keys12;
-        }
         expected.r[i] = v.mul13;
         expected.g[i] = v.mul14;
         expected.b[i] = v.mul15;
@@ -96,9 +95,8 @@ static void check_batch(glint_rtl *rtl, const glint_specular_config *config, siz
     const run expected = expected_run(config->gate, &material, &found, count, with_w);
     const uint64_t clocks = glint_rtl_clocks(rtl);
     const glint_points points = points_of(&found, count, with_w);
-    if (glint_rtl_shade(rtl, &material, &points, &err) != GLINT_OK) {
+    if (glint_rtl_shade(rtl, &material, &points, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
     if (memcmp(&found, &expected, sizeof found) != 0) {
         fail_msg("gate %s, pipeline %s, %d lanes: %zu points of n %u",
                  glint_gate_name(config->gate), glint_pipeline_name(config->pipeline),
@@ -117,13 +115,11 @@ static void check_circuit(glint_setting setting, glint_rtl_kind kind)
     const int count = lengths_for(config.lanes, lengths);
     glint_rtl *rtl;
     glint_error err;
-    if (glint_rtl_open(&setting, kind, &rtl, &err) != GLINT_OK) {
+    if (glint_rtl_open(&setting, kind, &rtl, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
     assert_true(glint_rtl_clocks(rtl) == 1);
-    for (int i = 0; i < 2 * count; i++) {
+    for (int i = 0; i < 2 * count; i++)
         check_batch(rtl, &config, lengths[i / 2], i % 2 == 0);
-    }
     glint_rtl_destroy(rtl);
 }
 
@@ -131,9 +127,8 @@ static void check_all_circuits(glint_rtl_kind kind)
 {
     glint_setting setting;
     int circuits = 0;
-    for (; glint_setting_listed(&glint_circuit_specular, circuits, &setting); circuits++) {
+    for (; glint_setting_listed(&glint_circuit_specular, circuits, &setting); circuits++)
         check_circuit(setting, kind);
-    }
     assert_int_equal(circuits, 30);
 }
 
@@ -221,9 +216,8 @@ static void to_real(glint_gate gate, const glint_material *material, size_t coun
 {
     for (size_t i = 0; i < count; i++) {
         const double w = glint_specular_real(gate, material->n, expected->cosine[i]);
-        if (with_w) {
+        if (with_w)
             expected->w[i] = (uint32_t)floor(w * GLINT_W_ONE + 0.5);
-        }
         expected->r[i] = (uint8_t)floor(w * material->r + 0.5);
         expected->g[i] = (uint8_t)floor(w * material->g + 0.5);
         expected->b[i] = (uint8_t)floor(w * material->b + 0.5);
@@ -239,9 +233,8 @@ static void check_shade(glint_backend *backend, const glint_backend_config *conf
     memset(&found, FILLER, sizeof found);
     draw_cosines(material.n, &found);
     run expected = expected_run(config->gate, &material, &found, count, with_w);
-    if (config->kind == GLINT_BACKEND_REAL) {
+    if (config->kind == GLINT_BACKEND_REAL)
         to_real(config->gate, &material, count, with_w, &expected);
-    }
     const glint_points points = points_of(&found, count, with_w);
     assert_int_equal(glint_backend_shade(backend, &material, &points, &err), GLINT_OK);
     if (memcmp(&found, &expected, sizeof found) != 0) {
@@ -259,9 +252,8 @@ static void check_backend(const glint_backend_config *config)
     glint_error err;
     assert_int_equal(glint_backend_create(config, &backend, &err), GLINT_OK);
     const uint64_t before = glint_backend_clocks(backend);
-    for (int i = 0; i < 2 * count; i++) {
+    for (int i = 0; i < 2 * count; i++)
         check_shade(backend, config, lengths[i / 2], i % 2 == 0);
-    }
     assert_true((glint_backend_clocks(backend) > before) == (config->kind == GLINT_BACKEND_RTL));
     glint_backend_destroy(backend);
 }

@@ -26,9 +26,8 @@ static glint_rtl *opened(glint_setting setting, glint_rtl_kind kind)
 {
     glint_rtl *rtl;
     glint_error err;
-    if (glint_rtl_open(&setting, kind, &rtl, &err) != GLINT_OK) {
+    if (glint_rtl_open(&setting, kind, &rtl, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
     return rtl;
 }
 
@@ -78,14 +77,12 @@ static void in_any_order(void **state)
     static const int orders[][CIRCUITS] = {{0, 1, 2, 3}, {3, 2, 1, 0}, {2, 0, 3, 1}};
     for (size_t o = 0; o < sizeof orders / sizeof orders[0]; o++) {
         glint_rtl *rtl[CIRCUITS];
-        for (int i = 0; i < CIRCUITS; i++) {
+        for (int i = 0; i < CIRCUITS; i++)
             rtl[i] = created();
-        }
         for (int i = 0; i < CIRCUITS; i++) {
             glint_rtl_destroy(rtl[orders[o][i]]);
-            for (int j = i + 1; j < CIRCUITS; j++) {
+            for (int j = i + 1; j < CIRCUITS; j++)
                 assert_is_read(rtl[orders[o][j]]);
-            }
         }
     }
 }
@@ -101,15 +98,12 @@ static void in_another_thread(void **state)
     (void)state;
     glint_rtl *rtl[CIRCUITS];
     pthread_t thread[CIRCUITS];
-    for (int i = 0; i < CIRCUITS; i++) {
+    for (int i = 0; i < CIRCUITS; i++)
         rtl[i] = created();
-    }
-    for (int i = 0; i < CIRCUITS - 1; i++) {
+    for (int i = 0; i < CIRCUITS - 1; i++)
         assert_int_equal(pthread_create(&thread[i], NULL, destroy_in_thread, rtl[i]), 0);
-    }
-    for (int i = 0; i < CIRCUITS - 1; i++) {
+    for (int i = 0; i < CIRCUITS - 1; i++)
         assert_int_equal(pthread_join(thread[i], NULL), 0);
-    }
     assert_is_read(rtl[CIRCUITS - 1]);
     glint_rtl_destroy(rtl[CIRCUITS - 1]);
     glint_rtl *after = created();
@@ -177,9 +171,8 @@ static int threads(void)
     int count = 0;
     DIR *tasks = opendir("/proc/self/task");
     assert_non_null(tasks);
-    for (const struct dirent *task; (task = readdir(tasks)) != NULL;) {
+    for (const struct dirent *task; (task = readdir(tasks)) != NULL;)
         count += task->d_name[0] != '.';
-    }
     (void)closedir(tasks);
     return count;
 }

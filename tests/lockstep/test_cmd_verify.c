@@ -45,9 +45,8 @@ static const char *skip_first_verdicts(const char *out, int *count)
 {
     static const char first[] = "first verdict: ";
     *count = 0;
-    for (; strncmp(out, first, sizeof first - 1) == 0; out = strchr(out, '\n') + 1) {
+    for (; strncmp(out, first, sizeof first - 1) == 0; out = strchr(out, '\n') + 1)
         ++*count;
-    }
     return out;
 }
 
@@ -62,9 +61,8 @@ static summary read_summary(const char *out)
                " comparisons: every register and named value, %" SCNu64 " clocks, %d setting",
                &s.mismatches, &s.comparisons, &s.clocks, &s.settings) != 4 ||
         sscanf(strstr(sum, ", seed "), ", seed %" SCNu64, &s.seed) != 1 ||
-        (plural != NULL) != (s.settings != 1)) {
+        (plural != NULL) != (s.settings != 1))
         fail_msg("not a summary: \"%s\"", out);
-    }
     return s;
 }
 
@@ -75,11 +73,9 @@ static void all_settings_are_verified(void **state)
     uint64_t signals = 0;
     assert_outcome(&done, 0, "");
     const summary s = read_summary(done.out);
-    for (int gate = 0; gate < GLINT_GATE_COUNT; gate++) {
-        for (int pipeline = 0; pipeline < GLINT_PIPELINE_COUNT; pipeline++) {
+    for (int gate = 0; gate < GLINT_GATE_COUNT; gate++)
+        for (int pipeline = 0; pipeline < GLINT_PIPELINE_COUNT; pipeline++)
             signals += signals_of((glint_gate)gate, (glint_pipeline)pipeline);
-        }
-    }
     assert_true(s.mismatches == 0 && s.settings == 30 && s.seed == 77);
     assert_true(s.clocks == 30 * 2000);
     assert_true(s.comparisons == 2000 * signals);
@@ -353,10 +349,8 @@ static void what_makes_no_sense_is_refused(void **state)
     };
     for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
         outcome done = run(lines[i], "");
-        if (done.status != 2 || strncmp(done.err, "glint verify: ", 14) != 0 ||
-            done.out[0] != '\0') {
+        if (done.status != 2 || strncmp(done.err, "glint verify: ", 14) != 0 || done.out[0] != '\0')
             fail_msg("%s: exit status %d, \"%s\"", lines[i], done.status, done.err);
-        }
         forget(&done);
     }
 }
@@ -384,9 +378,8 @@ static char *interrupt_verify(const char *last_argument)
                                 "--seed",           "5",      last_argument, NULL};
     const pid_t child = child_start(argv, scratch_path("verify.out"), scratch_path("verify.err"));
     child_wait_for_handler(child);
-    for (int i = 0; i < 10; i++) {
+    for (int i = 0; i < 10; i++)
         child_pause();
-    }
     assert_int_equal(kill(child, SIGINT), 0);
     assert_int_equal(child_wait(child, SECONDS), 2);
     return scratch_read(scratch_path("verify.out"), NULL);

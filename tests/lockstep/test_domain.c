@@ -46,9 +46,8 @@ static void run(const glint_domain_options *options)
 {
     glint_error err;
     memset(&result, 0x5a, sizeof result);
-    if (glint_domain_run(options, &result, &err) != GLINT_OK) {
+    if (glint_domain_run(options, &result, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
 }
 
 /* ---- All of it ----------------------------------------------------------------------------------
@@ -121,9 +120,8 @@ static uint64_t points_of(const glint_domain_options *options)
 {
     const uint64_t first = options->shard - 1 + options->shards * glint_domain_offset(options);
     uint64_t count = 0;
-    for (uint64_t p = first; p < POINTS; p += options->shards * options->stride) {
+    for (uint64_t p = first; p < POINTS; p += options->shards * options->stride)
         count += p >= options->from;
-    }
     return count;
 }
 
@@ -206,9 +204,8 @@ static void what_makes_no_sense_is_refused(void **state)
     static const glint_specular_config config = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1};
     const glint_domain_options usual = options_for(GLINT_DIVIDER_PIPELINED);
     glint_domain_options bad[8];
-    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
         bad[i] = usual;
-    }
     bad[0].from = POINTS;
     bad[1].shard = 2;
     bad[2].shard = 0;
@@ -245,9 +242,8 @@ static void a_mismatch_is_seen_again(void **state)
         options.setting.verilog = wrong_rtl(cases[i].fault);
         run(&options);
         assert_true(result.kept > 0);
-        if (glint_failure_of_domain(&options, &result.mismatch[0], &failure, &err) != GLINT_OK) {
+        if (glint_failure_of_domain(&options, &result.mismatch[0], &failure, &err) != GLINT_OK)
             fail_msg("%s", err.text);
-        }
         assert_int_equal(failure->kind, GLINT_FAILURE_EXHAUSTIVE);
         assert_non_null(failure->pins);
         assert_true(failure->finding.clock <= result.mismatch[0].signal.clock);

@@ -181,9 +181,8 @@ static double number_before(const char *text, const char *word)
 {
     const char *at = strstr(text, word);
     assert_non_null(at);
-    while (at > text && strchr("0123456789.", at[-1]) != NULL) {
+    while (at > text && strchr("0123456789.", at[-1]) != NULL)
         at--;
-    }
     return strtod(at, NULL);
 }
 
@@ -257,9 +256,8 @@ static void what_makes_no_sense_is_refused(void **state)
         char command_line[128];
         (void)snprintf(command_line, sizeof command_line, "verify --exhaustive %s", options[i]);
         outcome done = run(command_line, "");
-        if (done.status != 2) {
+        if (done.status != 2)
             fail_msg("%s: exit status %d", options[i], done.status);
-        }
         assert_string_equal(done.out, "");
         forget(&done);
     }

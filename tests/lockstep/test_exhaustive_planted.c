@@ -64,9 +64,8 @@ static void wait_for_all(void)
 {
     static _Thread_local int came_to; /* the comparison that this thread was last waited for in */
     struct timespec until;
-    if (awaited == 0 || came_to == comparison) {
+    if (awaited == 0 || came_to == comparison)
         return;
-    }
     came_to = comparison;
     clock_gettime(CLOCK_REALTIME, &until);
     until.tv_sec += SECONDS;
@@ -103,9 +102,8 @@ static glint_status shade_planted(glint_rtl *rtl, const glint_material *material
     wait_for_all();
     for (size_t i = 0; i < points->count; i++) {
         const point point = {material, points->cos[i], (int)(i % LANES), i, points->count};
-        if (planted.where(&point)) {
+        if (planted.where(&point))
             alter(points, i);
-        }
     }
     batches++;
     asked += points->count;
@@ -134,9 +132,8 @@ static void compare(glint_exhaustive_options options)
     alterations = batches = asked = 0;
     arrived = 0;
     comparison++;
-    if (glint_exhaustive_run(&options, &result, &err) != GLINT_OK) {
+    if (glint_exhaustive_run(&options, &result, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
 }
 
 static void plant_and_compare(const plant *what, glint_exhaustive_options options)
@@ -289,21 +286,18 @@ static bool note_material(const point *point)
 {
     const glint_material *m = point->material;
     const bool is_white = m->r == 255 && m->g == 255 && m->b == 255;
-    if (m->n != 2) {
+    if (m->n != 2)
         has_place[is_white][point->code % STRIDE] = true;
-    }
-    if (m->n != 2 && !is_white) {
+    if (m->n != 2 && !is_white)
         has_color[0][m->r] = has_color[1][m->g] = has_color[2][m->b] = true;
-    }
     return false;
 }
 
 static int count_of(const bool *has, int room)
 {
     int count = 0;
-    for (int i = 0; i < room; i++) {
+    for (int i = 0; i < room; i++)
         count += has[i];
-    }
     return count;
 }
 
@@ -317,12 +311,10 @@ static void colors_and_strides_change_with_n(void **state)
     options.seed = 1;
     plant_and_compare(&note, options);
     assert_int_equal(result.circuit[0].mismatches, 0);
-    for (int component = 0; component < 3; component++) {
+    for (int component = 0; component < 3; component++)
         assert_int_equal(count_of(has_color[component], 256), 256);
-    }
-    for (int sweep = 0; sweep < 2; sweep++) {
+    for (int sweep = 0; sweep < 2; sweep++)
         assert_int_equal(count_of(has_place[sweep], STRIDE), STRIDE);
-    }
 }
 
 /* ---- Every thread
@@ -430,11 +422,9 @@ static void the_two_sweeps_of_an_n_take_two_lanes(void **state)
 {
     (void)state;
     note_lanes(only_n(options_for(sound), 100));
-    for (int lane = 0; lane < LANES; lane++) {
-        for (uint32_t code = 0; code < CODES; code++) {
+    for (int lane = 0; lane < LANES; lane++)
+        for (uint32_t code = 0; code < CODES; code++)
             assert_true(met[WHITE][lane][code] + met[COLORED][lane][code] <= 1);
-        }
-    }
 }
 
 /* Two lanes in the middle answer with each other's W, for one n and one W that one code has. */
@@ -490,11 +480,9 @@ static void every_lane_sees_every_code(void **state)
     assert_counts(LANES * of_a_lane, 0);
     assert_every_lane_met_every_code(WHITE);
     assert_every_lane_met_every_code(COLORED);
-    for (int lane = 0; lane < LANES; lane++) {
-        for (uint32_t code = 0; code < CODES; code++) {
+    for (int lane = 0; lane < LANES; lane++)
+        for (uint32_t code = 0; code < CODES; code++)
             in_multipliers += met[MULTIPLIERS][lane][code] != 0;
-        }
-    }
     assert_int_equal(in_multipliers, (uint64_t)LANES * (QUARTER + 1));
 }
 
@@ -512,9 +500,8 @@ static void the_differences_of_each_lane_are_found(void **state)
             .where = in_lane, .value = (glint_answer_value)(lane % 4), .lane = lane};
         plant_and_compare(&what, only_n(options_for(sound), 40));
         assert_counts(2 * CODES + QUARTER, (2 * CODES + QUARTER) / LANES);
-        for (int i = 0; i < result.kept; i++) {
+        for (int i = 0; i < result.kept; i++)
             assert_int_equal(result.mismatch[i].answer.at % LANES, lane);
-        }
     }
 }
 
@@ -540,9 +527,8 @@ static void any_number_of_lanes_sees_every_code(void **state)
         const uint64_t sweep = (CODES + l - 1) / l * l;
         assert_counts(2 * sweep + (QUARTER + l - 1) / l * l, 0);
         assert_int_equal(result.circuit[0].pairs, QUARTER);
-        for (uint32_t code = 0; code < CODES; code++) {
+        for (uint32_t code = 0; code < CODES; code++)
             assert_int_equal(met[WHITE][0][code], 1);
-        }
     }
 }
 

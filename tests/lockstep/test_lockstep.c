@@ -34,9 +34,8 @@ static int draw_seed(void **state)
 static bool listed(int number, glint_setting *setting, glint_specular_config *config)
 {
     const bool there = glint_setting_listed(&glint_circuit_specular, number, setting);
-    if (there) {
+    if (there)
         *config = glint_specular_config_of(setting->values);
-    }
     return there;
 }
 
@@ -179,17 +178,15 @@ static int count_equal_inputs(uint64_t seed_a, uint64_t seed_b, int lanes)
 static void a_seed_gives_the_same_inputs_again(void **state)
 {
     (void)state;
-    for (int lanes = 1; lanes <= GLINT_LANES_MAX; lanes *= 2) {
+    for (int lanes = 1; lanes <= GLINT_LANES_MAX; lanes *= 2)
         assert_int_equal(count_equal_inputs(seed, seed, lanes), CLOCKS);
-    }
 }
 
 static void another_seed_gives_other_inputs(void **state)
 {
     (void)state;
-    for (uint64_t other = seed + 1; other <= seed + 20; other++) {
+    for (uint64_t other = seed + 1; other <= seed + 20; other++)
         assert_true(count_equal_inputs(seed, other, 1) < CLOCKS / 10);
-    }
 }
 
 /* One input or state a clock that the stimulus promises, and how often it came. */
@@ -280,9 +277,8 @@ static void count_points(situations *c, const glint_specular_inputs *in,
 }
 
 #define ASSERT_CAME(name)                                                                          \
-    if (counted.name == 0) {                                                                       \
-        fail_msg("%d lanes, seed %" PRIu64 ": " #name " never came", config.lanes, seed);          \
-    }
+    if (counted.name == 0)                                                                         \
+        fail_msg("%d lanes, seed %" PRIu64 ": " #name " never came", config.lanes, seed);
 
 static void the_stimulus_reaches_every_situation(void **state)
 {
@@ -306,11 +302,10 @@ static void the_stimulus_reaches_every_situation(void **state)
         }
         glint_specular_device_destroy(device);
         SITUATIONS(ASSERT_CAME)
-        if (lanes > 1) {
+        if (lanes > 1)
             ASSERT_CAME(some_lanes_valid)
-        } else {
+        else
             assert_int_equal(counted.some_lanes_valid, 0);
-        }
     }
 }
 
@@ -318,12 +313,10 @@ static void the_stimulus_reaches_every_situation(void **state)
 static bool is_constant(const glint_specular_config *config, const char *name)
 {
     const bool rom9 = strstr(name, "rom9") != NULL;
-    if (config->gate == GLINT_GATE_COSINE) {
+    if (config->gate == GLINT_GATE_COSINE)
         return false;
-    }
-    if (config->gate == GLINT_GATE_SIGN) {
+    if (config->gate == GLINT_GATE_SIGN)
         return rom9;
-    }
     /* Gate drawn: one limit, in a register that a reset clears; the comparison waits for the
      * square, so it goes through no register. */
     return strstr(name, "_cmp11") != NULL ||

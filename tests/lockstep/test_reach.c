@@ -106,14 +106,12 @@ static bool device_holds_points(const glint_setting *setting, const glint_specul
 static bool divider_holds_divisions(const glint_setting *setting,
                                     const glint_divider_device *device)
 {
-    if (is_sequential(setting)) {
+    if (is_sequential(setting))
         return glint_divider_device_sequential(device)->busy != 0;
-    }
     const glint_divider_pipelined_signals *s = glint_divider_device_pipelined(device);
     bool holds = s->s0_valid != 0;
-    for (int j = 1; j < setting->values[GLINT_DIVIDER_SHIFTS]; j++) {
+    for (int j = 1; j < setting->values[GLINT_DIVIDER_SHIFTS]; j++)
         holds |= s->stage[j].valid != 0;
-    }
     return holds;
 }
 
@@ -166,9 +164,8 @@ static void note_all(recount *all, const glint_setting *setting)
 static uint64_t sum(const bool *what, const bool *and)
 {
     uint64_t count = 0;
-    for (int i = 0; i < RECOUNTED; i++) {
+    for (int i = 0; i < RECOUNTED; i++)
         count += what[i] && (and == NULL || and[i]);
-    }
     return count;
 }
 
@@ -178,9 +175,8 @@ static uint64_t longest(const bool *ends, const bool *counts)
     uint64_t most = 0;
     for (int first = 0; first < RECOUNTED; first++) {
         uint64_t row = 0;
-        for (; first < RECOUNTED && !ends[first]; first++) {
+        for (; first < RECOUNTED && !ends[first]; first++)
             row += counts == NULL || counts[first];
-        }
         most = row > most ? row : most;
     }
     return most;
@@ -193,15 +189,12 @@ static void assert_counted(const recount *all, const glint_setting *setting,
     const int lanes = lanes_of(setting);
     uint64_t patterns = 0;
     int alone = 0;
-    for (int i = 0; i < RECOUNTED; i++) {
+    for (int i = 0; i < RECOUNTED; i++)
         ends_stall[i] = all->en[i] || all->reset[i];
-    }
-    for (uint32_t i = 1; i < 1u << lanes; i++) {
+    for (uint32_t i = 1; i < 1u << lanes; i++)
         patterns += all->pattern[i];
-    }
-    for (int i = 0; i < lanes; i++) {
+    for (int i = 0; i < lanes; i++)
         alone += all->pattern[1u << i];
-    }
     assert_int_equal(found->run, longest(all->reset, NULL));
     assert_int_equal(found->run_enabled, longest(all->reset, all->en));
     assert_int_equal(found->stall, longest(ends_stall, NULL));
@@ -390,9 +383,8 @@ static void thirty_two_lanes_are_counted_alone(void **state)
     static glint_reach_count count;
     static odd_pins clocks[34];
     const glint_setting setting = {.circuit = &odd, .values = {32, 1, 2, 1}};
-    for (uint32_t i = 0; i < 34; i++) {
+    for (uint32_t i = 0; i < 34; i++)
         clocks[i] = (odd_pins){.reset_n = 1, .take = i % 2, .lanes = UINT32_C(1) << i % 32};
-    }
     clocks[7].lanes = 0xffffffff;
     assert_int_equal(glint_reach_lanes(&setting), 32);
     count_odd(&setting, clocks, 34, &count);
@@ -407,10 +399,9 @@ static void thirty_two_lanes_are_counted_alone(void **state)
  */
 
 #define ASSERT_AT_LEAST(value, least)                                                              \
-    if ((uint64_t)(value) < (uint64_t)(least)) {                                                   \
+    if ((uint64_t)(value) < (uint64_t)(least))                                                     \
         fail_msg("seed %" PRIu64 ", setting %zu: " #value " is %" PRIu64 ", not " #least, seed, i, \
-                 (uint64_t)(value));                                                               \
-    }
+                 (uint64_t)(value));
 
 static void assert_mixed(size_t i, const glint_reach *reach)
 {
@@ -420,12 +411,10 @@ static void assert_mixed(size_t i, const glint_reach *reach)
         ASSERT_AT_LEAST(reach->changes, 10000);
         ASSERT_AT_LEAST(reach->lanes_alone, lanes_of(&settings[i]));
     }
-    if (glint_setting_latency(&settings[i]) > 1) {
+    if (glint_setting_latency(&settings[i]) > 1)
         ASSERT_AT_LEAST(reach->resets_in_flight, 20);
-    }
-    if (!is_divider(&settings[i]) && glint_setting_latency(&settings[i]) > 1) {
+    if (!is_divider(&settings[i]) && glint_setting_latency(&settings[i]) > 1)
         ASSERT_AT_LEAST(reach->changes_in_flight, 1000);
-    }
 }
 
 static void the_usual_run_reaches_65536_enabled_clocks_without_reset(void **state)
@@ -464,9 +453,8 @@ static void the_longest_stretch_grows_with_the_run(void **state)
         glint_pins pins;
         glint_random_pins_next(&source, &pins);
         glint_reach_clock(&count, &pins);
-        if (clock % LONG == 0) {
+        if (clock % LONG == 0)
             ASSERT_AT_LEAST(count.reach.run, clock / 4 - clock / 50);
-        }
     }
     resets = count.reach.resets;
     ASSERT_AT_LEAST(resets, 10000);

@@ -69,9 +69,8 @@ static void run_lockstep(const glint_lockstep_options *options)
 {
     glint_error err;
     memset(&result, 0x5a, sizeof result);
-    if (glint_lockstep_run(options, &result, &err) != GLINT_OK) {
+    if (glint_lockstep_run(options, &result, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
 }
 
 static bool is_named(const char *names, const char *name)
@@ -195,12 +194,10 @@ static void open_a_trace_and_fail(void **state)
     const glint_setting setting = glint_setting_specular(&config);
     assert_int_equal(glint_rtl_open(&setting, GLINT_RTL_FST, &child_rtl, &err), GLINT_OK);
     assert_int_equal(glint_rtl_trace_open(child_rtl, child_file, &err), GLINT_OK);
-    for (int i = 0; i < 10; i++) {
+    for (int i = 0; i < 10; i++)
         glint_rtl_clock(child_rtl, &in);
-    }
-    if (child_leaves) {
+    if (child_leaves)
         _exit(7);
-    }
     assert_string_equal("this assertion", "is to fail");
 }
 
@@ -289,9 +286,8 @@ static void a_missing_signal_is_a_device_fault(void **state)
 
 int main(int argc, char **argv)
 {
-    if (argc == 3) {
+    if (argc == 3)
         return run_as_child(argv[2], strcmp(argv[1], "unclosed") == 0);
-    }
     own_path = argv[0];
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_fault_is_found_and_named),

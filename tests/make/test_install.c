@@ -47,9 +47,8 @@ static void expect_lines(const char *lines, const char *said)
     const int status = run_lines(lines);
     char *out = scratch_read(scratch_path("child.out"), NULL);
     char *err = scratch_read(scratch_path("child.err"), NULL);
-    if (status != 0 || strcmp(out, said) != 0) {
+    if (status != 0 || strcmp(out, said) != 0)
         fail_msg("%s: exit status %d, \"%s\", not \"%s\"; \"%s\"", lines, status, out, said, err);
-    }
     free(out);
     free(err);
 }
@@ -61,9 +60,8 @@ static void readme_line(const char *begin, char line[512])
     (void)snprintf(indented, sizeof indented, "\n    %s", begin);
     char *text = scratch_read("README.md", NULL);
     const char *found = strstr(text, indented);
-    if (found == NULL) {
+    if (found == NULL)
         fail_msg("the README has no line \"%s\"", begin);
-    }
     const int length = (int)strcspn(found + 1, "\n");
     assert_true(length < 512);
     (void)snprintf(line, 512, "%.*s", length, found + 1);
@@ -196,9 +194,8 @@ static void a_prefix_that_cannot_be_is_refused(void **state)
         (void)snprintf(lines, sizeof lines, "make install %s", cases[i].places);
         assert_int_not_equal(run_lines(lines), 0);
         char *err = scratch_read(scratch_path("child.err"), NULL);
-        if (strncmp(err, cases[i].said, strlen(cases[i].said)) != 0) {
+        if (strncmp(err, cases[i].said, strlen(cases[i].said)) != 0)
             fail_msg("\"%s\", not \"%s\"", err, cases[i].said);
-        }
         free(err);
     }
     assert_int_equal(access("x", F_OK), -1);

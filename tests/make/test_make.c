@@ -47,9 +47,8 @@ static void expect_made_again(const char *missing, const char *target)
     (void)snprintf(path, sizeof path, "own/%s", missing);
     assert_int_equal(unlink(scratch_path(path)), 0);
     make(target);
-    if (!is_made(missing)) {
+    if (!is_made(missing))
         fail_msg("make %s does not make the missing %s again", target, missing);
-    }
 }
 
 static void what_is_missing_is_made_again(void **state)
@@ -71,9 +70,8 @@ static regex_t misuse;
 static int line_of(const char *text, const char *place)
 {
     int line = 1;
-    for (const char *c = text; c < place; c++) {
+    for (const char *c = text; c < place; c++)
         line += *c == '\n';
-    }
     return line;
 }
 

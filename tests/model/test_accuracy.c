@@ -108,9 +108,8 @@ GLINT_MULTIVERSION
 static uint64_t count_rising(const uint32_t *w)
 {
     uint32_t rising = 0;
-    for (uint32_t code = 0; code + 1 < CODES; code++) {
+    for (uint32_t code = 0; code + 1 < CODES; code++)
         rising += w[code] > w[code + 1];
-    }
     return rising;
 }
 
@@ -118,9 +117,8 @@ GLINT_MULTIVERSION
 static uint64_t count_other_colors(const uint32_t *w, const uint8_t *found, uint8_t color)
 {
     uint32_t others = 0;
-    for (uint32_t code = 0; code < CODES; code++) {
+    for (uint32_t code = 0; code < CODES; code++)
         others += found[code] != glint_block_mul_color(w[code], color);
-    }
     return others;
 }
 
@@ -175,26 +173,22 @@ static uint64_t largest_color_error(const uint8_t *found, uint8_t color, uint32_
 static void measure_w(tally *tally, const uint32_t *w, uint32_t n)
 {
     const uint64_t largest = largest_w_error(w, n);
-    if (largest <= tally->worst_w.error) {
+    if (largest <= tally->worst_w.error)
         return;
-    }
     uint32_t code = 0;
-    while (w_error(w[code], n, code) != largest) {
+    while (w_error(w[code], n, code) != largest)
         code++;
-    }
     tally->worst_w = (worst){largest, n, code};
 }
 
 static void measure_color(tally *tally, const uint8_t *found, int component, uint32_t n)
 {
     const uint64_t largest = largest_color_error(found, colors[component], n);
-    if (largest <= tally->worst_color[component].error) {
+    if (largest <= tally->worst_color[component].error)
         return;
-    }
     uint32_t code = 0;
-    while (color_error(found[code], colors[component], n, code) != largest) {
+    while (color_error(found[code], colors[component], n, code) != largest)
         code++;
-    }
     tally->worst_color[component] = (worst){largest, n, code};
 }
 
@@ -203,9 +197,8 @@ static void run_batch(glint_gate gate, uint32_t n, results *out)
     const glint_material material = {(uint16_t)n, colors[0], colors[1], colors[2]};
     memset(out, 0x5a, sizeof *out);
     if (glint_specular_batch(gate, &material, sweep.codes, CODES, out->w, out->rgb[0], out->rgb[1],
-                             out->rgb[2]) != GLINT_OK) {
+                             out->rgb[2]) != GLINT_OK)
         abort();
-    }
 }
 
 static void sweep_batches(worker *worker, glint_gate gate, uint32_t n, results *out)
@@ -214,9 +207,8 @@ static void sweep_batches(worker *worker, glint_gate gate, uint32_t n, results *
     run_batch(gate, n, out);
     compute_by_blocks(gate, n, worker->blocks);
     tally->batch_differs += memcmp(out->w, worker->blocks, sizeof out->w) != 0;
-    for (int i = 0; i < COMPONENTS; i++) {
+    for (int i = 0; i < COMPONENTS; i++)
         tally->color_differs += count_other_colors(out->w, out->rgb[i], colors[i]);
-    }
 }
 
 static void sweep_n(worker *worker, uint32_t n)
@@ -228,9 +220,8 @@ static void sweep_n(worker *worker, uint32_t n)
     tally->gates_differ += memcmp(worker->cosine, worker->sign, sizeof *worker->sign) != 0;
     tally->rising += count_rising(worker->cosine->w);
     measure_w(tally, worker->cosine->w, n);
-    for (int i = 0; i < COMPONENTS; i++) {
+    for (int i = 0; i < COMPONENTS; i++)
         measure_color(tally, worker->cosine->rgb[i], i, n);
-    }
     tally->points += CODES;
 }
 
@@ -238,17 +229,15 @@ static void *sweep_some(void *context)
 {
     worker *worker = context;
     uint32_t n;
-    while ((n = atomic_fetch_add(&sweep.next_n, N_STEP)) < GLINT_N_COUNT) {
+    while ((n = atomic_fetch_add(&sweep.next_n, N_STEP)) < GLINT_N_COUNT)
         sweep_n(worker, n);
-    }
     return NULL;
 }
 
 static void keep_worse(worst *kept, const worst *other)
 {
-    if (other->error > kept->error) {
+    if (other->error > kept->error)
         *kept = *other;
-    }
 }
 
 static void add_tally(tally *total, const tally *part)
@@ -259,9 +248,8 @@ static void add_tally(tally *total, const tally *part)
     total->color_differs += part->color_differs;
     total->rising += part->rising;
     keep_worse(&total->worst_w, &part->worst_w);
-    for (int i = 0; i < COMPONENTS; i++) {
+    for (int i = 0; i < COMPONENTS; i++)
         keep_worse(&total->worst_color[i], &part->worst_color[i]);
-    }
 }
 
 static int start_worker(worker *worker)
@@ -269,18 +257,16 @@ static int start_worker(worker *worker)
     worker->cosine = malloc(sizeof *worker->cosine);
     worker->sign = malloc(sizeof *worker->sign);
     worker->blocks = malloc(CODES * sizeof *worker->blocks);
-    if (worker->cosine == NULL || worker->sign == NULL || worker->blocks == NULL) {
+    if (worker->cosine == NULL || worker->sign == NULL || worker->blocks == NULL)
         return -1;
-    }
     worker->started = pthread_create(&worker->thread, NULL, sweep_some, worker) == 0;
     return worker->started ? 0 : -1;
 }
 
 static void end_worker(worker *worker)
 {
-    if (worker->started) {
+    if (worker->started)
         pthread_join(worker->thread, NULL);
-    }
     add_tally(&sweep.total, &worker->tally);
     free(worker->cosine);
     free(worker->sign);
@@ -298,15 +284,12 @@ static int run_sweep(void **state)
     sweep.worker_count = (int)(cores < 1 ? 1 : cores > THREADS_MAX ? THREADS_MAX : cores);
     sweep.first_n = glint_random_below(&random, N_STEP);
     sweep.next_n = sweep.first_n;
-    for (uint32_t code = 0; code < CODES; code++) {
+    for (uint32_t code = 0; code < CODES; code++)
         sweep.codes[code] = code;
-    }
-    for (int i = 0; i < sweep.worker_count; i++) {
+    for (int i = 0; i < sweep.worker_count; i++)
         failed |= start_worker(&sweep.workers[i]);
-    }
-    for (int i = 0; i < sweep.worker_count; i++) {
+    for (int i = 0; i < sweep.worker_count; i++)
         end_worker(&sweep.workers[i]);
-    }
     sweep.seconds = child_seconds() - begin;
     return failed;
 }
@@ -322,9 +305,8 @@ static void every_point_was_there(void **state)
                   sweep.total.points, CODES, ns, GLINT_N_COUNT, sweep.worker_count);
     assert_true(sweep.total.points != 0);
     assert_true(sweep.total.points == ns * CODES);
-    if (N_STEP == 1) {
+    if (N_STEP == 1)
         assert_true(sweep.total.points == UINT64_C(268436480)); /* (2^18 + 1) · 2^10 */
-    }
 }
 
 static void batch_is_the_blocks(void **state)
@@ -443,9 +425,8 @@ static void the_real_formula_is_the_fraction(void **state)
             GLINT_COS_ONE - glint_random_below(&random, reach < CODES ? reach : CODES);
         const double expected = in_steps((uint64_t)true_w((int32_t)n, (int32_t)code));
         const double found = glint_specular_real(GLINT_GATE_COSINE, n, code);
-        if (!(found - expected <= 1e-12 && expected - found <= 1e-12)) {
+        if (!(found - expected <= 1e-12 && expected - found <= 1e-12))
             fail_msg("n %u, code %u: %.17g, expected %.17g", n, code, found, expected);
-        }
     }
 }
 

@@ -81,9 +81,8 @@ static void expect(glint_gate gate, const glint_material *material, const offset
         glint_specular_values v;
         assert_int_equal(glint_specular_eval(gate, material, a->cosine[at->cosine + i], &v),
                          GLINT_OK);
-        if (with_w) {
+        if (with_w)
             a->w[at->w + i] = v.keys12;
-        }
         a->r[at->r + i] = v.mul13;
         a->g[at->g + i] = v.mul14;
         a->b[at->b + i] = v.mul15;
@@ -97,9 +96,8 @@ static void check_batch(glint_gate gate, size_t count, bool with_w)
     const glint_material material = draw_material();
     const offsets at = draw_offsets();
     memset(&found, FILLER, sizeof found);
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         found.cosine[at.cosine + i] = draw_cosine(material.n);
-    }
     expected = found;
     expect(gate, &material, &at, count, with_w, &expected);
     assert_int_equal(glint_specular_batch(gate, &material, found.cosine + at.cosine, count,

@@ -25,17 +25,15 @@ static void register1_saturates(void **state)
                                        {ONE + 1, ONE},
                                        {ONE + 1000, ONE},
                                        {2 * ONE - 1, ONE}};
-    for (size_t i = 0; i < COUNT(rows); i++) {
+    for (size_t i = 0; i < COUNT(rows); i++)
         assert_int_equal(glint_block_saturate1(rows[i][0]), rows[i][1]);
-    }
 }
 
 static void adder6_takes_one_off(void **state)
 {
     (void)state;
-    for (uint32_t cosine = 0; cosine <= ONE; cosine++) {
+    for (uint32_t cosine = 0; cosine <= ONE; cosine++)
         assert_int_equal(glint_block_adder6(cosine), (int32_t)cosine - ONE);
-    }
 }
 
 static void multiplier7_rounds_half_up(void **state)
@@ -58,9 +56,8 @@ static void multiplier7_rounds_half_up(void **state)
         {2796203, -ONE, -89478496}, /* the largest: n = 1023, cosine 0; 2796203 · 32 */
         {2796203, -1, -341},        /* −341.333 */
     };
-    for (size_t i = 0; i < COUNT(rows); i++) {
+    for (size_t i = 0; i < COUNT(rows); i++)
         assert_int_equal(glint_block_mul7(rows[i].sigma, rows[i].difference), rows[i].product);
-    }
 }
 
 static void adder8_adds_one(void **state)
@@ -68,9 +65,8 @@ static void adder8_adds_one(void **state)
     (void)state;
     static const int32_t rows[][2] = {
         {0, ONE}, {-1, ONE - 1}, {-ONE, 0}, {-ONE - 1, -1}, {-89478496, -89216352}};
-    for (size_t i = 0; i < COUNT(rows); i++) {
+    for (size_t i = 0; i < COUNT(rows); i++)
         assert_int_equal(glint_block_adder8(rows[i][0]), rows[i][1]);
-    }
 }
 
 static void multiplier10_squares_the_low_bits(void **state)
@@ -171,12 +167,10 @@ static void multiplier13_rounds_half_up(void **state)
         {131071, 1, 0}, {131072, 2, 1},     {514, 255, 0}, /* 131070 / 262144: below a half */
         {515, 255, 1},  {65536, 100, 25},   {ONE - 1, 255, 255}, {34844, 190, 25}, /* 25.25 */
     };
-    for (size_t i = 0; i < COUNT(rows); i++) {
+    for (size_t i = 0; i < COUNT(rows); i++)
         assert_int_equal(glint_block_mul_color(rows[i].w, rows[i].color), rows[i].product);
-    }
-    for (unsigned color = 0; color <= 255; color++) {
+    for (unsigned color = 0; color <= 255; color++)
         assert_int_equal(glint_block_mul_color(ONE, (uint8_t)color), color);
-    }
 }
 
 int main(void)

@@ -107,9 +107,8 @@ static void expect_clock(scoreboard *s, const glint_specular_inputs *in)
         return;
     }
     s->enabled++;
-    if (in->n_we) {
+    if (in->n_we)
         s->material.n = in->n & GLINT_N_MAX;
-    }
     if (in->rgb_we) {
         s->material.r = in->r;
         s->material.g = in->g;
@@ -128,9 +127,8 @@ static void assert_outputs(scoreboard *s)
     const expectation *e = &s->queue[0];
     assert_true(found->out_valid == (due ? e->valid : 0));
     for (int i = 0; due && i < s->config.lanes; i++) {
-        if ((e->valid >> i & 1) == 0) {
+        if ((e->valid >> i & 1) == 0)
             continue;
-        }
         assert_true(found->lane[i].out_w == e->values[i].keys12);
         assert_true(found->lane[i].out_r == e->values[i].mul13);
         assert_true(found->lane[i].out_g == e->values[i].mul14);
@@ -176,12 +174,10 @@ static void draw_inputs(int clock, uint32_t n, glint_specular_inputs *in)
     in->r = (uint8_t)glint_random_bits(&draw);
     in->g = (uint8_t)glint_random_bits(&draw);
     in->b = (uint8_t)glint_random_bits(&draw);
-    if (!glint_random_chance(&draw, gap)) {
+    if (!glint_random_chance(&draw, gap))
         in->in_valid = (uint32_t)glint_random_bits(&draw); /* bits above the lanes, too */
-    }
-    for (int i = 0; i < GLINT_LANES_MAX; i++) {
+    for (int i = 0; i < GLINT_LANES_MAX; i++)
         in->cos[i] = draw_cosine(n);
-    }
 }
 
 static void run_scoreboard(scoreboard *s)
@@ -249,9 +245,8 @@ static void points_under_way_keep_their_material(void **state)
         glint_specular_inputs in[24] = {{.en = 0}};
         int results[24];
         int count = 0;
-        for (int i = 0; i < 24; i++) {
+        for (int i = 0; i < 24; i++)
             in[i].en = 1;
-        }
         in[0] = point(GLINT_COS_ONE);
         write_material(&in[0], 60, 10);
         in[1] = point(GLINT_COS_ONE);
@@ -268,9 +263,8 @@ static void points_under_way_keep_their_material(void **state)
         in[7].r = 99;
         for (int i = 0; i < 24; i++) {
             glint_specular_device_clock(device, &in[i]);
-            if (s->out_valid != 0) {
+            if (s->out_valid != 0)
                 results[count++] = (int)s->lane[0].out_r;
-            }
         }
         static const int expected[] = {10, 20, 20, 30, 0, 8, 99};
         assert_int_equal(count, 7);
@@ -443,9 +437,8 @@ static void every_signal_is_described_once(void **state)
             }
         }
         assert_int_equal(last_lane, config.lanes - 1);
-        for (int block = 1; block < 34; block++) {
+        for (int block = 1; block < 34; block++)
             assert_int_equal(blocks[block], is_in_figure(block));
-        }
         /* Each lane has the same signals. */
         const glint_specular_config two = {config.gate, config.pipeline, 2};
         const int of_a_lane =
@@ -476,11 +469,9 @@ static const said all_said[] = {
 static const said *find_said(const char *name)
 {
     const bool has_stage = name[0] == 's' && name[1] >= '1' && name[1] <= '3' && name[2] == '_';
-    for (size_t i = 0; i < sizeof all_said / sizeof all_said[0]; i++) {
-        if (strcmp(all_said[i].name, has_stage ? name + 3 : name) == 0) {
+    for (size_t i = 0; i < sizeof all_said / sizeof all_said[0]; i++)
+        if (strcmp(all_said[i].name, has_stage ? name + 3 : name) == 0)
             return &all_said[i];
-        }
-    }
     fail_msg("nothing is said of %s", name);
     return NULL;
 }
@@ -520,9 +511,8 @@ static int find_signal(const glint_specular_config *config, const char *name, in
 {
     for (int i = 0; i < glint_specular_signal_count(config); i++) {
         const glint_signal_info info = glint_specular_signal_info(config, i);
-        if (info.lane == lane && strcmp(info.name, name) == 0) {
+        if (info.lane == lane && strcmp(info.name, name) == 0)
             return i;
-        }
     }
     fail_msg("no signal %s", name);
     return -1;
@@ -554,9 +544,8 @@ static void bits_are_those_of_the_signal(void **state)
     for (int i = 0; i < SETTINGS; i++) {
         const glint_specular_config config = setting(i);
         GLINT_SPECULAR_SHARED_SIGNALS(ASSERT_SHARED)
-        for (int lane = 0; lane < config.lanes; lane++) {
+        for (int lane = 0; lane < config.lanes; lane++)
             GLINT_SPECULAR_LANE_SIGNALS(ASSERT_LANE)
-        }
     }
 }
 

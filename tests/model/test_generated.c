@@ -29,27 +29,22 @@ static int file_count;
 /* The words of "GENERATED := …", over lines that end with a backslash. */
 static int read_makefile(void **state)
 {
-    if (scratch_make(state) != 0) {
+    if (scratch_make(state) != 0)
         return -1;
-    }
     makefile = scratch_read("Makefile", NULL);
     char *list = strstr(makefile, "\nGENERATED := ");
-    if (list == NULL) {
+    if (list == NULL)
         return -1;
-    }
     list += strlen("\nGENERATED := ");
     char *end = list;
-    for (; *end != '\0' && *end != '\n'; end++) {
-        if (end[0] == '\\' && end[1] == '\n') {
+    for (; *end != '\0' && *end != '\n'; end++)
+        if (end[0] == '\\' && end[1] == '\n')
             end[0] = end[1] = ' ';
-        }
-    }
     *end = '\0';
     for (char *word = strtok(list, " "); word != NULL; word = strtok(NULL, " ")) {
         char *colon = strchr(word, ':');
-        if (colon == NULL || file_count == FILES_MAX) {
+        if (colon == NULL || file_count == FILES_MAX)
             return -1;
-        }
         *colon = '\0';
         files[file_count++] = (generated){word, colon + 1};
     }
@@ -81,9 +76,8 @@ static int first_different_line(const char *a, const char *b)
 {
     int line = 1;
     for (; *a == *b; a++, b++) {
-        if (*a == '\0') {
+        if (*a == '\0')
             return 0;
-        }
         line += *a == '\n';
     }
     return line;
@@ -114,18 +108,14 @@ static void committed_files_are_what_the_generator_writes(void **state)
 static void every_generated_file_is_looked_at(void **state)
 {
     (void)state;
-    static const char *const paths[] = {"rtl/glint_formats.vh",
-                                        "rtl/sigma_rom.v",
-                                        "rtl/limit_rom.v",
-                                        "rtl/reciprocal_rom.v"};
+    static const char *const paths[] = {"rtl/glint_formats.vh", "rtl/sigma_rom.v",
+                                        "rtl/limit_rom.v", "rtl/reciprocal_rom.v"};
     for (size_t p = 0; p < sizeof paths / sizeof paths[0]; p++) {
         bool listed = false;
-        for (int i = 0; i < file_count; i++) {
+        for (int i = 0; i < file_count; i++)
             listed |= strcmp(files[i].path, paths[p]) == 0;
-        }
-        if (!listed) {
+        if (!listed)
             fail_msg("%s is not listed", paths[p]);
-        }
     }
 }
 
@@ -151,11 +141,9 @@ static void the_header_holds_the_formats(void **state)
     };
     assert_int_equal(generate(scratch_path("formats"), "formats"), 0);
     char *text = scratch_read(scratch_path("formats"), NULL);
-    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
-        if (strstr(text, lines[i]) == NULL) {
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++)
+        if (strstr(text, lines[i]) == NULL)
             fail_msg("missing: %s", lines[i]);
-        }
-    }
     free(text);
 }
 

@@ -67,9 +67,8 @@ static void rom9_is_the_smallest_cosine_inside_for_every_n(void **state)
     for (uint32_t n = 0; n <= 1023; n++) {
         const uint64_t sigma = ((uint64_t)(n + 1) * 16384u + 3u) / 6u;
         uint64_t cosine = 0;
-        while (!is_inside(sigma, cosine)) {
+        while (!is_inside(sigma, cosine))
             cosine++;
-        }
         assert_int_equal(glint_rom9(GLINT_GATE_COSINE, n), cosine);
     }
 }
@@ -84,18 +83,16 @@ static void rom9_is_near_the_true_limit(void **state)
         const double limit = n <= 2 ? 0.0 : 262144.0 * (n - 2.0) / (n + 1.0);
         const double allowed = 32.0 / 3.0 / (sigma * sigma) + 0.5 / sigma + 1.0;
         const double distance = (double)glint_rom9(GLINT_GATE_COSINE, n) - limit;
-        if (distance > allowed || distance < -allowed) {
+        if (distance > allowed || distance < -allowed)
             fail_msg("n = %u: %.2f codes from the true limit, %.2f allowed", n, distance, allowed);
-        }
     }
 }
 
 static void the_limit_never_falls_with_n(void **state)
 {
     (void)state;
-    for (uint32_t n = 1; n <= 1023; n++) {
+    for (uint32_t n = 1; n <= 1023; n++)
         assert_true(glint_rom9(GLINT_GATE_COSINE, n - 1) <= glint_rom9(GLINT_GATE_COSINE, n));
-    }
 }
 
 /* Gate drawn: half of one 8-bit step, 2^18/510 = 514.008; gate sign has no ROM 9. */

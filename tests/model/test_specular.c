@@ -218,9 +218,8 @@ static void cosine_codes_round_half_up_and_clamp(void **state)
     assert_int_equal(glint_cos_code(1.0), ONE);
     assert_int_equal(glint_cos_code(1.5), ONE);
     assert_int_equal(glint_cos_code(INFINITY), ONE);
-    for (uint32_t code = 0; code <= ONE; code++) {
+    for (uint32_t code = 0; code <= ONE; code++)
         assert_int_equal(glint_cos_code(code * ulp), code);
-    }
 }
 
 static void assert_real(glint_gate gate, uint32_t n, uint32_t cosine, double expected)
@@ -268,12 +267,10 @@ static double exact_w(glint_gate gate, int64_t t)
 {
     const int64_t size = t < 0 ? -t : t;
     const double w = (double)size / T_ONE * ((double)size / T_ONE);
-    if (gate != GLINT_GATE_DRAWN) {
+    if (gate != GLINT_GATE_DRAWN)
         return t < 0 ? 0.0 : w;
-    }
-    if (size > T_ONE) {
+    if (size > T_ONE)
         return 1.0;
-    }
     return 510 * size * size >= (int64_t)T_ONE * T_ONE ? w : 0.0;
 }
 
@@ -294,9 +291,8 @@ static void assert_real_about(glint_gate gate, uint32_t n, double least)
     const double code = ONE + (least - 1.0) * T_ONE / (n + 1.0);
     for (int i = -3; i <= 4; i++) {
         const double at = floor(code) + i;
-        if (at >= 0 && at <= ONE) {
+        if (at >= 0 && at <= ONE)
             assert_real_w(gate, n, (uint32_t)at);
-        }
     }
 }
 

@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-#include "../netlist/pins.h"
 #include "../circuits/find.h"
+#include "../netlist/pins.h"
 #include "circuit/random_pins.h"
 #include "lockstep/signals.h"
 #include "sweep.h"

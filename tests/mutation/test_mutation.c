@@ -71,9 +71,8 @@ static void ask(const char *where, int mutant, char answer[ANSWER_SIZE])
     const char *const argv[] = {"tests/mutation/prove.sh", where, number, seconds, NULL};
     const int status = child_run(argv, LONG_ENOUGH);
     char *text = said(status == 0 ? "child.out" : "child.err");
-    if (status != 0) {
+    if (status != 0)
         fail_msg("prove.sh: %s", text);
-    }
     assert_true(strlen(text) < ANSWER_SIZE);
     strcpy(answer, text);
     free(text);
@@ -191,9 +190,8 @@ static void write_small_faults(const char *const *faults)
 {
     FILE *list = fopen(scratch_path("mutants.list"), "w");
     assert_non_null(list);
-    for (int i = 0; faults[i] != NULL; i++) {
+    for (int i = 0; faults[i] != NULL; i++)
         fprintf(list, "mutate -ctrl mutsel 16 %d %s -portbit 0\n", i + 1, faults[i]);
-    }
     assert_int_equal(fclose(list), 0);
 }
 
@@ -239,9 +237,8 @@ static void a_short_bench_lets_faults_live(void **state)
     assert_int_equal(child_run(argv, LONG_ENOUGH), 0);
     const int count = read_verdicts(verdicts);
     assert_int_equal(count, FAULTS);
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; i++)
         survived += !verdicts[i].killed;
-    }
     assert_true(survived > FAULTS / 2);
 }
 

@@ -1,6 +1,6 @@
 /* The further forms of circuits that a list of tests/circuits.mk names, and how they are built. */
-#ifndef GLINT_TESTS_OPINIONS_H
-#define GLINT_TESTS_OPINIONS_H
+#ifndef GLINT_TESTS_NETLIST_OPINIONS_H
+#define GLINT_TESTS_NETLIST_OPINIONS_H
 
 #include <stdbool.h>
 

@@ -2,8 +2,8 @@
  * in it. Its description is the circuit's with the signals that are pins alone, and with no
  * parameters in the Verilog; so lockstep drives it as any circuit, and compares every output pin
  * after each clock, bit for bit, whether it is valid or not. */
-#ifndef GLINT_TESTS_PINS_H
-#define GLINT_TESTS_PINS_H
+#ifndef GLINT_TESTS_NETLIST_PINS_H
+#define GLINT_TESTS_NETLIST_PINS_H
 
 #include "circuit/setting.h"
 

@@ -33,9 +33,8 @@ static opinion_kind kind_of(const opinion *opinion)
 {
     const char *const end = strchr(opinion->name, '/');
     const char *const fault = strchr(opinion->name, '-');
-    if (fault != NULL && fault < end) {
+    if (fault != NULL && fault < end)
         return WRONG;
-    }
     return strncmp(opinion->name, "nodfg", 5) == 0 || strncmp(opinion->name, "plain", 5) == 0
                ? SECOND
                : NETLIST;
@@ -68,9 +67,8 @@ static void run_lockstep(const opinion *entry, const glint_setting *setting, uin
     const glint_lockstep_options options = {.setting = *setting, .clocks = count, .seed = seed};
     glint_error err;
     assert_true(opinion_choose(entry));
-    if (glint_lockstep_run(&options, found, &err) != GLINT_OK) {
+    if (glint_lockstep_run(&options, found, &err) != GLINT_OK)
         fail_msg("%s: %s", entry->name, err.text);
-    }
 }
 
 static tally compare(const opinion *entry)
@@ -96,9 +94,8 @@ static int compare_all(opinion_kind kind, const char *what, tally *sum, int *cir
     *circuits = 0;
     for (int i = 0; i < opinion_count; i++) {
         const opinion *entry = &opinions[i];
-        if (kind_of(entry) != kind) {
+        if (kind_of(entry) != kind)
             continue;
-        }
         const tally one = compare(entry);
         print_message("%-44s %" PRIu64 " mismatches of %" PRIu64 "\n", entry->name, one.mismatches,
                       one.comparisons);
@@ -153,9 +150,8 @@ static void a_netlist_is_looked_at_by_its_pins(void **state)
             const glint_signal_info info = netlist.circuit->signal(netlist.values, s);
             assert_int_equal(info.kind, GLINT_SIGNAL_OUTPUT);
         }
-        for (int s = 0; s < whole->circuit->signal_count(whole->values); s++) {
+        for (int s = 0; s < whole->circuit->signal_count(whole->values); s++)
             outputs += whole->circuit->signal(whole->values, s).kind == GLINT_SIGNAL_OUTPUT;
-        }
         const bool busy = whole->circuit == &glint_circuit_divider &&
                           whole->values[GLINT_DIVIDER_FORM] == GLINT_DIVIDER_SEQUENTIAL;
         assert_int_equal(netlist.circuit->signal_count(netlist.values), outputs + busy);
@@ -195,9 +191,8 @@ static void each_bit_of_each_pin_is_looked_at(void **state)
     (void)state;
     int pins = 0;
     for (int i = 0; i < opinion_count; i++) {
-        if (kind_of(&opinions[i]) != NETLIST) {
+        if (kind_of(&opinions[i]) != NETLIST)
             continue;
-        }
         const glint_setting netlist = pins_setting(&opinions[i].setting);
         for (int s = 0; s < netlist.circuit->signal_count(netlist.values); s++) {
             assert_pin_looked_at(&opinions[i], &netlist, s);

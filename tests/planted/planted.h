@@ -7,8 +7,8 @@
  * build/planted/glint is the command linked so. It takes what is planted from the environment:
  * GLINT_PLANTED_SIGNAL and GLINT_PLANTED_CLOCK: the lowest bit of this signal after this clock, in
  * every circuit; GLINT_PLANTED_ANSWER and GLINT_PLANTED_VALUE: as below. */
-#ifndef GLINT_TESTS_PLANTED_H
-#define GLINT_TESTS_PLANTED_H
+#ifndef GLINT_TESTS_PLANTED_PLANTED_H
+#define GLINT_TESTS_PLANTED_PLANTED_H
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -46,9 +46,8 @@ static inline int planted_settings(glint_setting settings[PLANTED_SETTINGS_MAX])
     for (int c = 0; (circuit = glint_circuit_number(c)) != NULL; c++) {
         glint_setting setting;
         for (int i = 0; glint_setting_listed(circuit, i, &setting); i++) {
-            if (count == PLANTED_SETTINGS_MAX) {
+            if (count == PLANTED_SETTINGS_MAX)
                 return -1;
-            }
             settings[count++] = setting;
         }
     }

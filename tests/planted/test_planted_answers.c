@@ -24,9 +24,8 @@ static glint_division divisions[DIVISIONS];
 static int make_questions(void **state)
 {
     (void)state;
-    for (uint32_t i = 0; i < POINTS; i++) {
+    for (uint32_t i = 0; i < POINTS; i++)
         cosine[i] = GLINT_COS_ONE - 1000 * i;
-    }
     for (int i = 0; i < DIVISIONS; i++) {
         divisions[i] = (glint_division){
             .k = (uint8_t)(i + 1),
@@ -107,11 +106,9 @@ static void each_value_of_each_point_is_watched(void **state)
             glint_backend_watch watch;
             glint_error err;
             assert_int_equal(glint_backend_create(&config, &backend, &err), GLINT_OK);
-            for (long at = 0; at < POINTS; at++) {
-                for (int v = 0; v < GLINT_ANSWER_VALUES; v++) {
+            for (long at = 0; at < POINTS; at++)
+                for (int v = 0; v < GLINT_ANSWER_VALUES; v++)
                     assert_watched(backend, at, (glint_answer_value)v);
-                }
-            }
             plant.answer = PLANTED_NOWHERE;
             shade(backend, &watch, true);
             assert_false(watch.found);
@@ -146,11 +143,9 @@ static void each_quotient_of_each_division_is_watched(void **state)
             glint_divider_backend *backend;
             glint_error err;
             assert_int_equal(glint_divider_backend_create(&config, &backend, &err), GLINT_OK);
-            for (long at = 0; at < DIVISIONS; at++) {
-                for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++) {
+            for (long at = 0; at < DIVISIONS; at++)
+                for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++)
                     assert_division_watched(backend, at, c);
-                }
-            }
             glint_divider_backend_destroy(backend);
         }
     }
@@ -167,9 +162,8 @@ static void ask(const glint_answer *answer, const glint_setting *setting, bool p
     plant_answer(planted_there ? answer->at : PLANTED_NOWHERE, answer->value);
     assert_int_equal(glint_answer_ask(answer, setting, &model, &rtl, &err), GLINT_OK);
     assert_int_equal(model ^ rtl, planted_there);
-    if (setting->circuit == &glint_circuit_specular) {
+    if (setting->circuit == &glint_circuit_specular)
         assert_int_equal(model, model_value(answer->cos_code[answer->at], answer->value));
-    }
 }
 
 static void each_value_is_asked_again(void **state)

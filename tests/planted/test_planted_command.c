@@ -30,9 +30,8 @@ static int choose_command(void **state)
 {
     static glint_setting each[PLANTED_SETTINGS_MAX];
     settings = planted_settings(each);
-    for (int i = 0; i < settings; i++) {
+    for (int i = 0; i < settings; i++)
         signals += each[i].circuit->signal_count(each[i].values);
-    }
     const char *build = getenv("GLINT_BUILD");
     (void)snprintf(planted_command, sizeof planted_command, "GLINT=%s/planted/glint",
                    build != NULL ? build : "build");

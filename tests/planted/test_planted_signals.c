@@ -47,9 +47,8 @@ static void run_lockstep(const glint_setting *setting, uint64_t clocks)
     glint_error err;
     const glint_lockstep_options options = {.setting = *setting, .clocks = clocks, .seed = seed};
     memset(&result, 0x5a, sizeof result);
-    if (glint_lockstep_run(&options, &result, &err) != GLINT_OK) {
+    if (glint_lockstep_run(&options, &result, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
     assert_true(result.clocks == clocks);
     assert_true(result.comparisons == clocks * (uint64_t)glint_setting_signal_count(setting));
 }
@@ -103,9 +102,8 @@ static void each_bit_of_each_signal_of_each_setting_is_looked_at(void **state)
     int signals = 0, of_thesis = 0, settings_of_thesis = 0;
     for (int s = 0; s < count; s++) {
         const int here = glint_setting_signal_count(&settings[s]);
-        for (int i = 0; i < here; i++) {
+        for (int i = 0; i < here; i++)
             assert_each_bit_found(&settings[s], i);
-        }
         signals += here;
         if (planted_in_thesis(&settings[s])) {
             of_thesis += here;
@@ -134,9 +132,8 @@ static void each_clock_is_looked_at(void **state)
         run_lockstep(&settings[s], 2100);
         assert_true(result.mismatches == result.comparisons);
         assert_true(result.first_clock == 1);
-        for (int i = 0; i < result.totals_count; i++) {
+        for (int i = 0; i < result.totals_count; i++)
             total += result.totals[i].mismatches;
-        }
         assert_true(total == result.mismatches);
     }
 }
@@ -216,11 +213,9 @@ static void assert_played(const glint_setting *setting, int index)
 static void a_replay_looks_at_each_signal_of_each_setting(void **state)
 {
     (void)state;
-    for (int s = 0; s < count; s++) {
-        for (int i = 0; i < glint_setting_signal_count(&settings[s]); i++) {
+    for (int s = 0; s < count; s++)
+        for (int i = 0; i < glint_setting_signal_count(&settings[s]); i++)
             assert_played(&settings[s], i);
-        }
-    }
 }
 
 /* Two findings are the same only if all that was found is. */
@@ -239,9 +234,8 @@ static void findings_are_compared_in_everything(void **state)
                      {5, glint_setting_signal(setting, 20), {3}, {4}}},
     };
     glint_failure_finding b[12];
-    for (int i = 0; i < 12; i++) {
+    for (int i = 0; i < 12; i++)
         b[i] = a;
-    }
     assert_true(glint_failure_same(&a, &b[0]));
     b[0].answer_differs = false;
     b[1].model++;
@@ -255,11 +249,9 @@ static void findings_are_compared_in_everything(void **state)
     b[9].mismatch[0].rtl[0]++;
     b[10].mismatch[1].model[0]++;
     b[11].mismatch[1].rtl[0]++;
-    for (int i = 0; i < 12; i++) {
-        if (glint_failure_same(&a, &b[i]) || glint_failure_same(&b[i], &a)) {
+    for (int i = 0; i < 12; i++)
+        if (glint_failure_same(&a, &b[i]) || glint_failure_same(&b[i], &a))
             fail_msg("alteration %d makes no difference", i);
-        }
-    }
 }
 
 int main(void)

@@ -27,9 +27,8 @@ static uint64_t of_eval(glint_gate gate, uint32_t n, uint64_t digest)
     const glint_material material = material_of(n);
     for (int i = 0; i < PORTABILITY_CODES; i++) {
         glint_specular_values v;
-        if (glint_specular_eval(gate, &material, portability_code(i), &v) != GLINT_OK) {
+        if (glint_specular_eval(gate, &material, portability_code(i), &v) != GLINT_OK)
             return failed();
-        }
         digest = portability_take_point(digest, (uint32_t)v.keys12, (uint8_t)v.mul13,
                                         (uint8_t)v.mul14, (uint8_t)v.mul15);
     }
@@ -41,15 +40,12 @@ static uint64_t of_batch(glint_gate gate, uint32_t n, uint64_t digest)
     static uint32_t codes[PORTABILITY_CODES], w[PORTABILITY_CODES];
     static uint8_t r[PORTABILITY_CODES], g[PORTABILITY_CODES], b[PORTABILITY_CODES];
     const glint_material material = material_of(n);
-    for (int i = 0; i < PORTABILITY_CODES; i++) {
+    for (int i = 0; i < PORTABILITY_CODES; i++)
         codes[i] = portability_code(i);
-    }
-    if (glint_specular_batch(gate, &material, codes, PORTABILITY_CODES, w, r, g, b) != GLINT_OK) {
+    if (glint_specular_batch(gate, &material, codes, PORTABILITY_CODES, w, r, g, b) != GLINT_OK)
         return failed();
-    }
-    for (int i = 0; i < PORTABILITY_CODES; i++) {
+    for (int i = 0; i < PORTABILITY_CODES; i++)
         digest = portability_take_point(digest, w[i], r[i], g[i], b[i]);
-    }
     return digest;
 }
 
@@ -71,9 +67,8 @@ static uint64_t of_device(glint_gate gate, uint32_t n, uint64_t digest)
     const glint_material material = material_of(n);
     glint_specular_device *device;
     int given = 0, left = PORTABILITY_CODES;
-    if (glint_specular_device_create(&config, &device) != GLINT_OK) {
+    if (glint_specular_device_create(&config, &device) != GLINT_OK)
         return failed();
-    }
     while (left > 0) {
         glint_specular_inputs inputs = {.en = 1,
                                         .n_we = given == 0,
@@ -110,11 +105,9 @@ static uint64_t over_points(uint64_t (*of)(glint_gate gate, uint32_t n, uint64_t
 {
     static const glint_gate gates[] = {GLINT_GATE_COSINE, GLINT_GATE_SIGN, GLINT_GATE_DRAWN};
     uint64_t digest = PORTABILITY_DIGEST_START;
-    for (int g = 0; g < 3; g++) {
-        for (int i = 0; i < PORTABILITY_EXPONENTS; i++) {
+    for (int g = 0; g < 3; g++)
+        for (int i = 0; i < PORTABILITY_EXPONENTS; i++)
             digest = of(gates[g], portability_exponent(i), digest);
-        }
-    }
     return digest;
 }
 
@@ -124,9 +117,8 @@ static uint64_t of_divide(int shifts, uint32_t k, uint64_t digest)
         int32_t quotient;
         bool out_of_table;
         if (glint_divide(shifts, i - GLINT_DIVIDER_DIFFERENCE_MAX, k, &quotient, &out_of_table) !=
-            GLINT_OK) {
+            GLINT_OK)
             return failed();
-        }
         digest = portability_take(digest, (uint32_t)quotient, 4);
     }
     return digest;
@@ -140,23 +132,19 @@ static uint64_t of_divide_batch(int shifts, uint32_t k, uint64_t digest)
         const int16_t difference = (int16_t)(i - GLINT_DIVIDER_DIFFERENCE_MAX);
         divisions[i] = (glint_division){{difference, (int16_t)-difference, 0}, (uint8_t)k};
     }
-    if (glint_divide_batch(shifts, divisions, PORTABILITY_DIFFERENCES, quotients) != GLINT_OK) {
+    if (glint_divide_batch(shifts, divisions, PORTABILITY_DIFFERENCES, quotients) != GLINT_OK)
         return failed();
-    }
-    for (int i = 0; i < PORTABILITY_DIFFERENCES; i++) {
+    for (int i = 0; i < PORTABILITY_DIFFERENCES; i++)
         digest = portability_take(digest, (uint32_t)quotients[i].code[0], 4);
-    }
     return digest;
 }
 
 static uint64_t over_divisions(uint64_t (*of)(int shifts, uint32_t k, uint64_t digest))
 {
     uint64_t digest = PORTABILITY_DIGEST_START;
-    for (int shifts = GLINT_DIVIDER_SHIFTS_MIN; shifts <= GLINT_DIVIDER_SHIFTS_MAX; shifts++) {
-        for (uint32_t k = 1; k <= GLINT_DIVIDER_K_MAX; k++) {
+    for (int shifts = GLINT_DIVIDER_SHIFTS_MIN; shifts <= GLINT_DIVIDER_SHIFTS_MAX; shifts++)
+        for (uint32_t k = 1; k <= GLINT_DIVIDER_K_MAX; k++)
             digest = of(shifts, k, digest);
-        }
-    }
     return digest;
 }
 

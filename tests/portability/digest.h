@@ -37,9 +37,8 @@ static inline uint8_t portability_color(uint32_t n, int component)
 
 static inline uint64_t portability_take(uint64_t digest, uint64_t value, int bytes)
 {
-    for (int i = 0; i < bytes; i++) {
+    for (int i = 0; i < bytes; i++)
         digest = (digest ^ (value >> 8 * i & 0xff)) * UINT64_C(0x100000001b3);
-    }
     return digest;
 }
 

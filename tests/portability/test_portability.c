@@ -40,9 +40,8 @@ static uint32_t w_of(uint32_t n, uint32_t code, bool drawn)
                                               1ul << (REFERENCE_SIGMA_BITS + REFERENCE_COS_BITS),
                                               REFERENCE_COS_BITS);
     const long w = reference_nearest_of(t * t, 1ul << 2 * REFERENCE_COS_BITS, REFERENCE_COS_BITS);
-    if (!drawn) {
+    if (!drawn)
         return t < 0 ? 0 : (uint32_t)w;
-    }
     return w < reference_nearest_of(1, 510, REFERENCE_COS_BITS) ? 0 : w > one ? one : (uint32_t)w;
 }
 
@@ -65,11 +64,9 @@ static void the_numbers_are_those_of_exact_rationals(void **state)
     (void)state;
     char digest[17];
     uint64_t points = PORTABILITY_DIGEST_START, divisions = PORTABILITY_DIGEST_START;
-    for (int gate = 0; gate < 3; gate++) {
-        for (int i = 0; i < PORTABILITY_EXPONENTS; i++) {
+    for (int gate = 0; gate < 3; gate++)
+        for (int i = 0; i < PORTABILITY_EXPONENTS; i++)
             points = take_points(portability_exponent(i), gate == 2, points);
-        }
-    }
     (void)snprintf(digest, sizeof digest, "%016" PRIx64, points);
     assert_string_equal(digest, SPECULAR);
     for (unsigned shifts = 6; shifts <= 16; shifts++) {

@@ -7,8 +7,8 @@
  * ⟨x⟩_f is the multiple of 2^−f nearest to x, the larger one where two are. c is the cosine; where
  * t < 0, W is 0 (gates cosine and sign). Gate drawn: W is 0 where ⟨t²⟩₁₈ is below ⟨1/510⟩₁₈, 1
  * where it is above 1. */
-#ifndef GLINT_TESTS_REFERENCE_H
-#define GLINT_TESTS_REFERENCE_H
+#ifndef GLINT_TESTS_REFERENCE_REFERENCE_H
+#define GLINT_TESTS_REFERENCE_REFERENCE_H
 
 #include <gmp.h>
 #include <stdbool.h>

@@ -60,9 +60,8 @@ static void compare_colors(worker *worker, const uint32_t *expected, const glint
     for (int i = 0; i < 3; i++) {
         const uint8_t *products = all.products[colors[i]];
         uint32_t differ = 0;
-        for (uint32_t code = 0; code < REFERENCE_CODES; code++) {
+        for (uint32_t code = 0; code < REFERENCE_CODES; code++)
             differ += worker->rgb[i][code] != products[expected[code]];
-        }
         worker->tally.colors_differ += differ;
     }
 }
@@ -73,12 +72,10 @@ static void compare_gate(worker *worker, glint_gate gate, uint32_t n, const uint
     uint32_t differ = 0;
     memset(worker->w, 0x5a, sizeof worker->w);
     if (glint_specular_batch(gate, &material, all.codes, REFERENCE_CODES, worker->w, worker->rgb[0],
-                             worker->rgb[1], worker->rgb[2]) != GLINT_OK) {
+                             worker->rgb[1], worker->rgb[2]) != GLINT_OK)
         abort();
-    }
-    for (uint32_t code = 0; code < REFERENCE_CODES; code++) {
+    for (uint32_t code = 0; code < REFERENCE_CODES; code++)
         differ += worker->w[code] != expected[code];
-    }
     worker->tally.w_differ += differ;
     worker->tally.points += REFERENCE_CODES;
     compare_colors(worker, expected, &material);
@@ -100,9 +97,8 @@ static void *compare_some(void *context)
 {
     worker *worker = context;
     uint32_t n;
-    while ((n = atomic_fetch_add(&all.next_n, all.step)) < GLINT_N_COUNT) {
+    while ((n = atomic_fetch_add(&all.next_n, all.step)) < GLINT_N_COUNT)
         compare_n(worker, n);
-    }
     return NULL;
 }
 
@@ -120,9 +116,8 @@ static int start_workers(worker **workers, int count)
     for (int i = 0; i < count; i++) {
         workers[i] = calloc(1, sizeof *workers[i]);
         if (workers[i] == NULL ||
-            pthread_create(&workers[i]->thread, NULL, compare_some, workers[i]) != 0) {
+            pthread_create(&workers[i]->thread, NULL, compare_some, workers[i]) != 0)
             return -1;
-        }
     }
     return 0;
 }
@@ -137,20 +132,16 @@ static int run_sweep(void **state)
     const int count = (int)(cores < 1 ? 1 : cores > THREADS_MAX ? THREADS_MAX : cores);
     draw.state = seed_of_this_run();
     all.step = step != NULL ? (uint32_t)strtoul(step, NULL, 10) : 8;
-    if (all.step < 1 || all.step > GLINT_N_COUNT) {
+    if (all.step < 1 || all.step > GLINT_N_COUNT)
         return -1;
-    }
     all.first_n = glint_random_below(&draw, all.step);
     all.next_n = all.first_n;
-    for (uint32_t code = 0; code < REFERENCE_CODES; code++) {
+    for (uint32_t code = 0; code < REFERENCE_CODES; code++)
         all.codes[code] = code;
-    }
-    for (unsigned long color = 0; color < COLORS; color++) {
+    for (unsigned long color = 0; color < COLORS; color++)
         reference_colors(color, all.products[color]);
-    }
-    if (start_workers(workers, count) != 0) {
+    if (start_workers(workers, count) != 0)
         return -1;
-    }
     for (int i = 0; i < count; i++) {
         pthread_join(workers[i]->thread, NULL);
         add_tally(&workers[i]->tally);
@@ -191,9 +182,8 @@ static void multiplier13_is_the_reference(void **state)
     uint64_t points = 0;
     uint64_t differ = 0;
     for (uint32_t color = 0; color < COLORS; color++) {
-        for (uint32_t w = 0; w < REFERENCE_W_CODES; w++) {
+        for (uint32_t w = 0; w < REFERENCE_W_CODES; w++)
             differ += glint_block_mul_color(w, (uint8_t)color) != all.products[color][w];
-        }
         points += REFERENCE_W_CODES;
     }
     print_message("multiplier 13: %" PRIu64 " differ of %" PRIu64 " points\n", differ, points);
@@ -239,11 +229,10 @@ glint_status __wrap_glint_specular_batch(glint_gate gate, const glint_material *
     uint8_t *const colors[] = {r, g, b};
     const glint_status status =
         __real_glint_specular_batch(gate, material, cos_code, count, w_code, r, g, b);
-    if (planted.is && planted.value == PLANTED_W) {
+    if (planted.is && planted.value == PLANTED_W)
         w_code[planted.code] ^= 1;
-    } else if (planted.is) {
+    else if (planted.is)
         colors[planted.value - PLANTED_R][planted.code] ^= 1;
-    }
     return status;
 }
 

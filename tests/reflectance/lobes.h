@@ -1,6 +1,6 @@
 /* What several tests of the models share. Include it after cmocka.h. */
-#ifndef GLINT_TESTS_LOBES_H
-#define GLINT_TESTS_LOBES_H
+#ifndef GLINT_TESTS_REFLECTANCE_LOBES_H
+#define GLINT_TESTS_REFLECTANCE_LOBES_H
 
 #include "reflectance/reflectance.h"
 
@@ -9,9 +9,8 @@ static inline glint_reflectance prepared(glint_reflectance_model model, double n
     glint_reflectance r;
     glint_error err;
     const glint_reflectance_parameters parameters = {.n = n, .f0 = GLINT_F0_DEFAULT};
-    if (glint_reflectance_prepare(model, &parameters, &r, &err) != GLINT_OK) {
+    if (glint_reflectance_prepare(model, &parameters, &r, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
     return r;
 }
 

@@ -48,9 +48,8 @@ static void cosines_are_those_of_the_vectors(void **state)
         const glint_vec3 l = at(random_to(&random, PI), random_to(&random, 2 * PI));
         const glint_vec3 v = at(random_to(&random, PI), random_to(&random, 2 * PI));
         const glint_vec3 sum = glint_vec3_add(l, v);
-        if (glint_vec3_length(sum) < 1e-3) {
+        if (glint_vec3_length(sum) < 1e-3)
             continue;
-        }
         const glint_vec3 h = glint_vec3_scale(sum, 1.0 / glint_vec3_length(sum));
         const glint_geometry g = geometry(n, l, v);
         assert_true(fabs(g.nl - glint_vec3_dot(n, l)) < 1e-12);

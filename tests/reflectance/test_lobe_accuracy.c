@@ -47,9 +47,8 @@ static worst worst_of(glint_reflectance_model model, int first, double level)
 
 static void assert_near(double value, double expected, double tolerance)
 {
-    if (!(fabs(value - expected) <= tolerance)) {
+    if (!(fabs(value - expected) <= tolerance))
         fail_msg("%.8g, expected %.8g", value, expected);
-    }
 }
 
 static void exact_lobes_have_no_error(void **state)

@@ -91,9 +91,8 @@ static void a_lobe_is_one_at_its_centre_and_never_rises_with_the_angle(void **st
     int lobes = 0;
     for (int model = 0; model < GLINT_REFLECTANCE_COUNT; model++) {
         for (size_t i = 0; is_plain_lobe(model) && i < EXPONENTS; i++) {
-            if (!takes(model, exponents[i])) {
+            if (!takes(model, exponents[i]))
                 continue;
-            }
             const glint_reflectance r = prepared((glint_reflectance_model)model, exponents[i]);
             double before = glint_reflectance_of_cosine(&r, 1.0);
             assert_true(before == 1.0);
@@ -205,9 +204,8 @@ static void all_forms_of_a_model_agree(void **state)
     for (int model = 0; model < GLINT_REFLECTANCE_COUNT; model++) {
         for (size_t i = 0; is_lobe(model) && i < EXPONENTS + 4; i++) {
             const double n = i < EXPONENTS ? exponents[i] : large[i - EXPONENTS];
-            if (takes(model, n)) {
+            if (takes(model, n))
                 assert_forms_agree((glint_reflectance_model)model, n);
-            }
         }
     }
 }

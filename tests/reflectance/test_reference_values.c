@@ -20,9 +20,8 @@
 static void assert_close(double value, double expected, double tolerance, const char *model,
                          double n, double cosine)
 {
-    if (!(fabs(value - expected) <= tolerance)) {
+    if (!(fabs(value - expected) <= tolerance))
         fail_msg("%s, n = %g, cosine %g: %.17g, expected %.17g", model, n, cosine, value, expected);
-    }
 }
 
 static void the_table_is_what_bc_computes_today(void **state)
@@ -61,9 +60,8 @@ static void lobes_have_the_values_of_their_formulas(void **state)
     met[GLINT_REFLECTANCE_SCHLICK_MODIFIED_POWER] = met[GLINT_REFLECTANCE_DEVICE] = true;
     met[GLINT_REFLECTANCE_LYON_2_MINIMAX] = met[GLINT_REFLECTANCE_LYON_4_MINIMAX] = true;
     met[GLINT_REFLECTANCE_LYON_8_MINIMAX] = met[GLINT_REFLECTANCE_LYON_16_MINIMAX] = true;
-    for (int model = 0; model < GLINT_REFLECTANCE_COUNT; model++) {
+    for (int model = 0; model < GLINT_REFLECTANCE_COUNT; model++)
         assert_true(met[model] || !is_lobe(model));
-    }
 }
 
 static glint_vec3 at(double from_normal, double around)

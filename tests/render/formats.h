@@ -60,9 +60,8 @@ static inline void put_float(double value)
 
 static inline void put_point(const double p[3])
 {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         put_float(p[i]);
-    }
 }
 
 /* The file is complete. */
@@ -77,16 +76,14 @@ static inline const char *put_down(const char *name)
 /* All vertices by one format of three numbers, all triangles by one of three indices. */
 static inline void put_vertices(const solid *s, const char *format)
 {
-    for (size_t i = 0; i < s->vertices; i++) {
+    for (size_t i = 0; i < s->vertices; i++)
         put(format, s->at[i][0], s->at[i][1], s->at[i][2]);
-    }
 }
 
 static inline void put_triangles(const solid *s, const char *format)
 {
-    for (size_t i = 0; i < s->triangles; i++) {
+    for (size_t i = 0; i < s->triangles; i++)
         put(format, s->corner[i][0], s->corner[i][1], s->corner[i][2]);
-    }
 }
 
 /* ---- The formats -------------------------------------------------------------------------------
@@ -95,9 +92,8 @@ static inline void put_triangles(const solid *s, const char *format)
 static inline void put_obj(const solid *s)
 {
     put_vertices(s, "v %.10g %.10g %.10g\n");
-    for (size_t i = 0; i < s->triangles; i++) {
+    for (size_t i = 0; i < s->triangles; i++)
         put("f %u %u %u\n", s->corner[i][0] + 1, s->corner[i][1] + 1, s->corner[i][2] + 1);
-    }
 }
 
 /* Each side of a cube in a material of its own, as an exporter splits it. */
@@ -124,14 +120,12 @@ static inline void put_ply(const solid *s)
 static inline void put_ply_little(const solid *s)
 {
     put(PLY_HEADER, "binary_little_endian", s->vertices, s->triangles);
-    for (size_t i = 0; i < s->vertices; i++) {
+    for (size_t i = 0; i < s->vertices; i++)
         put_point(s->at[i]);
-    }
     for (size_t i = 0; i < s->triangles; i++) {
         put_number(3, 1);
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; k++)
             put_number(s->corner[i][k], 4);
-        }
     }
 }
 
@@ -143,16 +137,13 @@ static inline void put_big(uint32_t value)
 static inline void put_ply_big(const solid *s)
 {
     put(PLY_HEADER, "binary_big_endian", s->vertices, s->triangles);
-    for (size_t i = 0; i < s->vertices; i++) {
-        for (int k = 0; k < 3; k++) {
+    for (size_t i = 0; i < s->vertices; i++)
+        for (int k = 0; k < 3; k++)
             put_big(bits_of(s->at[i][k]));
-        }
-    }
     for (size_t i = 0; i < s->triangles; i++) {
         put_number(3, 1);
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; k++)
             put_big(s->corner[i][k]);
-        }
     }
 }
 
@@ -287,9 +278,8 @@ static inline void put_stl_binary_with(const solid *s, const double *n)
         const glint_vec3 plane = solid_plane(s, i);
         const double own[3] = {plane.x, plane.y, plane.z};
         put_point(n != NULL ? n : own);
-        for (size_t k = 0; k < 3; k++) {
+        for (size_t k = 0; k < 3; k++)
             put_point(s->at[s->corner[i][k]]);
-        }
         put_number(0, 2);
     }
 }
@@ -307,12 +297,10 @@ static inline void put_base64(const char *bytes, size_t count)
     static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (size_t i = 0; i < count; i += 3) {
         uint32_t bits = 0;
-        for (size_t k = 0; k < 3; k++) {
+        for (size_t k = 0; k < 3; k++)
             bits = bits << 8 | (i + k < count ? (uint8_t)bytes[i + k] : 0u);
-        }
-        for (size_t k = 0; k < 4; k++) {
+        for (size_t k = 0; k < 4; k++)
             put("%c", i + k > count ? '=' : digit[bits >> (18 - 6 * k) & 63]);
-        }
     }
 }
 
@@ -320,14 +308,11 @@ static inline void put_base64(const char *bytes, size_t count)
 static inline size_t gltf_content(const solid *s, bool normals, double length, char *content)
 {
     const size_t begin = page.count;
-    for (size_t i = 0; i < s->vertices; i++) {
+    for (size_t i = 0; i < s->vertices; i++)
         put_point(s->at[i]);
-    }
-    for (size_t i = 0; i < s->triangles; i++) {
-        for (size_t k = 0; k < 3; k++) {
+    for (size_t i = 0; i < s->triangles; i++)
+        for (size_t k = 0; k < 3; k++)
             put_number(s->corner[i][k], 4);
-        }
-    }
     for (size_t i = 0; normals && i < s->vertices; i++) {
         const double n[3] = {length * s->at[i][0], length * s->at[i][1], length * s->at[i][2]};
         put_point(n);
@@ -349,9 +334,8 @@ static inline void put_gltf_json(const solid *s, bool normals, size_t bytes)
     put("\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\"byteLength\":%zu},"
         "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu}",
         place, place, index);
-    if (normals) {
+    if (normals)
         put(",{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu}", place + index, place);
-    }
     put("],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":%zu,"
         "\"type\":\"VEC3\",\"min\":[-1,-1,-1],\"max\":[1,1,1]},{\"bufferView\":1,"
         "\"componentType\":5125,\"count\":%zu,\"type\":\"SCALAR\"}",
@@ -384,9 +368,8 @@ static inline void put_glb(const solid *s)
     const size_t count = gltf_content(s, false, 0.0, content);
     put_gltf_json(s, false, count);
     put("}]}");
-    while (page.count % 4 != 0) {
+    while (page.count % 4 != 0)
         put(" ");
-    }
     const size_t length = page.count;
     assert_true(length <= sizeof json);
     memcpy(json, page.at, length);
@@ -410,9 +393,8 @@ static inline uint32_t crc_of(const char *bytes, size_t count)
     uint32_t crc = 0xffffffffu;
     for (size_t i = 0; i < count; i++) {
         crc ^= (uint8_t)bytes[i];
-        for (int k = 0; k < 8; k++) {
+        for (int k = 0; k < 8; k++)
             crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0u);
-        }
     }
     return ~crc;
 }
@@ -523,17 +505,14 @@ static inline void put_3ds_materials(const solid *s)
     for (uint32_t m = 0; m < 2; m++) {
         const size_t list = begin_chunk(0x4130);
         uint32_t count = 0;
-        for (size_t i = 0; i < s->triangles; i++) {
+        for (size_t i = 0; i < s->triangles; i++)
             count += (i % 3 == 0) == (m == 0);
-        }
         put("m%u", m);
         put_number(0, 1);
         put_number(count, 2);
-        for (size_t i = 0; i < s->triangles; i++) {
-            if ((i % 3 == 0) == (m == 0)) {
+        for (size_t i = 0; i < s->triangles; i++)
+            if ((i % 3 == 0) == (m == 0))
                 put_number((uint32_t)i, 2);
-            }
-        }
         end_chunk(list);
     }
 }
@@ -553,19 +532,16 @@ static inline void put_3ds_object(const solid *s, const char *name, bool groups,
     const size_t faces = begin_chunk(0x4120);
     put_number((uint32_t)s->triangles, 2);
     for (size_t i = 0; i < s->triangles; i++) {
-        for (size_t k = 0; k < 3; k++) {
+        for (size_t k = 0; k < 3; k++)
             put_number(s->corner[i][k], 2);
-        }
         put_number(7, 2);
     }
-    if (materials) {
+    if (materials)
         put_3ds_materials(s);
-    }
     if (groups) {
         const size_t list = begin_chunk(0x4150);
-        for (size_t i = 0; i < s->triangles; i++) {
+        for (size_t i = 0; i < s->triangles; i++)
             put_number(s->group[i], 4);
-        }
         end_chunk(list);
     }
     end_chunk(faces);
@@ -621,16 +597,14 @@ static inline void put_ase(const solid *s, bool groups, bool materials)
     put("*GEOMOBJECT {\n*NODE_NAME \"a\"\n*MESH {\n*MESH_NUMVERTEX %zu\n*MESH_NUMFACES %zu\n",
         s->vertices, s->triangles);
     put("*MESH_VERTEX_LIST {\n");
-    for (size_t i = 0; i < s->vertices; i++) {
+    for (size_t i = 0; i < s->vertices; i++)
         put("*MESH_VERTEX %zu %.10g %.10g %.10g\n", i, s->at[i][0], -s->at[i][2], s->at[i][1]);
-    }
     put("}\n*MESH_FACE_LIST {\n");
     for (size_t i = 0; i < s->triangles; i++) {
         put("*MESH_FACE %zu: A: %u B: %u C: %u AB: 1 BC: 1 CA: 1", i, s->corner[i][0],
             s->corner[i][1], s->corner[i][2]);
-        if (groups) {
+        if (groups)
             put_ase_groups(s->group[i]);
-        }
         put(" *MESH_MTLID %d\n", i % 3 == 0);
     }
     put("}\n}\n%s}\n", materials ? "*MATERIAL_REF 0\n" : "");

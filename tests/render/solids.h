@@ -42,9 +42,8 @@ static inline void solid_cube(solid *s)
     static const uint32_t side[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                         {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     *s = (solid){.vertices = 0};
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < 8; i++)
         solid_vertex(s, i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
-    }
     for (int i = 0; i < 6; i++) {
         solid_triangle(s, side[i][0], side[i][1], side[i][2]);
         solid_triangle(s, side[i][0], side[i][2], side[i][3]);
@@ -161,9 +160,8 @@ static inline glint_mesh *solid_mesh(const solid *s, solid_rule rule)
     assert_int_equal(glint_mesh_new("solid", 3 * s->triangles, s->triangles, &mesh, NULL),
                      GLINT_OK);
     for (size_t i = 0; i < s->triangles; i++) {
-        for (size_t k = 0; k < 3; k++) {
+        for (size_t k = 0; k < 3; k++)
             glint_mesh_add_vertex(mesh, solid_at(s, i, k), solid_normal(s, i, k, rule));
-        }
         const uint32_t first = (uint32_t)(3 * i);
         glint_mesh_add_triangle(mesh, first, first + 1, first + 2);
     }

@@ -28,9 +28,8 @@ static glint_mesh *load(const char *path)
     glint_mesh *mesh = NULL;
     glint_error err = {""};
     const glint_status status = glint_mesh_load(path, NULL, &mesh, &err);
-    if (status != GLINT_OK) {
+    if (status != GLINT_OK)
         fail_msg("refused: %s", err.text);
-    }
     return mesh;
 }
 
@@ -50,9 +49,8 @@ static void take_triangle(const glint_mesh *mesh, size_t at, triangle t)
              (corner[k][1] < least[1] || (corner[k][1] == least[1] && corner[k][2] < least[2])));
         first = less ? k : first;
     }
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         memcpy(t[k], corner[(first + k) % 3], sizeof t[k]);
-    }
 }
 
 static void expect_triangles(const char *name, const glint_mesh *mesh, const triangle *expected,
@@ -103,9 +101,8 @@ static void expect_refused(const reading *files, size_t count)
         const char *path = write_bytes(files[i].name, files[i].text, strlen(files[i].text));
         assert_int_equal(glint_mesh_load(path, NULL, &mesh, &err), GLINT_BAD_INPUT);
         assert_null(mesh);
-        if (strstr(err.text, path) == NULL || strstr(err.text, files[i].remarks) == NULL) {
+        if (strstr(err.text, path) == NULL || strstr(err.text, files[i].remarks) == NULL)
             fail_msg("\"%s\" does not say \"%s\"", err.text, files[i].remarks);
-        }
     }
 }
 
@@ -365,12 +362,10 @@ static void binary_ply_is_the_same(void **state)
         file[length++] = 3;
         for (uint32_t i = 0; i < 3 + 18; i++) {
             uint32_t bits = i;
-            if (i >= 3) {
+            if (i >= 3)
                 memcpy(&bits, &value[(i - 3) / 6][(i - 3) % 6], sizeof bits);
-            }
-            for (int k = 0; k < 4; k++) {
+            for (int k = 0; k < 4; k++)
                 file[length++] = (char)(bits >> 8 * (big ? 3 - k : k));
-            }
         }
         glint_mesh *mesh = load(write_bytes("binary.ply", file, (size_t)length));
         expect_triangles("binary.ply", mesh, one, 1);

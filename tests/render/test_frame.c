@@ -129,9 +129,8 @@ static void interpolation_is_perspective_correct(void **state)
                              {0.6, 0.6, -0.52915026221291817}};
     const glint_vec3 n[3] = {{-0.5, 0.2, 1.0}, {0.7, -0.3, 0.8}, {0.1, 0.9, 0.6}};
     plain_mesh *m = new_mesh();
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         add_corner(m, p[i], n[i]);
-    }
     add_triangle(m, 0, 1, 2);
     const glint_scene scene = straight_scene(m, 1.6f);
     studio s = open_studio(640, 480, 2, GLINT_BACKEND_C);
@@ -141,9 +140,8 @@ static void interpolation_is_perspective_correct(void **state)
     for (int y = 0; y < 480; y++) {
         for (int x = 0; x < 640; x++) {
             uint32_t code;
-            if (!fragment(&s, x, y, &code)) {
+            if (!fragment(&s, x, y, &code))
                 continue;
-            }
             glint_vec3 q[3], c[3];
             for (int i = 0; i < 3; i++) {
                 q[i] = glint_vec3_of(&m->position[3 * i]);
@@ -188,9 +186,8 @@ static void cosines_on_the_sphere(void **state)
             const double distance = (double)scene.distance;
             const double towards = -distance * along.z;
             const double miss = distance * distance - towards * towards;
-            if (!fragment(&s, x, y, &code) || miss > 0.9) {
+            if (!fragment(&s, x, y, &code) || miss > 0.9)
                 continue;
-            }
             glint_vec3 n = glint_vec3_scale(along, towards - sqrt(1.0 - miss));
             n.z += distance;
             const double slope = sqrt(miss / (1.0 - miss));
@@ -404,9 +401,8 @@ static void crossing_triangles_part_where_they_meet(void **state)
     shoot(&s, &scene);
     for (int x = 60; x < 140; x++) {
         uint32_t code;
-        if (x == 99 || x == 100) {
+        if (x == 99 || x == 100)
             continue;
-        }
         assert_true(fragment(&s, x, 100, &code));
         const glint_vec3 along = ray(s.image, &scene, x, 100);
         const double expected = analytic_cosine(&scene, along, normals[x < 100 ? 0 : 1]);

@@ -225,9 +225,8 @@ static void add_corner(plain_mesh *m, glint_vec3 p, glint_vec3 n)
 static void add_triangle(plain_mesh *m)
 {
     uint32_t *index = &m->index[3 * m->mesh.triangle_count++];
-    for (uint32_t i = 0; i < 3; i++) {
+    for (uint32_t i = 0; i < 3; i++)
         index[i] = (uint32_t)m->mesh.vertex_count - 3 + i;
-    }
 }
 
 static glint_scene straight_scene(const glint_mesh *mesh, glint_shading shading, float distance)
@@ -341,16 +340,13 @@ static size_t count_colors(const studio *s)
     uint8_t *sorted = malloc(3 * pixels);
     assert_non_null(sorted);
     size_t count = 0;
-    for (size_t i = 0; i < pixels; i++) {
-        if (s->image->object[i]) {
+    for (size_t i = 0; i < pixels; i++)
+        if (s->image->object[i])
             memcpy(sorted + 3 * count++, s->image->rgb + 3 * i, 3);
-        }
-    }
     qsort(sorted, count, 3, compare_colors);
     size_t colors = count > 0;
-    for (size_t i = 1; i < count; i++) {
+    for (size_t i = 1; i < count; i++)
         colors += memcmp(sorted + 3 * i, sorted + 3 * (i - 1), 3) != 0;
-    }
     free(sorted);
     return colors;
 }
@@ -387,9 +383,8 @@ static void equal_vertices_give_one_color(void **state)
         scene.ks = 0.0f;
         shoot(&s, &scene);
         double expected[3];
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < 3; c++)
             expected[c] = base_light(&scene, n[0], c);
-        }
         expect_one_color(&s, expected, 0.501);
         assert_int_equal(count_colors(&s), 1);
         assert_int_equal(s.stats.highlights, 3);
@@ -435,11 +430,9 @@ static void thin_triangles_keep_their_color(void **state)
 /* Intensities as the renderer holds them at vertices, 8 bits each, without a highlight. */
 static void vertex_intensities(const glint_scene *scene, const glint_vec3 n[3], double color[3][3])
 {
-    for (int i = 0; i < 3; i++) {
-        for (int c = 0; c < 3; c++) {
+    for (int i = 0; i < 3; i++)
+        for (int c = 0; c < 3; c++)
             color[i][c] = floor(base_light(scene, n[i], c) + 0.5);
-        }
-    }
 }
 
 /* The colour of the point of the triangle p that lies on the ray: tetrahedra between the ray and
@@ -452,14 +445,12 @@ static bool meet(const glint_vec3 p[3], const double color[3][3], glint_vec3 alo
         weight[i] = glint_vec3_dot(along, glint_vec3_cross(p[(i + 1) % 3], p[(i + 2) % 3]));
         sum += weight[i];
     }
-    if (weight[0] * sum < 0.0 || weight[1] * sum < 0.0 || weight[2] * sum < 0.0) {
+    if (weight[0] * sum < 0.0 || weight[1] * sum < 0.0 || weight[2] * sum < 0.0)
         return false;
-    }
     for (int c = 0; c < 3; c++) {
         value[c] = 0.0;
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < 3; i++)
             value[c] += weight[i] / sum * color[i][c];
-        }
     }
     return true;
 }
@@ -515,12 +506,10 @@ static void the_perspective_form_is_right_on_the_quad(void **state)
             const glint_vec3 along = ray(s.image, &scene, x, y);
             if (!s.image->object[320 * y + x] ||
                 (!meet((const glint_vec3 *)p[0], (const double(*)[3])color[0], along, value) &&
-                 !meet((const glint_vec3 *)p[1], (const double(*)[3])color[1], along, value))) {
+                 !meet((const glint_vec3 *)p[1], (const double(*)[3])color[1], along, value)))
                 continue; /* the border may be a snapped coordinate off */
-            }
-            for (int c = 0; c < 3; c++) {
+            for (int c = 0; c < 3; c++)
                 assert_true(fabs(s.image->rgb[3 * (320 * y + x) + c] - value[c]) < 0.55);
-            }
         }
     }
     close_studio(&s);

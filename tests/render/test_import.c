@@ -37,24 +37,21 @@ static glint_mesh *load(const char *path)
 static void expect_sound(const glint_mesh *mesh)
 {
     assert_true(mesh->triangle_count > 0);
-    for (size_t i = 0; i < 3 * mesh->vertex_count; i++) {
+    for (size_t i = 0; i < 3 * mesh->vertex_count; i++)
         assert_true(isfinite(mesh->position[i]));
-    }
     for (size_t v = 0; v < mesh->vertex_count; v++) {
         const glint_vec3 n = glint_vec3_of(&mesh->normal[3 * v]);
         assert_true(fabs(glint_vec3_length(n) - 1.0) < 1e-5);
     }
-    for (size_t i = 0; i < 3 * mesh->triangle_count; i++) {
+    for (size_t i = 0; i < 3 * mesh->triangle_count; i++)
         assert_true(mesh->index[i] < mesh->vertex_count);
-    }
 }
 
 static glint_vec3 face_normal(const glint_mesh *mesh, size_t triangle)
 {
     glint_vec3 p[3];
-    for (size_t k = 0; k < 3; k++) {
+    for (size_t k = 0; k < 3; k++)
         p[k] = glint_vec3_of(&mesh->position[3 * (size_t)mesh->index[3 * triangle + k]]);
-    }
     return glint_vec3_cross(glint_vec3_sub(p[1], p[0]), glint_vec3_sub(p[2], p[0]));
 }
 
@@ -118,9 +115,8 @@ static void one_mesh_in_three_formats(void **state)
         glint_mesh_destroy(mesh);
     }
     assert_true(fragments[0] > 1000);
-    for (int i = 1; i < 3; i++) {
+    for (int i = 1; i < 3; i++)
         assert_true(llabs((long long)fragments[i] - (long long)fragments[0]) < 20);
-    }
     glint_image_destroy(image);
     glint_renderer_destroy(renderer);
 }
@@ -141,12 +137,10 @@ static void polygons_are_cut_points_and_lines_dropped(void **state)
         load(write_file("mixed.obj", TRIANGLE_AND_SQUARE "f 1 2 3 4\nf 5 6 7\nl 1 5\np 2\n"));
     assert_int_equal(mesh->triangle_count, 3);
     expect_sound(mesh);
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 3; i++)
         assert_true(face_normal(mesh, i).z > 0.0);
-    }
-    for (size_t v = 0; v < mesh->vertex_count; v++) {
+    for (size_t v = 0; v < mesh->vertex_count; v++)
         assert_true(mesh->normal[3 * v + 2] > 0.999f);
-    }
     glint_mesh_destroy(mesh);
 }
 
@@ -162,9 +156,8 @@ static void unusable_normals_are_mended(void **state)
         glint_mesh *mesh = load(write_file("normals.obj", texts[i]));
         assert_int_equal(mesh->triangle_count, 1);
         expect_sound(mesh);
-        for (size_t v = 0; v < mesh->vertex_count; v++) {
+        for (size_t v = 0; v < mesh->vertex_count; v++)
             assert_true(mesh->normal[3 * v + 2] > 0.999f);
-        }
         glint_mesh_destroy(mesh);
     }
 }
@@ -282,9 +275,8 @@ static void bad_files_are_refused(void **state)
                     "vertex 0 1 nan\nendloop\nendfacet\nendsolid a\n"},
         {"far.dae", COLLADA(NODE("a", "1e30 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1"))},
     };
-    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
         expect_refused(write_file(files[i].name, files[i].text), GLINT_BAD_INPUT);
-    }
     expect_refused(ASSIMP "OBJ/point_cloud.obj", GLINT_BAD_INPUT);
     expect_refused(scratch_directory, GLINT_BAD_INPUT);
     expect_refused(scratch_path("missing.obj"), GLINT_IO_ERROR);

@@ -65,9 +65,8 @@ static void expect_page(const char *name, const studio *expected, double nmse)
 {
     studio s = picture_of_page(name);
     const double found = difference(expected, &s);
-    if (!(found <= nmse)) {
+    if (!(found <= nmse))
         fail_msg("%s: NMSE %g", name, found);
-    }
     close_studio(&s);
 }
 
@@ -209,9 +208,8 @@ static void expect_groups(const solid *s, bool groups, bool materials)
 
 static void set_groups(solid *s, uint32_t (*group)(size_t triangle))
 {
-    for (size_t i = 0; i < s->triangles; i++) {
+    for (size_t i = 0; i < s->triangles; i++)
         s->group[i] = group(i);
-    }
 }
 
 static uint32_t none(size_t triangle)
@@ -250,11 +248,10 @@ static void smoothing_groups_are_obeyed(void **state)
     uint32_t (*const groups[])(size_t) = {none, one_for_all, one_for_each_side, overlapping,
                                           some_without};
     for (int i = 0; i < 2; i++) {
-        if (i == 0) {
+        if (i == 0)
             solid_cube(&made);
-        } else {
+        else
             solid_ball(&made, 16, 0.3);
-        }
         set_groups(&made, none);
         expect_groups(&made, false, false);
         expect_groups(&made, false, true);
@@ -297,9 +294,8 @@ static void groups_are_of_one_object(void **state)
     set_groups(&made, one_for_all);
     other = made;
     made.triangles = 6; /* half the cube each */
-    for (size_t i = 0; i < 6; i++) {
+    for (size_t i = 0; i < 6; i++)
         memcpy(other.corner[i], other.corner[i + 6], sizeof other.corner[i]);
-    }
     other.triangles = 6;
     put_3ds(both, 2, true, false);
     glint_mesh *mesh = load(put_down("objects.3ds"));
@@ -322,9 +318,8 @@ static void put_obj_with(const solid *s, const char *normal)
 {
     put_vertices(s, "v %.10g %.10g %.10g\n");
     put("vn %s\n", normal);
-    for (size_t i = 0; i < s->triangles; i++) {
+    for (size_t i = 0; i < s->triangles; i++)
         put("f %u//1 %u//1 %u//1\n", s->corner[i][0] + 1, s->corner[i][1] + 1, s->corner[i][2] + 1);
-    }
 }
 
 /* All vertices with the normal n. */
@@ -341,9 +336,8 @@ static void put_ply_with(const solid *s, const double n[3])
     }
     for (size_t i = 0; i < s->triangles; i++) {
         put_number(3, 1);
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; k++)
             put_number(s->corner[i][k], 4);
-        }
     }
 }
 
@@ -526,17 +520,15 @@ static void what_floats_cannot_hold_is_refused(void **state)
             const double p = places[i].place;
             moved = made;
             change(&moved, 1.0, axes & 1 ? p : 0.0, axes & 2 ? -p : 0.0, axes & 4 ? p : 0.0);
-            if (axes % 2 == 0) {
+            if (axes % 2 == 0)
                 put_obj(&moved);
-            } else {
+            else
                 put_ply_little(&moved);
-            }
             const char *name = axes % 2 == 0 ? "moved.obj" : "moved.ply";
-            if (places[i].drawn) {
+            if (places[i].drawn)
                 expect_page(name, &expected, 1e-4);
-            } else {
+            else
                 expect_refused(put_down(name));
-            }
         }
     }
     close_studio(&expected);
@@ -552,9 +544,8 @@ static void expect_aside(const char *more, size_t drawn, const char *expected)
     put_obj(&made);
     put("o aside\n%s", more);
     const char *path = put_down("aside.obj");
-    if (glint_mesh_load(path, NULL, &mesh, &err) != GLINT_OK) {
+    if (glint_mesh_load(path, NULL, &mesh, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
     assert_string_equal(mesh->remarks, expected);
     assert_int_equal(mesh->triangle_count, made.triangles + drawn);
     glint_mesh_destroy(mesh);

@@ -78,11 +78,9 @@ static void count_band(scene *s, glint_visibility *band, const glint_triangle_li
     last_y = last_y < HEIGHT ? last_y : HEIGHT - 1;
     glint_visibility_begin(band, extent, first_y, last_y);
     glint_visibility_draw(band, extent, list);
-    for (int32_t y = first_y; y <= last_y; y++) {
-        for (int32_t x = 0; x < WIDTH; x++) {
+    for (int32_t y = first_y; y <= last_y; y++)
+        for (int32_t x = 0; x < WIDTH; x++)
             s->covered[y][x] += band->triangle[(y - first_y) * WIDTH + x] != NULL;
-        }
-    }
 }
 
 /* Each triangle is drawn on its own, so that none hides another. */
@@ -104,9 +102,8 @@ static void count_coverage(scene *s, const glint_camera *camera)
     for (size_t i = 0; i < s->triangles; i++) {
         assert_true(glint_setup_triangles(camera, &mesh, extent, screen, i, i + 1, &list));
         s->drawn += list.count;
-        for (int32_t y = 0; y < HEIGHT; y += GLINT_BAND_ROWS) {
+        for (int32_t y = 0; y < HEIGHT; y += GLINT_BAND_ROWS)
             count_band(s, &band, &list, y);
-        }
     }
     free(list.triangle);
     glint_visibility_destroy(&band);
@@ -116,21 +113,17 @@ static void count_coverage(scene *s, const glint_camera *camera)
 static int total(const scene *s)
 {
     int sum = 0;
-    for (int y = 0; y < HEIGHT; y++) {
-        for (int x = 0; x < WIDTH; x++) {
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++)
             sum += s->covered[y][x];
-        }
-    }
     return sum;
 }
 
 static void expect_all_once(const scene *s)
 {
-    for (int y = 0; y < HEIGHT; y++) {
-        for (int x = 0; x < WIDTH; x++) {
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++)
             assert_int_equal(s->covered[y][x], 1);
-        }
-    }
 }
 
 static scene *new_scene(void)
@@ -158,11 +151,9 @@ static void a_rectangle_takes_left_and_top(void **state)
     triangle(s, a, b, c);
     triangle(s, a, c, d);
     count_coverage(s, &screen_camera);
-    for (int y = 0; y < HEIGHT; y++) {
-        for (int x = 0; x < WIDTH; x++) {
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++)
             assert_int_equal(s->covered[y][x], x >= 2 && x < 10 && y >= 3 && y < 7);
-        }
-    }
     assert_int_equal(total(s), 32);
     free(s);
 }
@@ -222,13 +213,11 @@ static void fans_cover_once(void **state)
             const double angle = 6.283185307179586 * (i + 0.9 * random_unit(&random)) / spokes;
             corner(s, x + 400.0 * cos(angle), y + 400.0 * sin(angle));
         }
-        for (int i = 0; spokes > 6 && i < spokes; i++) {
+        for (int i = 0; spokes > 6 && i < spokes; i++)
             triangle(s, hub, hub + 1 + (uint32_t)i, hub + 1 + (uint32_t)((i + 1) % spokes));
-        }
         count_coverage(s, &screen_camera);
-        if (spokes > 6) { /* with few of them the angle between two may be beyond a half turn */
+        if (spokes > 6) /* with few of them the angle between two may be beyond a half turn */
             expect_all_once(s);
-        }
         free(s);
     }
 }

@@ -90,11 +90,9 @@ static void the_last_pixel_is_right(void **state)
             uint8_t values[GLINT_DIVIDER_K_MAX + 1][3];
             interpolate(&run, GLINT_DIVIDER_SHIFTS_DEFAULT, values[0]);
             assert_memory_equal(values[k], run.to, 3);
-            for (int32_t i = 0; i <= k; i++) {
-                for (int c = 0; c < 3; c++) {
+            for (int32_t i = 0; i <= k; i++)
+                for (int c = 0; c < 3; c++)
                     assert_true(fabs(values[i][c] - linear(run.from[c], run.to[c], i, k)) < 1.0);
-                }
-            }
         }
     }
 }
@@ -168,9 +166,8 @@ static void a_constant_stays_constant(void **state)
             const uint8_t v = (uint8_t)value;
             const glint_run run = {7, 107, {v, v, v}, {v, v, v}};
             interpolate(&run, shifts, values[0]);
-            for (int i = 0; i <= 100; i++) {
+            for (int i = 0; i <= 100; i++)
                 assert_memory_equal(values[i], run.from, 3);
-            }
         }
     }
 }

@@ -127,9 +127,8 @@ static void shares_of(const steep_triangle *t, glint_vec3 along, double share[3]
             along, glint_vec3_cross(from_eye(t, (i + 1) % 3), from_eye(t, (i + 2) % 3)));
         sum += share[i];
     }
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         share[i] /= sum;
-    }
 }
 
 static glint_geometry geometry_at(const glint_scene *scene, glint_vec3 normal, glint_vec3 to_point)
@@ -137,9 +136,8 @@ static glint_geometry geometry_at(const glint_scene *scene, glint_vec3 normal, g
     glint_geometry geometry;
     glint_error err;
     if (glint_geometry_of(unit(normal), unit(glint_vec3_of(scene->light)),
-                          glint_vec3_scale(unit(to_point), -1.0), &geometry, &err) != GLINT_OK) {
+                          glint_vec3_scale(unit(to_point), -1.0), &geometry, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
     return geometry;
 }
 
@@ -150,9 +148,8 @@ static double value_of(const glint_scene *scene, const glint_geometry *geometry)
     const glint_reflectance_parameters parameters = {.n = scene->n, .f0 = (double)scene->f0};
     assert_int_equal(glint_reflectance_prepare(scene->specular, &parameters, &prepared, NULL),
                      GLINT_OK);
-    if (geometry->nl <= 0.0) {
+    if (geometry->nl <= 0.0)
         return 0.0;
-    }
     switch (info_of((int)scene->specular)->cosine) {
     case GLINT_REFLECTANCE_OF_NL:
         return 0.0; /* no highlight */
@@ -194,9 +191,8 @@ static void check_pixels(const steep_triangle *t, const studio *s, const glint_s
     for (int y = 0; y < FRAME_HEIGHT; y++) {
         for (int x = 0; x < FRAME_WIDTH; x++) {
             const int at = y * FRAME_WIDTH + x;
-            if (!s->image->object[at]) {
+            if (!s->image->object[at])
                 continue;
-            }
             double share[3];
             glint_vec3 normal = {0, 0, 0};
             shares_of(t, ray(scene, x, y), share);
@@ -350,9 +346,8 @@ static void phong_is_blinn_with_four_times_the_exponent(void **state)
 static int pixels_above(const glint_image *image, int level)
 {
     int count = 0;
-    for (int i = 0; i < image->width * image->height; i++) {
+    for (int i = 0; i < image->width * image->height; i++)
         count += image->rgb[3 * i] > level;
-    }
     return count;
 }
 
@@ -363,9 +358,8 @@ static void a_larger_exponent_makes_a_smaller_highlight(void **state)
     glint_mesh *mesh = sphere(64);
     studio s = open_studio(320, 240, 2, GLINT_BACKEND_REAL);
     for (int model = 0; model < GLINT_REFLECTANCE_COUNT; model++) {
-        if (model == GLINT_REFLECTANCE_LAMBERT || is_normalised(model)) {
+        if (model == GLINT_REFLECTANCE_LAMBERT || is_normalised(model))
             continue;
-        }
         int before = INT32_MAX;
         for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; i++) {
             const glint_scene scene =
@@ -451,9 +445,8 @@ static void expect_refusal(const studio *s, const glint_scene *scene, const char
     glint_error err = {""};
     assert_int_equal(glint_render(s->renderer, scene, s->image, NULL, NULL, &err),
                      GLINT_BAD_ARGUMENT);
-    if (strstr(err.text, says) == NULL) {
+    if (strstr(err.text, says) == NULL)
         fail_msg("\"%s\" does not say \"%s\"", err.text, says);
-    }
 }
 
 static void what_cannot_be_is_refused(void **state)
@@ -509,9 +502,8 @@ static void the_triangles_seen_are_those_of_the_picture(void **state)
         assert_int_equal(glint_renderer_triangle(s.renderer, at % 160, at / 160, &one),
                          s.image->object[at]);
         assert_int_equal(seen[at], one);
-        if (seen[at] == GLINT_NO_TRIANGLE) {
+        if (seen[at] == GLINT_NO_TRIANGLE)
             continue;
-        }
         assert_true(seen[at] < mesh->triangle_count);
         if (!met[seen[at]]) {
             memcpy(color[seen[at]], &s.image->rgb[3 * at], 3);

@@ -87,9 +87,8 @@ static void the_data_is_the_published_one(void **state)
         }
     }
     int unused = 0;
-    for (int i = 0; i < GLINT_TEAPOT_VERTICES; i++) {
+    for (int i = 0; i < GLINT_TEAPOT_VERTICES; i++)
         unused += !used[i];
-    }
     assert_int_equal(unused, 4);
     assert_false(used[204] || used[205] || used[215] || used[222]);
     /* Every control point has its mirror image across the plane y = 0 of the data. */
@@ -150,9 +149,8 @@ static void normals_are_of_unit_length(void **state)
     (void)state;
     for (int d = 1; d <= 16; d *= 2) {
         glint_mesh *mesh = teapot(d);
-        for (size_t v = 0; v < mesh->vertex_count; v++) {
+        for (size_t v = 0; v < mesh->vertex_count; v++)
             assert_true(fabs(glint_vec3_length(normal(mesh, v)) - 1.0) < 1e-6);
-        }
         glint_mesh_destroy(mesh);
     }
 }
@@ -242,9 +240,8 @@ static bool inside(const outline *o, double r, double y)
     bool in = false;
     for (int i = 0, k = o->count - 1; i < o->count; k = i++) {
         const bool crosses = (o->y[i] > y) != (o->y[k] > y);
-        if (crosses && r < o->r[k] + (y - o->y[k]) / (o->y[i] - o->y[k]) * (o->r[i] - o->r[k])) {
+        if (crosses && r < o->r[k] + (y - o->y[k]) / (o->y[i] - o->y[k]) * (o->r[i] - o->r[k]))
             in = !in;
-        }
     }
     return in;
 }
@@ -285,15 +282,12 @@ static void turned_parts_face_outwards(void **state)
     extend_by_profile(&lid, LID, true);
     extend_by_profile(&lid, LID_EDGE, true);
     extend(&lid, 0.0, 2.4);
-    for (int patch = 0; patch < HANDLE; patch++) {
+    for (int patch = 0; patch < HANDLE; patch++)
         expect_outward(mesh, d, patch, &pot);
-    }
-    for (int patch = LID; patch < BOTTOM; patch++) {
+    for (int patch = LID; patch < BOTTOM; patch++)
         expect_outward(mesh, d, patch, &lid);
-    }
-    for (int patch = BOTTOM; patch < GLINT_TEAPOT_PATCHES; patch++) {
+    for (int patch = BOTTOM; patch < GLINT_TEAPOT_PATCHES; patch++)
         expect_outward(mesh, d, patch, &pot);
-    }
     glint_mesh_destroy(mesh);
 }
 
@@ -301,11 +295,9 @@ static void turned_parts_face_outwards(void **state)
 static glint_vec3 ring_centre(const glint_mesh *mesh, int d, int patch, int i)
 {
     glint_vec3 sum = {0.0, 0.0, 0.0};
-    for (int half = 0; half < 2; half++) {
-        for (int k = 0; k < d; k++) {
+    for (int half = 0; half < 2; half++)
+        for (int k = 0; k < d; k++)
             sum = glint_vec3_add(sum, position(mesh, vertex(d, patch + half, i, k)));
-        }
-    }
     return glint_vec3_scale(sum, 1.0 / (2 * d));
 }
 
@@ -345,9 +337,8 @@ static void triangles_are_wound_with_their_normals(void **state)
         const glint_vec3 face = glint_vec3_cross(glint_vec3_sub(position(mesh, c[1]), a),
                                                  glint_vec3_sub(position(mesh, c[2]), a));
         assert_true(glint_vec3_length(face) > 0.0);
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; k++)
             assert_true(glint_vec3_dot(face, normal(mesh, c[k])) > 0.0);
-        }
     }
     glint_mesh_destroy(mesh);
 }
@@ -363,9 +354,8 @@ static int compare_edges(const void *a, const void *b)
 
 static void store_point(const glint_mesh *mesh, uint32_t v, float out[3])
 {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         out[i] = mesh->position[3 * (size_t)v + (size_t)i] + 0.0f; /* −0 becomes 0 */
-    }
 }
 
 /* Every edge has its opposite, joined by equal positions to the last bit, but for the rims where

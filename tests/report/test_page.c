@@ -21,17 +21,15 @@ static char *page_of(const char *markdown)
 {
     glint_error err;
     write_text("page.md", markdown);
-    if (glint_page_make(scratch_directory, "page", &err) != GLINT_OK) {
+    if (glint_page_make(scratch_directory, "page", &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
     return scratch_read(scratch_path("page.html"), NULL);
 }
 
 static void assert_has(const char *page, const char *expected)
 {
-    if (strstr(page, expected) == NULL) {
+    if (strstr(page, expected) == NULL)
         fail_msg("no \"%s\" in %s", expected, page);
-    }
 }
 
 static void headings_become_title_and_contents(void **state)

@@ -40,9 +40,8 @@ static glint_status write_study(const char *directory, glint_error *err)
             status = glint_study_files_end(files, err);
         }
     }
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_study_files_commit(files, err);
-    }
     glint_study_files_destroy(files);
     return status;
 }
@@ -71,9 +70,8 @@ static void a_study_replaces_the_one_before(void **state)
 static int write_as_nobody(const char *directory)
 {
     glint_error err;
-    if (geteuid() == 0 && (setgid(NOBODY) != 0 || setuid(NOBODY) != 0)) {
+    if (geteuid() == 0 && (setgid(NOBODY) != 0 || setuid(NOBODY) != 0))
         return 2;
-    }
     return write_study(directory, &err) == GLINT_IO_ERROR &&
                    strncmp(err.text, "cannot read ", 12) == 0
                ? 0
@@ -97,9 +95,8 @@ static void a_directory_that_cannot_be_read_is_left_as_it_is(void **state)
     assert_int_equal(chmod(directory, 0333), 0);
     const pid_t child = fork();
     assert_true(child >= 0);
-    if (child == 0) {
+    if (child == 0)
         _exit(write_as_nobody(directory));
-    }
     assert_int_equal(waitpid(child, &status, 0), child);
     assert_int_equal(chmod(directory, 0755), 0);
     assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 0);

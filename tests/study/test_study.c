@@ -21,9 +21,8 @@ static glint_study_method method(const char *text)
 {
     glint_study_method parsed;
     glint_error err;
-    if (glint_study_method_parse(text, &parsed, &err) != GLINT_OK) {
+    if (glint_study_method_parse(text, &parsed, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
     return parsed;
 }
 
@@ -40,9 +39,8 @@ static glint_study *open_study(const glint_study_setup *setup)
 {
     glint_study *study = NULL;
     glint_error err;
-    if (glint_study_create(setup, &study, &err) != GLINT_OK) {
+    if (glint_study_create(setup, &study, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
     return study;
 }
 
@@ -50,9 +48,8 @@ static glint_study_row run(glint_study *study, int n, int frames)
 {
     glint_study_row row;
     glint_error err;
-    if (glint_study_run(study, n, frames, NULL, &row, &err) != GLINT_OK) {
+    if (glint_study_run(study, n, frames, NULL, &row, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
     assert_int_equal(row.n, n);
     return row;
 }
@@ -112,9 +109,8 @@ static void assert_difference(const glint_image_difference *found, const glint_i
             }
             assert_int_equal(a->object[at], b->object[at]);
             assert_true(a->object[at] != 0 || !differs);
-            if (a->object[at] == 0) { /* the background is no part of either sum */
+            if (a->object[at] == 0) /* the background is no part of either sum */
                 assert_int_equal(a->rgb[3 * at] + a->rgb[3 * at + 1] + a->rgb[3 * at + 2], 0);
-            }
             pixels += a->object[at] != 0;
             differing += differs;
         }
@@ -364,9 +360,8 @@ static int find_pixel(const glint_image *sheet, int red, int green, int blue)
 {
     for (int i = 0; i < sheet->width * sheet->height; i++) {
         const uint8_t *rgb = &sheet->rgb[3 * i];
-        if (rgb[0] == red && rgb[1] == green && rgb[2] == blue) {
+        if (rgb[0] == red && rgb[1] == green && rgb[2] == blue)
             return i;
-        }
     }
     return -1;
 }
@@ -436,9 +431,8 @@ static void a_sheet_loses_no_difference(void **state)
 static int bright_pixels(const glint_image *image)
 {
     int count = 0;
-    for (int i = 0; i < image->width * image->height; i++) {
+    for (int i = 0; i < image->width * image->height; i++)
         count += image->rgb[3 * i] > 128;
-    }
     return count;
 }
 

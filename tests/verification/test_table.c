@@ -37,9 +37,8 @@ static int record(const char *fields)
 static void assert_error_has(const char *expected)
 {
     char *text = scratch_read(scratch_path("err"), NULL);
-    if (strstr(text, expected) == NULL) {
+    if (strstr(text, expected) == NULL)
         fail_msg("\"%s\" is not in \"%s\"", expected, text);
-    }
     free(text);
 }
 

@@ -52,9 +52,8 @@ static void assert_nothing_said(const char *who)
 {
     char *out = scratch_read(scratch_path("child.out"), NULL);
     char *err = scratch_read(scratch_path("child.err"), NULL);
-    if (out[0] != '\0' || err[0] != '\0') {
+    if (out[0] != '\0' || err[0] != '\0')
         fail_msg("%s says: %s%s", who, out, err);
-    }
     free(out);
     free(err);
 }
@@ -76,13 +75,11 @@ static void compile(const char *bench, const parameters *p)
     (void)snprintf(output, sizeof output, "%s", scratch_path("bench.vvp"));
     (void)snprintf(file, sizeof file, "tests/verilog/%s.v", bench);
     argv[count++] = output;
-    for (int i = 0; i < 4 && p->text[i][0] != '\0'; i++) {
+    for (int i = 0; i < 4 && p->text[i][0] != '\0'; i++)
         argv[count++] = p->text[i];
-    }
     argv[count++] = file;
-    for (int i = 0; i < source_count; i++) {
+    for (int i = 0; i < source_count; i++)
         argv[count++] = sources[i];
-    }
     argv[count] = NULL;
     const int status = child_run(argv, SECONDS);
     assert_nothing_said("iverilog");
@@ -102,15 +99,12 @@ static void simulate(int *mismatches, int *comparisons)
     assert_int_equal(child_run(argv, SECONDS), 0);
     char *out = scratch_read(scratch_path("child.out"), NULL);
     const char *last = strstr(out, " mismatches of ");
-    while (last != NULL && last > out && last[-1] != '\n') {
+    while (last != NULL && last > out && last[-1] != '\n')
         last--;
-    }
-    if (last == NULL || sscanf(last, "%d mismatches of %d", mismatches, comparisons) != 2) {
+    if (last == NULL || sscanf(last, "%d mismatches of %d", mismatches, comparisons) != 2)
         fail_msg("the bench says: %s", out);
-    }
-    if (*mismatches > 0) {
+    if (*mismatches > 0)
         print_message("%s", out);
-    }
     free(out);
 }
 

@@ -19,9 +19,8 @@ typedef struct word {
 static void put(word *word, uint64_t value, int width)
 {
     assert_true(word->width + width <= (int)sizeof word->bits);
-    for (int bit = width - 1; bit >= 0; bit--) {
+    for (int bit = width - 1; bit >= 0; bit--)
         word->bits[word->width++] = (char)(value >> bit & 1);
-    }
 }
 
 static void write_word(FILE *out, const word *word)
@@ -70,9 +69,8 @@ static void clock_specular(specular_run *run, const glint_specular_inputs *in)
     put(&pins, in->g, GLINT_COLOR_BITS);
     put(&pins, in->b, GLINT_COLOR_BITS);
     put(&pins, in->in_valid, lanes);
-    for (int lane = lanes - 1; lane >= 0; lane--) {
+    for (int lane = lanes - 1; lane >= 0; lane--)
         put(&pins, in->cos[lane], GLINT_COS_BITS);
-    }
     glint_specular_device_clock(run->device, in);
     put(&outputs, (uint64_t)s->out_valid, lanes);
     put_lanes(&outputs, run->config, s, GLINT_W_BITS, offsetof(glint_specular_lane, out_w));
@@ -114,9 +112,8 @@ static void directed_specular(specular_run *run)
                                         .g = 128,
                                         .b = 1,
                                         .in_valid = (1u << run->config->lanes) - 1u};
-            for (int lane = 0; lane < run->config->lanes; lane++) {
+            for (int lane = 0; lane < run->config->lanes; lane++)
                 in.cos[lane] = cosines[(c + (size_t)lane) % count];
-            }
             clock_specular(run, &in);
         }
     }
@@ -161,9 +158,8 @@ static void clock_divider(divider_run *run, const glint_divider_inputs *in)
     put(&pins, in->en, 1);
     put(&pins, in->start, 1);
     put(&pins, in->k, GLINT_DIVIDER_K_BITS);
-    for (int c = 0; c < (s != NULL ? 1 : GLINT_DIVIDER_COMPONENTS); c++) {
+    for (int c = 0; c < (s != NULL ? 1 : GLINT_DIVIDER_COMPONENTS); c++)
         put(&pins, (uint64_t)in->difference[c], GLINT_DIVIDER_DIFFERENCE_BITS);
-    }
     glint_divider_device_clock(run->device, in);
     if (s != NULL) {
         put(&outputs, (uint64_t)s->busy, 1);
@@ -202,11 +198,9 @@ static void directed_divider(divider_run *run)
 {
     static const int differences[] = {-255, -254, -129, -128, -127, -3,  -2,  -1,
                                       0,    1,    2,    3,    127,  128, 254, 255};
-    for (int k = 0; k <= GLINT_DIVIDER_K_MAX + 1; k++) {
-        for (size_t d = 0; d < sizeof differences / sizeof differences[0]; d++) {
+    for (int k = 0; k <= GLINT_DIVIDER_K_MAX + 1; k++)
+        for (size_t d = 0; d < sizeof differences / sizeof differences[0]; d++)
             clock_division(run, k, differences[d]);
-        }
-    }
 }
 
 int vectors_of_divider(const vector_files *files, glint_divider_form form, int shifts, int random,

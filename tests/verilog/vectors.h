@@ -1,7 +1,7 @@
 /* Vectors for a Verilog test bench, made by the C models: for each clock the pins before its rising
  * edge and the outputs after it, as hexadecimal words for $readmemh. */
-#ifndef GLINT_TESTS_VECTORS_H
-#define GLINT_TESTS_VECTORS_H
+#ifndef GLINT_TESTS_VERILOG_VECTORS_H
+#define GLINT_TESTS_VERILOG_VECTORS_H
 
 #include <stdint.h>
 #include <stdio.h>

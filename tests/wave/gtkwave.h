@@ -1,7 +1,7 @@
 /* GTKWave itself, on a display of its own: opens a waveform by its save file and tells what it
  * shows. The files are in the scratch directory. Include it after cmocka.h and scratch.h. */
-#ifndef GLINT_TESTS_GTKWAVE_H
-#define GLINT_TESTS_GTKWAVE_H
+#ifndef GLINT_TESTS_WAVE_GTKWAVE_H
+#define GLINT_TESTS_WAVE_GTKWAVE_H
 
 #include <inttypes.h>
 #include <stdint.h>
@@ -83,9 +83,8 @@ static inline void gtkwave_read_report(gtkwave_shown *shown)
                &shown->from, &shown->to, &shown->marker, &shown->first, &shown->last,
                &shown->wave_width, &shown->wave_height, &shown->row_height),
         8);
-    while (fgets(line, sizeof line, stream) != NULL) {
+    while (fgets(line, sizeof line, stream) != NULL)
         gtkwave_read_line(shown, line);
-    }
     fclose(stream);
 }
 
@@ -94,11 +93,9 @@ static inline void gtkwave_assert_silent(const char *file)
     static const char *const complaints[] = {"not found", "rror",  "arning",
                                              "ould not",  "annot", "nvalid"};
     char *said = scratch_read(scratch_path(file), NULL);
-    for (size_t i = 0; i < sizeof complaints / sizeof complaints[0]; i++) {
-        if (strstr(said, complaints[i]) != NULL) {
+    for (size_t i = 0; i < sizeof complaints / sizeof complaints[0]; i++)
+        if (strstr(said, complaints[i]) != NULL)
             fail_msg("GTKWave says:\n%s", said);
-        }
-    }
     free(said);
 }
 

@@ -59,9 +59,8 @@ static void read_title(reader *reader, const char *line)
     reader->to->headings += line[1] != '\0';
     reader->rows++;
     const int length = (int)strlen(line + 1);
-    if (length > reader->to->longest_heading) {
+    if (length > reader->to->longest_heading)
         reader->to->longest_heading = length;
-    }
 }
 
 static bool read_setting(reader *reader, const char *line)
@@ -81,20 +80,18 @@ static bool read_setting(reader *reader, const char *line)
 static void read_line(reader *reader, const char *line)
 {
     bool known = true;
-    if (line[0] == '+') {
+    if (line[0] == '+')
         read_trace(reader, line);
-    } else if (line[0] == '@') {
+    else if (line[0] == '@')
         known = sscanf(line, "@%x", &reader->flags) == 1;
-    } else if (line[0] == '-') {
+    else if (line[0] == '-')
         read_title(reader, line);
-    } else if (line[0] == '*') {
+    else if (line[0] == '*')
         known = sscanf(line, "*%lf %" SCNd64, &reader->to->zoom, &reader->to->marker) == 2;
-    } else {
+    else
         known = read_setting(reader, line);
-    }
-    if (!known) {
+    if (!known)
         fail_msg("a line of the save file that means nothing: \"%s\"", line);
-    }
 }
 
 void saved_read(const char *path, saved *saved)
@@ -134,9 +131,8 @@ int saved_signal(const glint_specular_config *config, const saved_trace *trace)
         const glint_signal_info info = glint_specular_signal_info(config, i);
         char name[112];
         saved_name(&info, name, sizeof name);
-        if (strcmp(name, trace->name) == 0) {
+        if (strcmp(name, trace->name) == 0)
             return i;
-        }
     }
     return -1;
 }

@@ -1,6 +1,6 @@
 /* Reads a GTKWave save file, for tests. */
-#ifndef GLINT_TESTS_SAVED_H
-#define GLINT_TESTS_SAVED_H
+#ifndef GLINT_TESTS_WAVE_SAVED_H
+#define GLINT_TESTS_WAVE_SAVED_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -34,9 +34,8 @@ static int count_entries(const char *path)
     int count = -2; /* "." and ".." */
     DIR *directory = opendir(path);
     assert_non_null(directory);
-    while (readdir(directory) != NULL) {
+    while (readdir(directory) != NULL)
         count++;
-    }
     closedir(directory);
     return count;
 }
@@ -132,9 +131,8 @@ static void what_makes_no_sense_is_refused(void **state)
                                             "--pipeline third", "extra"};
     for (size_t i = 0; i < sizeof arguments / sizeof arguments[0]; i++) {
         outcome done = run_wave("refused", arguments[i]);
-        if (done.status != 2 || strncmp(done.err, "glint wave: ", 12) != 0) {
+        if (done.status != 2 || strncmp(done.err, "glint wave: ", 12) != 0)
             fail_msg("%s: exit status %d, \"%s\"", arguments[i], done.status, done.err);
-        }
         assert_int_equal(access(scratch_path("refused"), F_OK), -1);
         forget(&done);
     }

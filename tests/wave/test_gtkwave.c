@@ -32,9 +32,8 @@ static int row_of(const gtkwave_shown *shown, const saved_trace *trace, int *nex
 {
     while (*next < shown->count) {
         const int row = (*next)++;
-        if (strcmp(shown->name[row], trace->label) == 0) {
+        if (strcmp(shown->name[row], trace->label) == 0)
             return row;
-        }
     }
     return -1;
 }
@@ -43,9 +42,8 @@ static double number_of(const glint_signal_info *info, uint64_t bits)
 {
     const int width = info->int_bits + info->frac_bits;
     double value = (double)bits;
-    if (info->is_signed && (bits >> (width - 1) & 1) != 0) {
+    if (info->is_signed && (bits >> (width - 1) & 1) != 0)
         value -= ldexp(1.0, width);
-    }
     return ldexp(value, -info->frac_bits);
 }
 
@@ -57,9 +55,8 @@ static void assert_value(const glint_specular_config *config, const glint_specul
     const int base = info.block == 0 ? 2 : 10;
     const double expected = number_of(&info, glint_specular_signal_bits(config, signals, index));
     const double found = base == 2 ? (double)strtoull(value, NULL, 2) : strtod(value, NULL);
-    if (!(fabs(found - expected) <= 1e-9)) {
+    if (!(fabs(found - expected) <= 1e-9))
         fail_msg("%s: GTKWave shows %s, the model has %.12g", info.name, value, expected);
-    }
 }
 
 static glint_specular_device *play_until(const glint_specular_config *config, int last)
@@ -142,9 +139,8 @@ static void check_setting(const glint_specular_config *config, const char *forma
     glint_specular_device *device = play_until(config, centre);
     for (int t = 0; t < file.count; t++) {
         const int row = row_of(&shown, &file.trace[t], &next);
-        if (row < 0) {
+        if (row < 0)
             fail_msg("GTKWave does not show %s", file.trace[t].name);
-        }
         const int index = saved_signal(config, &file.trace[t]);
         if (index >= 0 && shown.value[row][0] != '\0') {
             assert_value(config, glint_specular_device_signals(device), index, shown.value[row]);
@@ -216,12 +212,10 @@ static void it_opens_a_failure_packet(void **state)
     for (int t = 0; t < file.count; t++) {
         const int row = row_of(&shown, &file.trace[t], &next);
         const size_t length = strlen(file.trace[t].name);
-        if (row < 0) {
+        if (row < 0)
             fail_msg("GTKWave does not show %s", file.trace[t].name);
-        }
-        if (t == 0) {
+        if (t == 0)
             assert_string_equal(shown.value[row], "1");
-        }
         if (length > 8 && strcmp(file.trace[t].name + length - 8, "_differs") == 0) {
             /* The two rows above it are the two sides. */
             const bool differs = strcmp(shown.value[row], "1") == 0;

@@ -61,9 +61,8 @@ static glint_status try_record(const glint_specular_config *config, glint_wave_f
         glint_wave_scene_make(config->lanes <= GLINT_LANES_MAX ? &setting : &scene_of, &scene, err),
         GLINT_OK);
     assert_int_equal(scene.clocks, LAST);
-    if (config->lanes <= GLINT_LANES_MAX) {
+    if (config->lanes <= GLINT_LANES_MAX)
         assert_int_equal(scene.marker, glint_specular_scene_centre(config->lanes));
-    }
     const glint_status status = glint_wave_record(&setting, &scene, format, first, last, path, err);
     free(scene.pins);
     return status;
@@ -73,9 +72,8 @@ static void record(const glint_specular_config *config, glint_wave_format format
                    int last, const char *path)
 {
     glint_error err;
-    if (try_record(config, format, first, last, path, &err) != GLINT_OK) {
+    if (try_record(config, format, first, last, path, &err) != GLINT_OK)
         fail_msg("%s", err.text);
-    }
 }
 
 /* ---- What is in the waveform
@@ -89,9 +87,8 @@ static void the_waveform_shows_the_circuit(void **state)
     for (size_t i = 0; i < SETTING_COUNT; i++) {
         const glint_specular_config *config = &settings[i];
         glint_specular_device *device;
-        if (config->lanes > 2) {
+        if (config->lanes > 2)
             continue;
-        }
         record(config, GLINT_WAVE_VCD, 1, LAST, scratch_path("scene.vcd"));
         vcd wave = vcd_read(scratch_path("scene.vcd"));
         assert_int_equal(glint_specular_device_create(config, &device), GLINT_OK);
@@ -105,9 +102,8 @@ static void the_waveform_shows_the_circuit(void **state)
                 saved_name(&info, name, sizeof name);
                 const uint64_t expected =
                     glint_specular_signal_bits(config, glint_specular_device_signals(device), s);
-                if (vcd_value(&wave, name, rising_edge_of(clock)) != expected) {
+                if (vcd_value(&wave, name, rising_edge_of(clock)) != expected)
                     fail_msg("%s at clock %d is not 0x%" PRIx64, name, clock, expected);
-                }
                 compared++;
             }
         }
@@ -171,9 +167,8 @@ static void write_save_file(const glint_specular_config *config, int64_t marker,
 static void assert_format(const glint_specular_config *config, const saved_trace *trace)
 {
     const int index = saved_signal(config, trace);
-    if (index < 0) {
+    if (index < 0)
         return;
-    }
     const glint_signal_info info = glint_specular_signal_info(config, index);
     assert_int_equal(trace->width, info.int_bits + info.frac_bits);
     assert_int_equal(trace->fraction, info.frac_bits);
@@ -194,9 +189,8 @@ static void the_save_file_names_what_is_there(void **state)
         assert_true(file.count > 30);
         for (int t = 0; t < file.count; t++) {
             const vcd_signal *signal = vcd_find(&wave, file.trace[t].name);
-            if (signal == NULL) {
+            if (signal == NULL)
                 fail_msg("the waveform has no %s", file.trace[t].name);
-            }
             assert_int_equal(signal->width, file.trace[t].width);
             assert_format(&settings[i], &file.trace[t]);
         }
@@ -206,11 +200,9 @@ static void the_save_file_names_what_is_there(void **state)
 
 static bool is_named(const saved *file, const char *name)
 {
-    for (int t = 0; t < file->count; t++) {
-        if (strcmp(file->trace[t].name, name) == 0) {
+    for (int t = 0; t < file->count; t++)
+        if (strcmp(file->trace[t].name, name) == 0)
             return true;
-        }
-    }
     return false;
 }
 
@@ -229,9 +221,8 @@ static void the_save_file_leaves_no_block_out(void **state)
             char name[112];
             saved_name(&info, name, sizeof name);
             if (info.kind != GLINT_SIGNAL_STAGE && strcmp(info.name, "sat10") != 0 &&
-                !is_named(&file, name)) {
+                !is_named(&file, name))
                 fail_msg("%s is not in the save file", name);
-            }
         }
         for (size_t p = 0; p < sizeof pins / sizeof pins[0]; p++) {
             char name[112];
@@ -309,9 +300,8 @@ static void the_view_lies_in_the_waveform(void **state)
 static int characters_of(const saved_trace *trace)
 {
     const int integer = trace->width - trace->fraction;
-    if (trace->fraction > 0) {
+    if (trace->fraction > 0)
         return 1 + (int)ceil(integer * log10(2)) + 1 + trace->fraction;
-    }
     return (trace->flags & SAVED_BINARY) != 0 ? trace->width
            : (trace->flags & SAVED_HEX) != 0  ? (trace->width + 3) / 4
                                               : (int)ceil(integer * log10(2)) + 1;
@@ -422,9 +412,8 @@ static void the_scene_holds_what_it_promises(void **state)
             assert_true(c.inside > 10 && c.outside > 3 && c.centres >= 3);
             assert_true(c.material_with_point == 1 && c.material_between_points == 1);
             assert_true(c.above_one == lanes && c.gaps > 0);
-            if (lanes <= 2) { /* with more, the scan is over before the stall */
+            if (lanes <= 2) /* with more, the scan is over before the stall */
                 assert_true(c.stalled_in_flight > 0);
-            }
         }
     }
 }
@@ -496,9 +485,8 @@ static void the_centre_is_where_it_is_said_to_be(void **state)
         bool found = false;
         assert_in_range(centre, 1, LAST);
         glint_specular_scene(centre, lanes, &in);
-        for (int i = 0; i < lanes; i++) {
+        for (int i = 0; i < lanes; i++)
             found |= in.en && (in.in_valid >> i & 1) != 0 && in.cos[i] == GLINT_COS_ONE;
-        }
         assert_true(found);
     }
 }
@@ -519,9 +507,8 @@ static void what_cannot_be_written_is_told(void **state)
             assert_int_equal(
                 try_record(&settings[0], (glint_wave_format)format, 1, 5, paths[i], &err),
                 GLINT_IO_ERROR);
-            if (strstr(err.text, paths[i]) == NULL) {
+            if (strstr(err.text, paths[i]) == NULL)
                 fail_msg("\"%s\" does not name %s", err.text, paths[i]);
-            }
             assert_int_equal(scratch_count(), before);
         }
     }
@@ -544,9 +531,8 @@ static void what_is_no_waveform_is_refused(void **state)
     scratch_write(scratch_path("empty"), "", 0);
     const char *const paths[] = {scratch_path("text"), scratch_path("empty"),
                                  scratch_path("missing")};
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 3; i++)
         assert_false(glint_wave_is_whole(paths[i]));
-    }
 }
 
 static void an_old_waveform_stays_when_the_new_one_fails(void **state)
@@ -586,9 +572,8 @@ static int work_within(rlim_t limit, work *work, const char *path)
         _exit(done != GLINT_OK && err.text[0] == '\0' ? 99 : (int)done);
     }
     assert_int_equal(waitpid(child, &status, 0), child);
-    if (!WIFEXITED(status)) {
+    if (!WIFEXITED(status))
         fail_msg("limit %lu: ended by signal %d", (unsigned long)limit, WTERMSIG(status));
-    }
     return WEXITSTATUS(status);
 }
 
@@ -616,9 +601,8 @@ static glint_status play_vcd(const void *context, const char *path, glint_error 
     glint_rtl *rtl;
     (void)context;
     glint_status status = glint_rtl_open(&setting, GLINT_RTL_VCD, &rtl, err);
-    if (status == GLINT_OK) {
+    if (status == GLINT_OK)
         status = glint_rtl_trace_open(rtl, path, err);
-    }
     for (int clock = 1; status == GLINT_OK && clock <= LAST; clock++) {
         glint_specular_inputs in;
         glint_specular_scene(clock, settings[0].lanes, &in);
@@ -637,9 +621,8 @@ static void assert_nothing_within(rlim_t limit, work *work)
 {
     const int before = scratch_count();
     const int status = work_within(limit, work, scratch_path("full"));
-    if (status != GLINT_IO_ERROR) {
+    if (status != GLINT_IO_ERROR)
         fail_msg("limit %lu: status %d", (unsigned long)limit, status);
-    }
     assert_int_equal(scratch_count(), before);
 }
 
@@ -652,9 +635,8 @@ static void a_full_disk_leaves_nothing(void **state)
     for (int w = 0; w < 2; w++) {
         glint_error err;
         assert_int_equal(works[w](scratch_path("whole"), &err), GLINT_OK);
-        for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++) {
+        for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++)
             assert_nothing_within(limits[i], works[w]);
-        }
         assert_int_equal(work_within(GLINT_WAVE_ROOM, works[w], scratch_path("full")), GLINT_OK);
         assert_int_equal(size_of(scratch_path("full")), size_of(scratch_path("whole")));
         assert_int_equal(unlink(scratch_path("full")), 0);
@@ -670,9 +652,8 @@ static void a_vcd_cut_short_is_told(void **state)
     glint_error err;
     assert_int_equal(record_at_once(scratch_path("whole.vcd"), &err), GLINT_OK);
     const size_t whole = size_of(scratch_path("whole.vcd"));
-    for (size_t limit = 0; limit < whole; limit += whole / 9) {
+    for (size_t limit = 0; limit < whole; limit += whole / 9)
         assert_nothing_within(limit, record_at_once);
-    }
     assert_nothing_within(whole - 1, record_at_once);
     assert_int_equal(work_within(whole, record_at_once, scratch_path("full")), GLINT_OK);
     assert_int_equal(size_of(scratch_path("full")), whole);
@@ -692,9 +673,8 @@ static void an_fst_cut_short_is_refused(void **state)
     assert_true(glint_wave_is_whole(scratch_path("cut.fst")));
     for (size_t length = whole; length-- > 0;) {
         assert_int_equal(truncate(scratch_path("cut.fst"), (off_t)length), 0);
-        if (glint_wave_is_whole(scratch_path("cut.fst"))) {
+        if (glint_wave_is_whole(scratch_path("cut.fst")))
             fail_msg("%zu of %zu bytes pass for a waveform", length, whole);
-        }
     }
 }
 

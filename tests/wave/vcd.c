@@ -81,9 +81,8 @@ static void leave_scope(char *scope, const char **text)
     size_t length = strlen(scope);
     assert_true(length > 0);
     scope[--length] = '\0';
-    while (length > 0 && scope[length - 1] != '.') {
+    while (length > 0 && scope[length - 1] != '.')
         scope[--length] = '\0';
-    }
     skip_to_end(text);
 }
 
@@ -137,9 +136,8 @@ vcd vcd_read_fst(const char *path)
     char command[4500];
     (void)snprintf(made, sizeof made, "%s.read.vcd", path);
     (void)snprintf(command, sizeof command, "fst2vcd '%s' > '%s'", path, made);
-    if (system(command) != 0) {
+    if (system(command) != 0)
         fail_msg("fst2vcd cannot read %s; it is installed by sim/deps.sh gtkwave", path);
-    }
     vcd vcd = vcd_read(made);
     assert_int_equal(remove(made), 0);
     return vcd;
@@ -154,11 +152,9 @@ void vcd_free(vcd *vcd)
 
 const vcd_signal *vcd_find(const vcd *vcd, const char *name)
 {
-    for (int i = 0; i < vcd->signal_count; i++) {
-        if (strcmp(vcd->signals[i].name, name) == 0) {
+    for (int i = 0; i < vcd->signal_count; i++)
+        if (strcmp(vcd->signals[i].name, name) == 0)
             return &vcd->signals[i];
-        }
-    }
     return NULL;
 }
 
@@ -166,9 +162,8 @@ static uint64_t parse_bits(const char *name, const char *bits)
 {
     uint64_t value = 0;
     for (; *bits != '\0'; bits++) {
-        if (*bits != '0' && *bits != '1') {
+        if (*bits != '0' && *bits != '1')
             fail_msg("%s has the value \"%s\"", name, bits);
-        }
         value = value << 1 | (uint64_t)(*bits - '0');
     }
     return value;
@@ -186,9 +181,8 @@ void vcd_text(const vcd *vcd, const char *name, uint64_t time, char *text, int s
         return;
     }
     while (next_word(&at, word, sizeof word)) {
-        if (word[0] == '#' && strtoull(word + 1, NULL, 10) > time) {
+        if (word[0] == '#' && strtoull(word + 1, NULL, 10) > time)
             break;
-        }
         if (word[0] == 'b' || word[0] == 's') {
             assert_true(next_word(&at, code, sizeof code));
             if (strcmp(code, signal->code) == 0) {
@@ -200,9 +194,8 @@ void vcd_text(const vcd *vcd, const char *name, uint64_t time, char *text, int s
             known = true;
         }
     }
-    if (!known) {
+    if (!known)
         fail_msg("%s has no value at %llu", name, (unsigned long long)time);
-    }
 }
 
 /* What a signal holds and from when on: "#15 0101", one after the other. To be freed. */
@@ -223,9 +216,8 @@ static char *history_of(const vcd *vcd, const vcd_signal *signal)
             (void)snprintf(time, sizeof time, "%.31s", word);
             continue;
         }
-        if (word[0] == '$') {
+        if (word[0] == '$')
             continue;
-        }
         if (word[0] == 'b' || word[0] == 's') {
             value = word + 1;
             assert_true(next_word(&at, code, sizeof code));
@@ -256,9 +248,8 @@ void vcd_assert_same(const vcd *a, const vcd *b)
         assert_int_equal(signal->width, other->width);
         char *in_a = history_of(a, signal);
         char *in_b = history_of(b, other);
-        if (strcmp(in_a, in_b) != 0) {
+        if (strcmp(in_a, in_b) != 0)
             fail_msg("%s: \"%s\" and \"%s\"", signal->name, in_a, in_b);
-        }
         free(in_a);
         free(in_b);
     }

@@ -1,6 +1,6 @@
 /* Reads a waveform in VCD, for tests: which signals it has and what they are at a time. */
-#ifndef GLINT_TESTS_VCD_H
-#define GLINT_TESTS_VCD_H
+#ifndef GLINT_TESTS_WAVE_VCD_H
+#define GLINT_TESTS_WAVE_VCD_H
 
 #include <stdint.h>
 
