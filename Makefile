@@ -29,11 +29,12 @@ once        = $(eval $1 := $(shell $2))$($1)
 PACKAGE_CFLAGS = $(call once,PACKAGE_CFLAGS,pkg-config --cflags $(PACKAGES) 2>/dev/null)
 PACKAGE_LIBS   = $(call once,PACKAGE_LIBS,pkg-config --libs $(PACKAGES) 2>/dev/null)
 WARNINGS   := -Wall -Wextra -Wpedantic -Wconversion -Werror
-# What runs once a command is compiled in half the time; what runs a million times is not.
-COLD       := $(patsubst %,sim/%/,cli failure file install report study wave) tests/
-OPTIMIZE    = $(if $(filter $(addsuffix %,$(COLD)),$<),-O1,-O3)
-# No contraction: a frame has the same bits on every machine.
-CFLAGS_ALL  = -std=c17 $(OPTIMIZE) -g -ffp-contract=off -fno-math-errno $(WARNINGS) -MMD -MP \
+# A loop over points, pixels or clocks is compiled with care; the rest, which is most of it, soon.
+HOT        := cmodel/ $(addprefix sim/,backend/ bench/ color/ energy/ image/ lockstep/ reflectance/ render/) \
+              sim/rtl/specular_batch.c sim/rtl/divider_batch.c tests/reference/
+OPTIMIZE    = $(if $(filter $(addsuffix %,$(HOT)),$<),-O3,-O1)
+# No contraction: a frame has the same bits on every machine. -g1: lines, not variables; CFLAGS=-g for those.
+CFLAGS_ALL  = -std=c17 $(OPTIMIZE) -g1 -ffp-contract=off -fno-math-errno $(WARNINGS) -MMD -MP \
               -Icmodel -Isim -I$(BUILD) $(PACKAGE_CFLAGS) $(CFLAGS)
 LDLIBS      = $(PACKAGE_LIBS) -lz -lm -lpthread -ldl
 
