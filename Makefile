@@ -316,7 +316,7 @@ help:
 	@echo "make test-full the same, and every input of the specular device, C against Verilog"
 	@echo "make check     a light test for the edit loop, well under a minute (docs/working.md)"
 	@echo "make           build the command $(BUILD)/glint"
-	@echo "make verification  all of it, and the table in docs/verification.md"
+	@echo "make verification  all of it, and the table in docs/verified.md"
 	@echo "make netlist   second opinions: synthesised netlists and other Verilator settings against the C model"
 	@echo "make portability  the C model with musl, and on a big-endian machine by qemu"
 	@echo "make reference the C model against exact rationals, every input"

@@ -5,7 +5,7 @@
  * Here one point goes in and every block's value comes out; glint_specular_batch() is the same
  * function for long runs of points with one material. The same circuit clock by clock is in
  * glint_specular_device.h. All of them are to agree in every bit with
- * rtl/specular_device.v: docs/verification.md says at how many points they were compared. */
+ * rtl/specular_device.v: docs/verified.md says at how many points they were compared. */
 #ifndef GLINT_CMODEL_SPECULAR_H
 #define GLINT_CMODEL_SPECULAR_H
 

@@ -1,4 +1,4 @@
-/* Notes what a test has shown for the table in docs/verification.md, when `make verification` asks
+/* Notes what a test has shown for the table in docs/verified.md, when `make verification` asks
  * for it (tests/verification/record.sh). Include it after cmocka.h; the file that does
  * defines _XOPEN_SOURCE 700 first. */
 #ifndef GLINT_TESTS_RECORD_H

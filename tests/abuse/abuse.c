@@ -424,6 +424,6 @@ void abuse_expect_documented(const char *name, const char *what, int tests)
     assert_int_equal(missing, 0);
     assert_true(total > 0);
     (void)snprintf(full, sizeof full, "abuse-%s", name);
-    record(full, what, "the command run, its answer and files looked at", (uint64_t)total, "runs",
-           child_seconds() - begun);
+    record(full, what, "running the command, checking its output and files", (uint64_t)total,
+           "runs", child_seconds() - begun);
 }

@@ -64,7 +64,7 @@ int abuse_expect_whole(const char *directory, bool in_the_making);
 /* Each test's last line: it has tried all that it was to try. */
 void abuse_all_tried(void);
 
-/* Prints the counts, expects the same in docs/abuse.md, and notes them for docs/verification.md as
+/* Prints the counts, expects the same in docs/abuse.md, and notes them for docs/verified.md as
  * abuse-`name`. A group's last test. Skipped when not all of the `tests` before it came to their
  * end: then their runs are not all counted, and that is no fault of the page. */
 void abuse_expect_documented(const char *name, const char *what, int tests);

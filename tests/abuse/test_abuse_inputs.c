@@ -386,7 +386,7 @@ static void the_counts_are_documented(void **state)
 {
     (void)state;
     abuse_expect_documented(
-        "inputs", "bad meshes, pictures, lines and packets are refused with one line, or drawn",
+        "inputs", "bad meshes, pictures, lines and packets are drawn, or refused in one line",
         TESTS);
 }
 

@@ -284,7 +284,8 @@ static void the_counts_are_documented(void **state)
 {
     (void)state;
     abuse_expect_documented(
-        "outputs", "output that cannot be written is told; what has a final name is whole", TESTS);
+        "outputs", "output that cannot be written is reported; no partial file under a final name",
+        TESTS);
 }
 
 static int set_up(void **state)

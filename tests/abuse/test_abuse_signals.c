@@ -226,7 +226,7 @@ static void the_counts_are_documented(void **state)
 {
     (void)state;
     abuse_expect_documented(
-        "signals", "signals at any moment: the command ends, what has a final name is whole",
+        "signals", "signals at any moment: the command ends; no partial file under a final name",
         TESTS);
 }
 

@@ -55,6 +55,6 @@ awk -f tests/coverage/functions.awk tests/coverage/unentered.txt "$dir/c.json" \
 cat "$dir/functions.txt"
 counts=$(sed -n 's/^functions: \([0-9]*\) items, \([0-9]*\) failed$/\1 \2/p' "$dir/functions.txt")
 tests/verification/record.sh coverage-c \
-    'every function of cmodel/ and sim/ is entered by a test, or it is said why not' gcov \
+    'every function of cmodel/ and sim/ is entered by a test or has a stated reason' gcov \
     "${counts% *}" functions "${counts#* }" "$seconds" 'make coverage'
 exit "$status"

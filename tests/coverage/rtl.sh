@@ -30,7 +30,7 @@ seconds=$(($(date +%s) - begin))
 
 note() { # lines or toggles
     counts=$(sed -n "s/^$1: \([0-9]*\) items, \([0-9]*\) failed\$/\1 \2/p" "$dir/rtl.txt")
-    tests/verification/record.sh "coverage-$1" "every $2 of rtl/ comes, or cannot" \
+    tests/verification/record.sh "coverage-$1" "every $2 of rtl/ is covered, or explained" \
         "Verilator's counters, with reasons" "${counts% *}" "$1" "${counts#* }" "$seconds" \
         'make coverage'
 }

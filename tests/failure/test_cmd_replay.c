@@ -286,7 +286,7 @@ static void what_is_out_of_range_is_refused(void **state)
         forget(&done);
     }
     seconds_refusing += child_seconds() - begin;
-    record("abuse-packet", "a damaged failure packet is refused in one line, not played",
+    record("abuse-packet", "a damaged failure packet is refused in one line, not replayed",
            "cut and edited packets", refused, "packets", seconds_refusing);
 }
 

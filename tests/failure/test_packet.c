@@ -570,8 +570,8 @@ static void a_packet_is_read_and_played(void **state)
         glint_failure_destroy(read);
     }
     record("rtl-9-packet",
-           "a failure packet shows its mismatch again, and none with the right circuit",
-           "circuits wrong on purpose", FAULT_COUNT, "circuits", child_seconds() - begin);
+           "a failure packet reproduces its mismatch, and shows none with the correct circuit",
+           "deliberately broken circuits", FAULT_COUNT, "circuits", child_seconds() - begin);
 }
 
 static void nothing_but_a_packet_is_replaced(void **state)

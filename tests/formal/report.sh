@@ -1,6 +1,6 @@
 #!/bin/sh
 # The table of what tests/formal/prove.sh found, from its directories, and a note of each group for
-# docs/verification.md.
+# docs/verified.md.
 #
 #   tests/formal/report.sh DIRECTORY...
 #
@@ -42,13 +42,13 @@ record() {
     "$here/../verification/record.sh" "$1" "$2" "$3" "$7" "$6" "$8" "$9" 'make formal'
 }
 
-record formal-device 'every input once, in order, on time, with its value; frozen and reset' \
+record formal-device 'every input comes out once, in order, on time, with its value; freeze and reset work' \
     'induction, z3' '^device-[^ ]*	' PROVED proofs
 record formal-divider 'busy, done, latency; the sum of the terms of the table' \
     'induction, z3' '^\(sequential\|pipelined\|table\)-[^ ]*	' PROVED proofs
-record formal-gates 'gate sign equals gate cosine' 'induction, z3' '^gates-[^ ]*	' PROVED proofs
+record formal-gates 'gates sign and cosine are equal' 'induction, z3' '^gates-[^ ]*	' PROVED proofs
 record formal-roms 'ROM 33 is (n+1)/3 rounded; ROM 9 is where t changes sign' 'SMT, z3' '^roms	' PROVED proofs
-record formal-wrong 'circuits wrong on purpose are noticed' 'counterexample, z3' '^[^ 	]* ' 'FAULT FOUND' circuits
+record formal-wrong 'every deliberately broken circuit is caught' 'counterexample, z3' '^[^ 	]* ' 'FAULT FOUND' circuits
 
 echo "$lines" | awk -F '\t' '
     $6 == "PROVED" { proved++ } $6 == "FAULT FOUND" { found++ }

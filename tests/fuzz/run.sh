@@ -54,7 +54,8 @@ for target in "$@"; do
         "${covered:-0}" "$(find "$kept" -type f | wc -l)" "$failed"
     sed -n 's/^mesh: /        /p' "$log"
     [ "$tried" -eq 0 ] || tests/verification/record.sh "fuzz-$target" \
-        "no input of the target \"$target\" crashes, hangs or breaks a promise" "libFuzzer, ASan, UBSan" \
+        "no input to the target \"$target\" crashes it, hangs it or violates an invariant" \
+        "libFuzzer, ASan, UBSan" \
         "$tried" inputs "$failed" "$(($(date +%s) - begin))" "make fuzz FUZZ_SECONDS=$seconds"
 done
 exit "$status"

@@ -112,7 +112,7 @@ $circuit: the prover refuted $different of $asked killed faults, $points by a po
 confirms; the longest proof took $longest s of $seconds s an attempt
 END
 tests/verification/record.sh "mutation-$circuit" \
-    "single faults of the synthesised $circuit are noticed, or proven to change nothing" \
+    "single faults of the synthesised $circuit are caught, or proven equivalent" \
     "Yosys mutate, lockstep, SAT" "$all" faults "$open" $(($(date +%s) - begin)) "make mutation"
 [ "$open" -eq 0 ] || {
     grep -E '	(missed|undecided)	' "$results" | cut -c 1-160

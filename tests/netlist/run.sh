@@ -24,13 +24,13 @@ note() { # NAME WHAT METHOD CASES UNIT FAILED
 }
 
 circuits=$(sum_of netlists 8)
-note netlist-pins "the netlists of Yosys, iCE40 and gates, are the C model, at the pins" \
+note netlist-pins "Yosys netlists, iCE40 and plain gates, match the C model at the pins" \
     "lockstep of $circuits netlists" "$(sum_of netlists 4)" comparisons "$(sum_of netlists 1)"
 circuits=$(sum_of 'second builds' 8)
-note netlist-verilator "Verilator without its optimisers is the C model, every register" \
+note netlist-verilator "Verilator without its optimisers matches the C model in every register" \
     "lockstep of $circuits builds" "$(sum_of 'second builds' 4)" comparisons \
     "$(sum_of 'second builds' 1)"
 circuits=$(sum_of 'wrong netlists' 8)
-note netlist-faults "a netlist with a fault is found" "lockstep at the pins" "$circuits" faults \
+note netlist-faults "every faulty netlist is caught" "lockstep at the pins" "$circuits" faults \
     $((circuits - $(sum_of 'wrong netlists' 10)))
 exit "$status"

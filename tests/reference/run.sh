@@ -17,12 +17,11 @@ note() { # NAME WHAT LINE UNIT: of the line "LINE: D differ of N UNIT…"
     tests/verification/record.sh "$1" "$2" 'exact rationals, whole domain' "${counts% *}" "$4" \
         "${counts#* }" "$seconds" 'make reference'
 }
-note model-reference-w 'W is the formula with its stated roundings, bit for bit' W points
-note model-reference-colors 'the colours are W times colour to the nearest, bit for bit' colours \
-    values
-note model-reference-multiplier 'multiplier 13 rounds every product to the nearest' 'multiplier 13' \
-    pairs
-note model-reference-roms 'both ROMs hold what their definition says' ROMs words
-note model-reference-divider 'a quotient is the sum of the terms of 1/k to the nearest' divider \
-    divisions
+note model-reference-w 'W is the formula with its stated rounding, bit for bit' W points
+note model-reference-colors 'each output is W times the colour, rounded to nearest, bit for bit' \
+    colours values
+note model-reference-multiplier 'multiplier 13 rounds every product to nearest' 'multiplier 13' pairs
+note model-reference-roms 'both ROMs match their definitions' ROMs words
+note model-reference-divider 'each quotient is exactly the sum of the terms of the rounded 1/k' \
+    divider divisions
 exit "$status"

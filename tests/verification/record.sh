@@ -1,5 +1,5 @@
 #!/bin/sh
-# Notes one result for the table in docs/verification.md. `make verification` collects them.
+# Notes one result for the table in docs/verified.md. `make verification` collects them.
 #
 #   tests/verification/record.sh NAME WHAT METHOD CASES UNIT FAILED SECONDS COMMAND
 #

@@ -1,4 +1,4 @@
-# Everything that verifies, in its full form, and the table of docs/verification.md from its results.
+# Everything that verifies, in its full form, and the table of docs/verified.md from its results.
 
 .PHONY: verification
 verification: export GLINT_RECORDS = $(abspath $(BUILD))/verification
@@ -16,4 +16,4 @@ verification:
 	+$(MAKE) netlist
 	+$(MAKE) coverage
 	+$(MAKE) fuzz
-	tests/verification/table.sh $(GLINT_RECORDS) docs/verification.md
+	tests/verification/table.sh $(GLINT_RECORDS) docs/verified.md

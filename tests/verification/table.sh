@@ -38,8 +38,9 @@ version() {
 # 268436480 is read more easily as 268 436 480.
 table() {
     echo "<!-- verification table: begin -->"
-    echo "From the last run of each check, written on $(date -u +%Y-%m-%d); $(nproc) cores; $(version verilator --version);" \
-        "$(version yosys -V | sed 's/ (.*//'); $(version iverilog -V | sed 's/ (.*//')."
+    echo "From the last run of each check; written on $(date -u +%Y-%m-%d), on $(nproc) cores, with"
+    echo "$(version verilator --version); $(version yosys -V | sed 's/ (.*//');" \
+        "$(version iverilog -V | sed 's/ (.*//')."
     echo
     echo "| what | by | cases | failed | time | again |"
     echo "|---|---|--:|--:|--:|---|"

@@ -56,7 +56,7 @@ static void notes_become_the_table(void **state)
     write_document("before\n" BEGIN "what was there\n" END "after\n");
     assert_int_equal(shell("tests/verification/table.sh \"$D/records\" \"$D/document\""), 0);
     char *text = scratch_read(scratch_path("document"), NULL);
-    assert_ptr_equal(strstr(text, "before\n" BEGIN "From the last run of each check, written on "),
+    assert_ptr_equal(strstr(text, "before\n" BEGIN "From the last run of each check; written on "),
                      text);
     const char *first =
         strstr(text, "| first row | exhaustion | 268 436 480 points | 0 | 4.2 s | `make b` |\n");
