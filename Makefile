@@ -30,8 +30,9 @@ PACKAGE_CFLAGS = $(call once,PACKAGE_CFLAGS,pkg-config --cflags $(PACKAGES) 2>/d
 PACKAGE_LIBS   = $(call once,PACKAGE_LIBS,pkg-config --libs $(PACKAGES) 2>/dev/null)
 WARNINGS   := -Wall -Wextra -Wpedantic -Wconversion -Werror
 # A loop over points, pixels or clocks is compiled with care; the rest, which is most of it, soon.
-HOT        := cmodel/ $(addprefix sim/,backend/ bench/ color/ energy/ image/ lockstep/ reflectance/ render/) \
-              sim/rtl/specular_batch.c sim/rtl/divider_batch.c tests/reference/
+HOT        := cmodel/ $(addprefix sim/,backend/ bench/ color/ energy/ lockstep/ reflectance/ \
+              $(addprefix render/,gouraud paint points raster render setup shade span) \
+              rtl/specular_batch rtl/divider_batch) tests/reference/
 OPTIMIZE    = $(if $(filter $(addsuffix %,$(HOT)),$<),-O3,-O1)
 # No contraction: a frame has the same bits on every machine. -g1: lines, not variables; CFLAGS=-g for those.
 CFLAGS_ALL  = -std=c17 $(OPTIMIZE) -g1 -ffp-contract=off -fno-math-errno $(WARNINGS) -MMD -MP \
@@ -233,15 +234,17 @@ include tests/circuits.mk $(wildcard tests/*/rules.mk)
 
 # ---- What a user calls -----------------------------------------------------------------------------
 
-# The picture, a first verdict and a waveform; only the circuits that they show are built.
+# The picture and a first verdict, each with the one circuit that it shows, built side by side; then the
+# waveform with its own.
 DEMO := $(BUILD)/demo
+.PHONY: demo-picture demo-verdict
 demo:
 	@sim/deps.sh demo
 	@echo "building $(BUILD)/glint"
 	@+$(MAKE) --no-print-directory -j$(JOBS) SILENT=1 $(BUILD)/glint
 	@mkdir -p $(DEMO)
-	@$(BUILD)/glint render --model teapot --size 1280x960 --backend both --force --out $(DEMO)/teapot.png
-	@$(BUILD)/glint verify --clocks 20000 --lanes 1 --gate cosine --pipeline pipelined --seed 1 --out $(DEMO)/failure
+	@echo "building two circuits from the Verilog: one draws the picture, one shows every register"
+	@+$(MAKE) --no-print-directory -j2 -Otarget demo-picture demo-verdict
 	@$(BUILD)/glint wave --lanes 1 --pipeline pipelined --circuit specular --out $(DEMO)
 	@echo
 	@echo "the picture:   $(DEMO)/teapot.png"
@@ -250,6 +253,14 @@ demo:
 	@command -v gtkwave >/dev/null || echo "(GTKWave is not installed; sim/deps.sh gtkwave installs it)"
 	@echo "what it shows: docs/waveforms.md"
 	@echo "every setting: $(BUILD)/glint verify (52 circuits are built first); how to work with it: docs/working.md"
+
+demo-picture:
+	@$(BUILD)/glint render --model teapot --size 1280x960 --backend both --lanes 4 --force \
+	    --out $(DEMO)/teapot.png
+
+demo-verdict:
+	@$(BUILD)/glint verify --clocks 20000 --lanes 1 --gate cosine --pipeline pipelined --seed 1 \
+	    --out $(DEMO)/failure
 
 bench:
 	sim/deps.sh bench

@@ -22,7 +22,7 @@ static const char *const common_flags[] = {
     "-DVM_COVERAGE=0",  "-DVM_SC=0",       "-DVM_TRACE=1",        "-DVM_TRACE_FST=1",
     "-DVM_TRACE_VCD=1", "-DVL_USER_FATAL", "-DVL_USER_FINISH",    NULL,
 };
-static const char *const runtime_flags[] = {"-O1", NULL};
+static const char *const runtime_flags[] = {"-O0", NULL};
 /* A fast circuit is there for billions of clocks on this machine (-O3 gives nothing more, docs/ has
  * what was measured), any other for a first answer soon. */
 static const char *const soon_flags[] = {"-O1", NULL};
