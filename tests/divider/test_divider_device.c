@@ -574,23 +574,47 @@ static void assert_bits(const glint_divider_device *device, glint_divider_form f
     assert_true(glint_divider_signal_bits(device, index) == ((uint64_t)value & mask));
 }
 
-#define ASSERT_SEQUENTIAL(name, ...) assert_bits(device, form, index++, #name, s->name);
-#define ASSERT_PIPELINED(name, ...)  assert_bits(device, form, index++, #name, p->name);
-#define ASSERT_STAGE(name, ...)      assert_bits(device, form, index++, #name, p->stage[stage].name);
+/* Each asserts the bits of some signals, of which the first is number `index`; the number after
+ * them. */
+static int assert_sequential_bits(const glint_divider_device *device)
+{
+    const glint_divider_sequential_signals *s = glint_divider_device_sequential(device);
+    int index = 0;
+#define ASSERT_SIGNAL(name, ...)                                                                   \
+    assert_bits(device, GLINT_DIVIDER_SEQUENTIAL, index++, #name, s->name);
+    GLINT_DIVIDER_SEQUENTIAL_SIGNALS(ASSERT_SIGNAL)
+#undef ASSERT_SIGNAL
+    return index;
+}
+
+static int assert_stage_bits(const glint_divider_device *device, int index, int stage)
+{
+    const glint_divider_pipelined_signals *p = glint_divider_device_pipelined(device);
+#define ASSERT_SIGNAL(name, ...)                                                                   \
+    assert_bits(device, GLINT_DIVIDER_PIPELINED, index++, #name, p->stage[stage].name);
+    GLINT_DIVIDER_STAGE_SIGNALS(ASSERT_SIGNAL)
+#undef ASSERT_SIGNAL
+    return index;
+}
+
+static int assert_pipelined_bits(const glint_divider_device *device)
+{
+    const glint_divider_pipelined_signals *p = glint_divider_device_pipelined(device);
+    int index = 0;
+#define ASSERT_SIGNAL(name, ...)                                                                   \
+    assert_bits(device, GLINT_DIVIDER_PIPELINED, index++, #name, p->name);
+    GLINT_DIVIDER_PIPELINED_SIGNALS(ASSERT_SIGNAL)
+#undef ASSERT_SIGNAL
+    for (int stage = 1; stage <= glint_divider_device_shifts(device); stage++)
+        index = assert_stage_bits(device, index, stage);
+    return index;
+}
 
 static void assert_all_bits(const glint_divider_device *device, glint_divider_form form, int n)
 {
-    const glint_divider_sequential_signals *s = glint_divider_device_sequential(device);
-    const glint_divider_pipelined_signals *p = glint_divider_device_pipelined(device);
-    int index = 0;
-    if (s != NULL)
-        GLINT_DIVIDER_SEQUENTIAL_SIGNALS(ASSERT_SEQUENTIAL)
-    if (p != NULL) {
-        GLINT_DIVIDER_PIPELINED_SIGNALS(ASSERT_PIPELINED)
-        for (int stage = 1; stage <= n; stage++)
-            GLINT_DIVIDER_STAGE_SIGNALS(ASSERT_STAGE)
-    }
-    assert_int_equal(index, glint_divider_signal_count(form, n));
+    const int count = form == GLINT_DIVIDER_SEQUENTIAL ? assert_sequential_bits(device)
+                                                       : assert_pipelined_bits(device);
+    assert_int_equal(count, glint_divider_signal_count(form, n));
 }
 
 static void bits_are_those_of_the_signal(void **state)

@@ -533,9 +533,22 @@ static void assert_reads(const glint_specular_config *config, const char *name, 
     *field = 0;
 }
 
-#define ASSERT_SHARED(name, ...) assert_reads(&config, #name, -1, &signals.name, &signals);
-#define ASSERT_LANE(name, ...)                                                                     \
-    assert_reads(&config, #name, lane, &signals.lane[lane].name, &signals);
+static void assert_shared_reads(const glint_specular_config *config,
+                                glint_specular_signals *signals)
+{
+#define ASSERT_READS(name, ...) assert_reads(config, #name, -1, &signals->name, signals);
+    GLINT_SPECULAR_SHARED_SIGNALS(ASSERT_READS)
+#undef ASSERT_READS
+}
+
+static void assert_lane_reads(const glint_specular_config *config, glint_specular_signals *signals,
+                              int lane)
+{
+#define ASSERT_READS(name, ...)                                                                    \
+    assert_reads(config, #name, lane, &signals->lane[lane].name, signals);
+    GLINT_SPECULAR_LANE_SIGNALS(ASSERT_READS)
+#undef ASSERT_READS
+}
 
 static void bits_are_those_of_the_signal(void **state)
 {
@@ -543,9 +556,9 @@ static void bits_are_those_of_the_signal(void **state)
     static glint_specular_signals signals;
     for (int i = 0; i < SETTINGS; i++) {
         const glint_specular_config config = setting(i);
-        GLINT_SPECULAR_SHARED_SIGNALS(ASSERT_SHARED)
+        assert_shared_reads(&config, &signals);
         for (int lane = 0; lane < config.lanes; lane++)
-            GLINT_SPECULAR_LANE_SIGNALS(ASSERT_LANE)
+            assert_lane_reads(&config, &signals, lane);
     }
 }
 
