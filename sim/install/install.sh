@@ -47,7 +47,7 @@ list() {
     below 644 share/doc/glint/docs docs/*.md
     below 644 share/doc/glint/docs/images docs/images/*.png
     below 644 share/doc/glint/docs/examples/saturating_mac docs/examples/saturating_mac/*
-    echo "example README.md share/doc/glint/examples/example.c"
+    echo "example docs/library.md share/doc/glint/examples/example.c"
     below man share/man/man1 "$build"/install/man/*.1
     echo "644 $build/install/completion/glint.bash share/bash-completion/completions/glint"
     echo "644 $build/install/completion/_glint share/zsh/site-functions/_glint"
@@ -86,7 +86,7 @@ put() {
     link) ln -sf "$2" "$target" ;;
     pc) pkg_config_file >"$target" ;;
     man) sed "s|@docdir@|$PREFIX/share/doc/glint|" "$2" >"$target" ;;
-    example) sed -n '/^```c$/,/^```$/{/^```/d;p}' "$2" >"$target" ;; # the README has the one copy
+    example) sed -n '/^```c$/,/^```$/{/^```/d;p}' "$2" >"$target" ;; # that page has the one copy
     *) install -m "$1" "$2" "$target" ;;
     esac
 }

@@ -1,4 +1,4 @@
-/* make install and make uninstall: the README's own lines, run as they stand; a package put
+/* make install and make uninstall: the lines of docs/library.md, run as they stand; a package put
  * together below a directory with a blank in its name; prefixes that cannot be; the completions. */
 #define _XOPEN_SOURCE 700
 
@@ -13,6 +13,8 @@
 #include "../scratch.h"
 
 #include "../child.h"
+
+#define PAGE "docs/library.md"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define COMPILED_AS "-fsanitize=address,undefined"
@@ -53,33 +55,33 @@ static void expect_lines(const char *lines, const char *said)
     free(err);
 }
 
-/* The README's line that begins with these words. */
-static void readme_line(const char *begin, char line[512])
+/* The page's line that begins with these words. */
+static void page_line(const char *begin, char line[512])
 {
     char indented[128];
     (void)snprintf(indented, sizeof indented, "\n    %s", begin);
-    char *text = scratch_read("README.md", NULL);
+    char *text = scratch_read(PAGE, NULL);
     const char *found = strstr(text, indented);
     if (found == NULL)
-        fail_msg("the README has no line \"%s\"", begin);
+        fail_msg(PAGE " has no line \"%s\"", begin);
     const int length = (int)strcspn(found + 1, "\n");
     assert_true(length < 512);
     (void)snprintf(line, 512, "%.*s", length, found + 1);
     free(text);
 }
 
-/* What the README's example prints is in its comment. */
-static void the_lines_of_the_readme_work(void **state)
+/* What the page's example prints is in its comment. */
+static void the_lines_of_the_page_work(void **state)
 {
     (void)state;
     char install[512], path[512], line[512], lines[4096];
-    readme_line("make install PREFIX=", install);
-    readme_line("export PKG_CONFIG_PATH=", path);
+    page_line("make install PREFIX=", install);
+    page_line("export PKG_CONFIG_PATH=", path);
     expect_lines(install, "");
     for (int i = 0; i < 1 + STATIC; i++) {
-        readme_line(i == 0 ? "cc example.c $(pkg-config --cflags --libs libglint)"
-                           : "cc example.c $(pkg-config --cflags --libs --static libglint)",
-                    line);
+        page_line(i == 0 ? "cc example.c $(pkg-config --cflags --libs libglint)"
+                         : "cc example.c $(pkg-config --cflags --libs --static libglint)",
+                  line);
         (void)snprintf(lines, sizeof lines,
                        "%s\ncd $S\ncp $HOME/glint/share/doc/glint/examples/example.c .\n%s\n"
                        "./a.out\nldd ./a.out 2>/dev/null | grep -o 'libglint.so.* => [^ ]*' || :\n",
@@ -89,7 +91,7 @@ static void the_lines_of_the_readme_work(void **state)
                        i == 0 ? scratch_directory : "", i == 0 ? "/glint/lib/libglint.so.0\n" : "");
         expect_lines(lines, said);
     }
-    expect_lines("grep -q '136 101 59' README.md", "");
+    expect_lines("grep -q '136 101 59' " PAGE, "");
 }
 
 /* In what is installed: the manual pages are there for each subcommand, and what a --help or a page
@@ -256,7 +258,7 @@ static void every_option_is_completed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_lines_of_the_readme_work),
+        cmocka_unit_test(the_lines_of_the_page_work),
         cmocka_unit_test(what_is_named_is_installed),
         cmocka_unit_test(the_installed_command_verifies),
         cmocka_unit_test(nothing_is_left_of_it),
