@@ -34,7 +34,8 @@ HOT        := cmodel/ $(addprefix sim/,backend/ bench/ color/ energy/ lockstep/ 
               $(addprefix render/,gouraud paint points raster render setup shade span) \
               rtl/specular_batch rtl/divider_batch) tests/reference/
 OPTIMIZE    = $(if $(filter $(addsuffix %,$(HOT)),$<),-O3,-O1)
-# No contraction: a frame has the same bits on every machine. -g1: lines, not variables; CFLAGS=-g for those.
+# No contraction: a frame has the same bits on every machine. -g1: lines, not variables; CFLAGS=-g
+# for those.
 CFLAGS_ALL  = -std=c17 $(OPTIMIZE) -g1 -ffp-contract=off -fno-math-errno $(WARNINGS) -MMD -MP \
               -Icmodel -Isim -I$(BUILD) $(PACKAGE_CFLAGS) $(CFLAGS)
 LDLIBS      = $(PACKAGE_LIBS) -lz -lm -lpthread -ldl
@@ -74,8 +75,8 @@ $(BUILD)/glint-gen: $(BUILD)/cmodel/gen.o $(BUILD)/libglint.a
 	$(call say,LD,$@)
 	$Q$(CC) $(LDFLAGS) -o $@ $^ -lm
 
-# What is generated is committed; `make generate` makes it anew, and a test compares. A file that stays
-# the same is not touched.
+# What is generated is committed; `make generate` makes it anew, and a test compares. A file that
+# stays the same is not touched.
 GENERATED := rtl/glint_formats.vh:formats rtl/sigma_rom.v:sigma-rom rtl/limit_rom.v:limit-rom \
              rtl/reciprocal_rom.v:reciprocal-rom
 
@@ -87,7 +88,7 @@ generate: $(BUILD)/glint-gen
 	done; \
 	rm $(BUILD)/generated
 
-# ---- What drives them: libglint-sim and the command ------------------------------------------------
+# ---- What drives them: libglint-sim and the command ----------------------------------------------
 
 SIM_SOURCES := $(filter-out $(wildcard sim/cli/*.c),$(wildcard sim/*/*.c))
 SIM_OBJECTS := $(SIM_SOURCES:%.c=$(BUILD)/%.o)
@@ -115,20 +116,21 @@ $(BUILD)/glint: $(CLI_OBJECTS) $(LIBRARIES) | $(BUILD)/tree
 
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
 
-# ---- Tests -----------------------------------------------------------------------------------------
+# ---- Tests ---------------------------------------------------------------------------------------
 
 # tests/<thing>/test_*.c, each a program of its own.
 TEST_SOURCES  := $(wildcard tests/*/test_*.c)
 TEST_PROGRAMS := $(TEST_SOURCES:%.c=$(BUILD)/%)
 .SECONDARY: $(TEST_PROGRAMS:%=%.o)
 
-# Circuits that are wrong on purpose, for the tests of the bench itself: $(BUILD)/wrong/<what> is rtl/
-# with a fault in it, for the option --rtl. The fault is an edit of rtl/<module>.v; one that no longer
-# finds its line is an error. Those of deep/ need a long run, or a long stall, to show.
+# Circuits that are wrong on purpose, for the tests of the bench itself: $(BUILD)/wrong/<what> is
+# rtl/ with a fault in it, for the option --rtl. The fault is an edit of rtl/<module>.v; one that no
+# longer finds its line is an error. Those of deep/ need a long run, or a long stall, to show.
 RTL             := $(wildcard rtl/*.v rtl/*.vh)
 FAULTS          := $(wildcard tests/lockstep/wrong/*/*.sed)
 DEEP_FAULTS     := $(wildcard tests/lockstep/deep/*/*.sed)
-# Of the dividers: tests/divider/{wrong,deep}/<form>/<what>/<module>.sed, $(BUILD)/wrong/divider_<what>.
+# Of the dividers: tests/divider/{wrong,deep}/<form>/<what>/<module>.sed,
+# $(BUILD)/wrong/divider_<what>.
 DIVIDER_FAULTS  := $(wildcard tests/divider/wrong/*/*/*.sed)
 DEEP_DIVIDER_FAULTS := $(wildcard tests/divider/deep/*/*/*.sed)
 wrong_name       = $(notdir $(patsubst %/,%,$(dir $1)))
@@ -166,8 +168,9 @@ build-tests: $(TEST_PROGRAMS) $(BUILD)/glint $(BUILD)/glint-gen $(WRONG_CIRCUITS
 run-tests: build-tests
 	GLINT=$(BUILD)/glint GLINT_BUILD=$(BUILD) tests/run.sh $(BUILD)/test-logs $(TEST_PROGRAMS)
 
-# For the edit loop: the C model, the descriptions, and one setting of each circuit in lockstep. No GTKWave,
-# clang or valgrind. One test alone: make build/tests/model/test_device && build/tests/model/test_device
+# For the edit loop: the C model, the descriptions, and one setting of each circuit in lockstep. No
+# GTKWave, clang or valgrind. One test alone: make build/tests/model/test_device &&
+# build/tests/model/test_device
 CHECKS := $(filter %/test_description %/test_words %/test_random_pins $(BUILD)/tests/model/% $(BUILD)/tests/image/% \
           $(BUILD)/tests/color/%,$(TEST_PROGRAMS))
 .PHONY: check
@@ -197,7 +200,7 @@ sanitize:
 	+$(MAKE) -j$(JOBS) SANITIZE=1 BUILD=$(BUILD)/sanitize VERILATED=$(VERILATED) build-tests
 	+$(MAKE) SANITIZE=1 BUILD=$(BUILD)/sanitize VERILATED=$(VERILATED) run-tests
 
-# ---- Lint ------------------------------------------------------------------------------------------
+# ---- Lint ----------------------------------------------------------------------------------------
 
 C_SOURCES  := $(wildcard cmodel/*.c sim/*/*.c tests/*/*.c docs/examples/*/*.c tests/circuit/own/*/*.c)
 
@@ -208,7 +211,8 @@ lint:
 	    { [ "$$(stat -c %a /dev/null)" = "$$mode" ] || \
 	        { echo "lint has changed the mode of /dev/null from $$mode" >&2; exit 1; }; }
 
-# Every listed setting of every circuit; make lint-NAME for one of them, as $(BUILD)/settings has it.
+# Every listed setting of every circuit; make lint-NAME for one of them, as $(BUILD)/settings has
+# it.
 lint-verilog: $(BUILD)/settings
 	+@$(MAKE) $$(cut -d ' ' -f 2 $< | sed 's/^/lint-/')
 
@@ -221,18 +225,18 @@ lint-c:
 	$(call say,LINT,'$(words $(C_SOURCES)) C files')
 	$Qclang -std=c17 -O3 -fsyntax-only $(WARNINGS) -Icmodel -Isim -I$(BUILD) $(PACKAGE_CFLAGS) $(C_SOURCES)
 
-# The shim over a circuit, with and without a clock and a waveform; where it runs it is compiled without
-# warnings, as Verilator's code is nobody's to mend.
+# The shim over a circuit, with and without a clock and a waveform; where it runs it is compiled
+# without warnings, as Verilator's code is nobody's to mend.
 lint-cpp:
 	$(call say,LINT,sim/rtl/shim.cpp)
 	@mkdir -p $(BUILD)/lint/shim
 	$Qtests/circuits/lint_shim.sh $(BUILD)/lint/shim $(VERILATOR_INCLUDE)
 
-# ---- Longer checks: mutation, proofs, netlists, coverage, fuzzing, each with its own rules ----------
+# ---- Longer checks: mutation, proofs, netlists, coverage, fuzzing, each with its own rules -------
 
 include tests/circuits.mk $(wildcard tests/*/rules.mk)
 
-# ---- What a user calls -----------------------------------------------------------------------------
+# ---- What a user calls ---------------------------------------------------------------------------
 
 # The picture and a first verdict, each with the one circuit that it shows, built side by side; then the
 # waveform with its own.
@@ -277,7 +281,7 @@ report:
 	+$(MAKE) -j$(JOBS) $(BUILD)/glint
 	$(BUILD)/glint report --out $(BUILD)/report
 
-# ---- Installing ------------------------------------------------------------------------------------
+# ---- Installing ----------------------------------------------------------------------------------
 
 VERSION   := $(shell sed -n 's/.*GLINT_VERSION "\(.*\)"/\1/p' sim/cli/version.h)
 SHARED    := $(BUILD)/libglint.so.$(VERSION)

@@ -36,8 +36,8 @@ module divider_stage #(
     output reg  signed [D+SHIFTS-1:0] acc_g,
     output reg  signed [D+SHIFTS-1:0] acc_b
 );
-    // d / 2^STAGE with n fraction bits: the sign fills the places on the left. (One zero is put on the
-    // right and taken off again, since the last stage would need a replication of none.)
+    // d / 2^STAGE with n fraction bits: the sign fills the places on the left. (One zero is put on
+    // the right and taken off again, since the last stage would need a replication of none.)
     localparam W = D + SHIFTS;
     wire [W:0] wide_r = {{STAGE{in_d_r[D-1]}}, in_d_r, {(SHIFTS - STAGE + 1){1'b0}}};
     wire [W:0] wide_g = {{STAGE{in_d_g[D-1]}}, in_d_g, {(SHIFTS - STAGE + 1){1'b0}}};

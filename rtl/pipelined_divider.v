@@ -5,10 +5,11 @@
 // Formats     difference_* S9.0, -255..255;  k U8.0;  quotient_* S9.n, n = SHIFTS
 // Rounding    none here: the rounding is in the table (reciprocal_rom).
 // Latency     SHIFTS + 1 clocks from the edge that takes the inputs to the one after which the
-//             quotients are out, both counted. Throughput: one division of three components a clock.
-// Handshake   in_valid at an enabled edge takes the inputs; out_valid marks the quotients. There is no
-//             back pressure; en = 0 freezes the whole pipeline instead. out_of_table comes with the
-//             quotients: k was 0 or beyond GLINT_DIVIDER_K_MAX, and they are 0.
+//             quotients are out, both counted. Throughput: one division of three components a
+//             clock.
+// Handshake   in_valid at an enabled edge takes the inputs; out_valid marks the quotients. There is
+//             no back pressure; en = 0 freezes the whole pipeline instead. out_of_table comes with
+//             the quotients: k was 0 or beyond GLINT_DIVIDER_K_MAX, and they are 0.
 // Reset       synchronous, active high, clears everything, whatever en says.
 // Parameters  SHIFTS 6..16
 `default_nettype none
@@ -62,7 +63,8 @@ module pipelined_divider #(
     wire            rom_miss;
     reciprocal_rom #(.SHIFTS(SHIFTS)) u_rom (.k(s0_k), .bits(rom_bits), .miss(rom_miss));
 
-    // Between the stages: element j is what stage j hands on. i0, for k = 1, is added before the first.
+    // Between the stages: element j is what stage j hands on. i0, for k = 1, is added before the
+    // first.
     wire            valid [0:SHIFTS];
     wire            miss  [0:SHIFTS];
     wire [SHIFTS:0] bits  [0:SHIFTS];

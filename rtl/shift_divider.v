@@ -1,14 +1,15 @@
 // shift_divider: the shift-accumulate divider of figure 2.13 (thesis section 2.4).
 //
-// Function    quotient = difference * (i0 + i1/2 + i2/4 + ... + in/2^n), n = SHIFTS, the bits ij being
-//             those of 2^n/k rounded to nearest: about difference / k (2.18). No bit that is shifted
-//             out is lost, so the quotient is the exact sum.
-// Blocks      shift register shift_rg, accumulating register acc_rg and its adder sum, table rom_bits
-//             (reciprocal_rom); bits_rg hands the adder one bit ij a clock: it adds where ij = 1.
+// Function    quotient = difference * (i0 + i1/2 + i2/4 + ... + in/2^n), n = SHIFTS, the bits ij
+//             being those of 2^n/k rounded to nearest: about difference / k (2.18). No bit that is
+//             shifted out is lost, so the quotient is the exact sum.
+// Blocks      shift register shift_rg, accumulating register acc_rg and its adder sum, table
+//             rom_bits (reciprocal_rom); bits_rg hands the adder one bit ij a clock: it adds where
+//             ij = 1.
 // Formats     difference S9.0, -255..255;  k U8.0;  quotient, shift_rg, acc_rg S9.n
 // Rounding    none here: the rounding is in the table.
-// Latency     SHIFTS + 1 clocks from the edge that takes start to the one after which done is 1, both
-//             counted. Throughput: one division every SHIFTS + 1 clocks.
+// Latency     SHIFTS + 1 clocks from the edge that takes start to the one after which done is 1,
+//             both counted. Throughput: one division every SHIFTS + 1 clocks.
 // Handshake   start is taken at an enabled edge where busy = 0. done is 1 for one enabled clock;
 //             quotient and out_of_table hold from then until the next start is taken. A start while
 //             busy = 1 is ignored. start and done may meet in one clock.

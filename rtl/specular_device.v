@@ -1,7 +1,8 @@
 // specular_device: the specular-colour device of figure 3.1 (thesis section 3.1).
 //
-// Function    out = W times (R, G, B),  W = (sigma (cos - 1) + 1)^2 inside the highlight, 0 outside,
-//             sigma = (n + 1) / 3, for LANES cosines a clock with one material (n, R, G, B).
+// Function    out = W times (R, G, B),  W = (sigma (cos - 1) + 1)^2 inside the highlight, 0
+//             outside, sigma = (n + 1) / 3, for LANES cosines a clock with one material (n, R, G,
+//             B).
 // Blocks      registers 2 to 5, ROM 33, ROM 9 here; the others once a lane in specular_lane.
 //             Signals carry the block's number: reg2, rom33, lane[0].adder6, lane[0].keys12 ...
 //             A prefix s2_, s3_ names the pipeline stage that a delayed copy belongs to.
@@ -9,8 +10,8 @@
 //             out_w U1.18, out_r, out_g, out_b U8.0; lane i in bits [i*width +: width]
 // Rounding    half up, see specular_lane; each output within 0.52 of an 8-bit step of the formula
 // Latency     PIPELINED = 1: 4 clocks; 0: 1 clock, registers 1-5 and then combinational.
-//             Counted from the edge that takes the cosine to the edge after which its result is out,
-//             both included. Throughput: LANES cosines a clock, every clock.
+//             Counted from the edge that takes the cosine to the edge after which its result is
+//             out, both included. Throughput: LANES cosines a clock, every clock.
 // Reset       synchronous, active high; clears every register, whatever en says.
 // Handshake   in_valid[i] = 1 at an enabled edge: lane i takes its cosine; out_valid[i] marks its
 //             result. There is no back pressure; en = 0 freezes the whole device instead.

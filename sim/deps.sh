@@ -4,11 +4,14 @@
 #   sim/deps.sh GOAL...     goals: the names in the table below
 #   NO_INSTALL=1 sim/deps.sh GOAL...     only says what to install
 #
-# Exit status 0: all is there; 1: something is missing (NO_INSTALL=1); 2: trouble, such as a package that
-# cannot be installed. Silent when nothing is missing. Installs with apt-get, through sudo when not root.
+# Exit status 0: all is there; 1: something is missing (NO_INSTALL=1); 2: trouble, such as a package
+# that cannot be installed. Silent when nothing is missing. Installs with apt-get, through sudo when
+# not root.
 set -u
 
-build='gcc g++ make pkg-config verilator zlib1g-dev libpng-dev libfreetype-dev fonts-dejavu-core libassimp-dev libcjson-dev libcmark-gfm-dev libcmark-gfm-extensions-dev nettle-dev'
+build='gcc g++ make pkg-config verilator zlib1g-dev libpng-dev libfreetype-dev'
+build="$build fonts-dejavu-core libassimp-dev libcjson-dev libcmark-gfm-dev"
+build="$build libcmark-gfm-extensions-dev nettle-dev"
 checks="$build libcmocka-dev libgmp-dev bc musl-tools help2man iverilog yosys clang valgrind"
 view='gtkwave xvfb xauth imagemagick'
 meshes='assimp-testmodels glmark2-data'
@@ -57,7 +60,8 @@ installed $package
     done
 }
 
-[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build check demo bench wave report install lint test gtkwave mutation netlist formal coverage fuzz portability formats newest)"
+[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build check demo bench wave report install \
+lint test gtkwave mutation netlist formal coverage fuzz portability formats newest)"
 
 needed=
 for goal in "$@"; do

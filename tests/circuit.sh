@@ -41,8 +41,8 @@ synthesise() { # COMMAND OF YOSYS
     for parameter in $parameters; do
         set_all="$set_all -set ${parameter%=*} ${parameter#*=}"
     done
-    # A vector becomes a wire for each bit: Verilator looks for loops vector by vector, and would see
-    # one where low bits lead to high ones.
+    # A vector becomes a wire for each bit: Verilator looks for loops vector by vector, and would
+    # see one where low bits lead to high ones.
     yosys -q -p "
         read_verilog -I$dir/rtl $dir/rtl/*.v
         chparam $set_all $top
@@ -59,10 +59,10 @@ synthesise() { # COMMAND OF YOSYS
 replace() { # FILE OF CELLS
     rm "$dir"/rtl/*
     {
-        # Yosys's model of the multiplier SB_MAC16 has constants of 32 bits for parameters of one, and
-        # adds and shifts words of 16 and 24 bits where 32 are wanted; each is widened with zeros, as
-        # is meant. Verilator 5.006 has no default values of ports; a port left open is an error here.
-        # The names of a netlist are of no interest, and too much for a waveform.
+        # Yosys's model of the multiplier SB_MAC16 has constants of 32 bits for parameters of one,
+        # and adds and shifts words of 16 and 24 bits where 32 are wanted; each is widened with
+        # zeros, as is meant. Verilator 5.006 has no default values of ports; a port left open is an
+        # error here. The names of a netlist are of no interest, and too much for a waveform.
         printf '/* verilator lint_off WIDTH */\n/* verilator tracing_off */\n'
         printf '%sdefine NO_ICE40_DEFAULT_ASSIGNMENTS\n' '`'
         sed '/^`timescale/d' "$1"
@@ -109,8 +109,8 @@ coverage)
     ;;
 *) fail "unknown build \"$build\"" ;;
 esac
-# Without an optimisation of trees of AND, OR and XOR: with it Verilator 5.006 gets two of the netlists
-# wrong (docs/netlists.md).
+# Without an optimisation of trees of AND, OR and XOR: with it Verilator 5.006 gets two of the
+# netlists wrong (docs/netlists.md).
 case $build in ice40 | dsp | generic) flags=-fno-const-bit-op-tree ;; esac
 tool verilator "${VERILATOR:-verilator}" "$flags" --cc --lint-only
 tool c++ "${CXX:-g++}" "$counting" -c -shared c++-header

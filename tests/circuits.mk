@@ -9,7 +9,8 @@ VERILATOR_INCLUDE = $(VERILATOR_ROOT_DIR)/include
 # Rewritten only when the version changes, so that a new Verilator makes all of it anew.
 $(VERILATED)/version: FORCE
 	@mkdir -p $(@D)
-	@version=$$($(VERILATOR) --version) || { echo "no Verilator: make demo installs it" >&2; exit 1; }; \
+	@version=$$($(VERILATOR) --version) || \
+	    { echo "no Verilator: make demo installs it" >&2; exit 1; }; \
 	 echo "$$version" | cmp -s - $@ || echo "$$version" > $@
 .PHONY: FORCE
 FORCE:
@@ -41,8 +42,8 @@ $(SECOND)/%/made: tests/circuit.sh $(CIRCUIT_SOURCES) $(RTL) $(WRONG_CIRCUITS) |
 	$QVERILATOR=$(VERILATOR) CXX=$(CXX) tests/circuit.sh $* $(BUILD)/settings $(BUILD)/wrong $(@D)
 	@touch $@
 
-# A list of them, for tests/netlist/opinions.h: absolute, as a compiler is started elsewhere. $1: its file,
-# $2: the forms
+# A list of them, for tests/netlist/opinions.h: absolute, as a compiler is started elsewhere. $1:
+# its file, $2: the forms
 define opinion_list
 $1: $(wildcard tests/circuits.mk tests/circuits/*.mk) $(2:%=$(SECOND)/%/made)
 	@mkdir -p $$(@D)

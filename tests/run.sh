@@ -3,8 +3,8 @@
 #
 #   tests/run.sh LOGDIR PROGRAM...
 #
-# A line for each program; the whole log of one that fails, and of each skipped test why. The last line
-# counts the tests of all; exit status 1 when one failed or when no test ran at all.
+# A line for each program; the whole log of one that fails, and of each skipped test why. The last
+# line counts the tests of all; exit status 1 when one failed or when no test ran at all.
 set -u
 
 logs=$1

@@ -1,3 +1,5 @@
+/* The baseline loops. Some are built for several instruction sets (multiversion.h), some
+ * deliberately kept scalar. */
 #include "bench/kernels.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* The list of built-in circuits, plus the one that --circuit-dir adds at run time. */
 #include "circuit/circuits.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* Each phase of the schedule picks its own density of starts and of k's that miss the table. */
 #include "circuit/divider_stimulus.h"
 
 #include <string.h>

@@ -1,3 +1,5 @@
+/* A user's directory of C files becomes a shared object, built once per content and kept in the
+ * cache; see own.h. */
 #define _GNU_SOURCE /* asprintf */
 
 #include "circuit/own.h"

@@ -1,3 +1,4 @@
+/* The default stimulus, driven by pin roles alone; see random_pins.h. */
 #include "circuit/random_pins.h"
 
 #include <string.h>

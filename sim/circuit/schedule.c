@@ -1,3 +1,4 @@
+/* Eras, phases and long runs, as schedule.h lays them out. */
 #include "circuit/schedule.h"
 
 #define STALL_MIN  64u   /* the shortest of the long stalls */

@@ -1,3 +1,4 @@
+/* Parameter values: checked, compared, enumerated, and printed as text, file names and options. */
 #include "circuit/setting.h"
 
 #include <stdarg.h>

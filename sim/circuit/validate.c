@@ -1,3 +1,4 @@
+/* Checks of the circuit and its parameters; validate_tables.c checks the pins and signals. */
 #include "circuit/validate.h"
 
 #include <ctype.h>

@@ -1,3 +1,4 @@
+/* Checks of the pin and signal tables that a description returns for one setting. */
 #include "circuit/validate.h"
 
 #include <ctype.h>

@@ -1,3 +1,5 @@
+/* Multi-word arithmetic on pin and signal values: loads and stores, hexadecimal, decimal, double,
+ * and parsing. */
 #include "circuit/words.h"
 
 #include <math.h>

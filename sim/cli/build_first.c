@@ -1,3 +1,4 @@
+/* Builds a command's circuits up front and shows progress; see build_first.h. */
 #include "cli/build_first.h"
 
 #include "cli/output.h"

@@ -1,3 +1,5 @@
+/* Writes the failure packet and prints its report, for every subcommand that can find a mismatch.
+ * */
 #define _GNU_SOURCE /* program_invocation_name */
 
 #include "cli/failure_output.h"

@@ -1,3 +1,4 @@
+/* Prints a circuit's parameters, pins and signals, as text and as JSON. */
 #include "cli/info_circuit.h"
 
 #include <inttypes.h>

@@ -1,3 +1,4 @@
+/* Rejects an unknown reflectance model, with a suggestion. */
 #include "cli/model_names.h"
 
 #include <stdio.h>

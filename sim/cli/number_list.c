@@ -1,3 +1,4 @@
+/* Parses lists and ranges of numbers; see number_list.h. */
 #include "cli/number_list.h"
 
 #include <stdint.h>

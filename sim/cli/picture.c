@@ -1,3 +1,4 @@
+/* Checks an output picture's name before the work starts, and writes the picture after it. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "cli/picture.h"

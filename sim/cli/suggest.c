@@ -1,3 +1,4 @@
+/* Damerau–Levenshtein distance, and the nearest name within a tolerance that grows with length. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "cli/suggest.h"

@@ -1,3 +1,4 @@
+/* The coverage counters of random runs, as text and as JSON. */
 #include "cli/verify_reach.h"
 
 #include <inttypes.h>

@@ -1,3 +1,4 @@
+/* Paints the spheres, interpolating in the table of albedos; false colour marks albedos above 1. */
 #include "energy/furnace.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Nodes by Newton's method on the Legendre polynomials. */
 #include "energy/gauss.h"
 
 #include <math.h>

@@ -1,3 +1,5 @@
+/* Importance sampling: a cosine distribution mixed with a narrow and a wide lobe; see
+ * monte_carlo.h. */
 #include "energy/monte_carlo.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Equations (2.25) and (2.26), as printed and as corrected, each integrated numerically. */
 #include "energy/normalization.h"
 
 #include <math.h>

@@ -1,3 +1,5 @@
+/* Swaps viewer and light at random and on a grid that includes grazing angles, and keeps the
+ * largest difference. */
 #include "energy/reciprocity.h"
 
 #include <math.h>

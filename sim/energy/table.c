@@ -1,3 +1,4 @@
+/* Fills the table of albedos row by row on several threads; see table.h. */
 #include "energy/table.h"
 
 #include <math.h>

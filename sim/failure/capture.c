@@ -1,3 +1,4 @@
+/* Replays pins through both sides, keeping the last clocks in a ring; see capture.h. */
 #include "failure/capture.h"
 
 #include <inttypes.h>

@@ -1,3 +1,4 @@
+/* Failures from findings, their comparison and their end; see failure.h. */
 #include "failure/failure.h"
 
 #include <stdio.h>

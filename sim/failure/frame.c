@@ -1,3 +1,5 @@
+/* Renders the frame again while watching the circuit, to find the answer behind the first differing
+ * pixel. */
 #include "failure/frame.h"
 
 #include <string.h>

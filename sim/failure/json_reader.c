@@ -1,3 +1,4 @@
+/* Type and range checks for single JSON values; json_read.c reads a whole packet with them. */
 #include "failure/json_reader.h"
 
 #include <inttypes.h>

@@ -1,3 +1,4 @@
+/* A failure as JSON: the writing half of json.h; json_read.c is the other. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,3 +1,5 @@
+/* Writes a packet under a temporary name and renames it when complete; reads one back. See
+ * packet.h. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "failure/packet.h"

@@ -1,3 +1,4 @@
+/* The text of report.txt, section by section. */
 #include "failure/report.h"
 
 #include <inttypes.h>

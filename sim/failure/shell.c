@@ -1,3 +1,4 @@
+/* Quotes words for a POSIX shell. */
 #include "failure/shell.h"
 
 #include <stdbool.h>

@@ -1,3 +1,4 @@
+/* Writes the VCD file of a capture, with both sides of every signal, and its GTKWave save file. */
 #include "failure/wave.h"
 
 #include <inttypes.h>

@@ -1,3 +1,4 @@
+/* mkdir -p. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "file/directory.h"

@@ -1,3 +1,4 @@
+/* Replaces invalid UTF-8, which cJSON passes through, in printed JSON. */
 #include "file/json_text.h"
 
 #include <stdbool.h>

@@ -1,3 +1,4 @@
+/* Recognises a file by its first bytes, so that only output of the same kind is overwritten. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "file/kind.h"

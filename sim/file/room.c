@@ -1,3 +1,4 @@
+/* Reserves the space with posix_fallocate, then removes the file again. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "file/room.h"

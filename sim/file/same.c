@@ -1,3 +1,4 @@
+/* Compares device and inode numbers. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "file/same.h"

@@ -1,3 +1,4 @@
+/* Follows symbolic links one at a time, so that a dangling one still gives its target. */
 #define _XOPEN_SOURCE 700
 
 #include "file/target.h"

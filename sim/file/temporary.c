@@ -1,3 +1,5 @@
+/* Names for files in progress, and the clean-up of those that a killed process left; see
+ * temporary.h. */
 #define _XOPEN_SOURCE 700
 
 #include "file/temporary.h"

@@ -1,3 +1,4 @@
+/* Cuts a square out of a picture and enlarges it, for the close-ups in failure packets. */
 #include <string.h>
 
 #include "image/image.h"

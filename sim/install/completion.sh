@@ -18,16 +18,18 @@ fail() {
 work=$(mktemp -d) || fail "cannot make a temporary directory"
 trap 'rm -rf "$work"' EXIT
 
-"$glint" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\)  *\(.*\)/\1\t\2/p' >"$work/subcommands"
+"$glint" --help |
+    sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\)  *\(.*\)/\1\t\2/p' >"$work/subcommands"
 [ -s "$work/subcommands" ] || fail "$glint --help lists no subcommands"
 
-# A line for each option of each subcommand, as options.awk has it, behind the subcommand's name; those
-# of verify --exhaustive are verify's too.
+# A line for each option of each subcommand, as options.awk has it, behind the subcommand's name;
+# those of verify --exhaustive are verify's too.
 cut -f 1 "$work/subcommands" | while read -r name; do
     {
         "$glint" "$name" --help
         [ "$name" != verify ] || "$glint" verify --exhaustive --help
-    } | awk -f "$here/options.awk" | awk -F '\t' -v name="$name" '!seen[$1]++ { print name "\t" $0 }'
+    } | awk -f "$here/options.awk" |
+        awk -F '\t' -v name="$name" '!seen[$1]++ { print name "\t" $0 }'
 done >"$work/options"
 
 mkdir -p "$directory"

@@ -4,8 +4,9 @@
 #   PREFIX=DIR [DESTDIR=DIR] sim/install/install.sh check
 #   PREFIX=DIR [DESTDIR=DIR] sim/install/install.sh install|uninstall BUILD VERSION
 #
-# check: only whether the two can be used. DESTDIR is where a package is put together: it comes before
-# every path, but what is installed does not know of it. Exit status 0, or 2 with one line of trouble.
+# check: only whether the two can be used. DESTDIR is where a package is put together: it comes
+# before every path, but what is installed does not know of it. Exit status 0, or 2 with one line of
+# trouble.
 set -eu
 
 fail() {
@@ -23,15 +24,16 @@ check() {
     esac
     case $PREFIX in
     '~'*) fail "PREFIX=$PREFIX: the shell has left the ~ as it is: write \$HOME" ;;
-    *[!A-Za-z0-9/._+@%,=~-]*) fail "PREFIX=$PREFIX: pkg-config and its users cannot do with such a name" ;;
+    *[!A-Za-z0-9/._+@%,=~-]*) 
+        fail "PREFIX=$PREFIX: pkg-config cannot handle these characters" ;;
     /*/../* | /../* | */..) fail "PREFIX=$PREFIX: without .., please" ;;
     /*) ;;
     *) fail "PREFIX=$PREFIX is no absolute path: for here, PREFIX=\"\$PWD/$PREFIX\"" ;;
     esac
 }
 
-# What is installed, a line each: mode, file, place below the prefix. A link's file is what it names;
-# pc, man and example are written, not copied. No name here has a blank.
+# What is installed, a line each: mode, file, place below the prefix. A link's file is what it
+# names; pc, man and example are written, not copied. No name here has a blank.
 list() {
     soname=libglint.so.${version%%.*}
     echo "755 $build/glint bin/glint"
@@ -149,6 +151,7 @@ uninstall) uninstall_all ;;
 esac
 
 # So that programs find the shared library in a directory of the system's.
-if [ "$1" = install ] && [ -z "$DESTDIR" ] && [ "$(id -u)" -eq 0 ] && command -v ldconfig >/dev/null 2>&1; then
+if [ "$1" = install ] && [ -z "$DESTDIR" ] && [ "$(id -u)" -eq 0 ] &&
+    command -v ldconfig >/dev/null 2>&1; then
     ldconfig
 fi

@@ -3,7 +3,8 @@
 #
 #   sim/install/man.sh GLINT VERSION DOCUMENTATION DIRECTORY
 #
-# DOCUMENTATION: where the pages say that docs/ is, or what stands for it. Exit status 0, or 2 with one line of trouble.
+# DOCUMENTATION: where the pages say that docs/ is, or what stands for it. Exit status 0, or 2 with
+# one line of trouble.
 set -eu
 
 glint=$1
@@ -30,7 +31,8 @@ subcommands() {
 see_also() {
     printf '[SEE ALSO]\n'
     for page in "$@"; do printf '.BR %s (1),\n' "$page"; done
-    printf 'the documentation in \\fI%s\\fP, which names like docs/waveforms.md are below\n' "$documentation"
+    printf 'the documentation in \\fI%s\\fP, which names like docs/waveforms.md are below\n' \
+        "$documentation"
 }
 
 # page NAME WHAT-IT-DOES COMMAND-LINE
@@ -38,7 +40,8 @@ page() {
     help2man --no-info --version-string="glint $version" --name="$2" --include="$work/also" \
         --output="$work/page" "$3" || fail "help2man cannot make the page $1"
     # Its name, which help2man takes from the program's; examples line by line.
-    sed -e "1,/^\.TH /s/^\.TH GLINT /.TH $(echo "$1" | tr a-z A-Z) /" -e "s/^glint \\\\- /$1 \\\\- /" \
+    sed -e "1,/^\.TH /s/^\.TH GLINT /.TH $(echo "$1" | tr a-z A-Z) /" \
+        -e "s/^glint \\\\- /$1 \\\\- /" \
         -e 's/^\.SS "Exit status:"/.SH "EXIT STATUS"/' \
         -e '/^\.SH EXAMPLES/,/^\.SH "SEE/{s/^\.SH EXAMPLES/&\n.nf/;s/^\.SH "SEE/.fi\n&/;/^\.IP/d}' \
         "$work/page" >"$work/made/$1.1"

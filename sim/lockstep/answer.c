@@ -1,3 +1,4 @@
+/* Names and checks for single wrong answers; see answer.h. */
 #include "lockstep/answer.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* Dispatches to the pin sequence of the circuit in question; see batch_pins.h. */
 #include "lockstep/batch_pins.h"
 
 #include <string.h>

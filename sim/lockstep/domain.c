@@ -1,3 +1,4 @@
+/* Exhaustive comparison for any circuit whose description names a domain; see domain.h. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "lockstep/domain.h"

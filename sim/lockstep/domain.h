@@ -17,7 +17,7 @@
 
 #include "lockstep/lockstep.h"
 
-#define GLINT_DOMAIN_BLOCK       32768 /* clocks with points and those of its pace; at least a point */
+#define GLINT_DOMAIN_BLOCK       32768 /* clocks, idle ones included; at least one point */
 #define GLINT_DOMAIN_THREADS_MAX 64
 
 typedef struct glint_domain_options {

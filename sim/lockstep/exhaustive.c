@@ -1,3 +1,4 @@
+/* Exhaustive comparison of the specular device through its batch interface; see exhaustive.h. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "lockstep/exhaustive.h"

@@ -1,3 +1,4 @@
+/* A ring of the last clocks' pins. */
 #include "lockstep/history.h"
 
 #include <stdlib.h>

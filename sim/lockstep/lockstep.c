@@ -1,3 +1,5 @@
+/* The comparison loop itself: stimulus, twin, mismatch record and coverage come from their own
+ * files. */
 #include "lockstep/lockstep.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* Records mismatches: the first few in full, all of them as counts per signal. */
 #include "lockstep/mismatch.h"
 
 #include <inttypes.h>

@@ -1,3 +1,4 @@
+/* Coverage counters, fed from the pins alone; see reach.h. */
 #include "lockstep/reach.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* Looks up a setting's signals and pins once, and lays out their words. */
 #include "lockstep/signals.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* Pairs a C model with its Verilog behind one interface; see twin.h. */
 #include "lockstep/twin.h"
 
 #include <stdlib.h>

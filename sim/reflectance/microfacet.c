@@ -102,15 +102,15 @@ static double cook_torrance_brdf(const glint_reflectance *prepared, const glint_
                        (cos2 * cos2));
 }
 
-#define EDGES                                                                                         \
-    "m = √(2/(n+2)); F0 = 1 is a mirror, F = 1; grows without limit only where N·L and N·V both " \
-    "go to 0"
+static const char edges[] =
+    "m = √(2/(n+2)); F0 = 1 is a mirror, F = 1; grows without limit only where N·L and N·V both "
+    "go to 0";
 
 const glint_reflectance_definition glint_reflectance_torrance_sparrow = {
     .info = {.title = "Torrance–Sparrow's, Gaussian facets",
              .equation = "(1.4)",
              .formula = "FDG/(4(N·L)(N·V)), D ~ e^(−α²/m²)",
-             .edges = EDGES,
+             .edges = edges,
              .cosine = GLINT_REFLECTANCE_OF_GEOMETRY,
              .n_max = GLINT_EXPONENT_MAX},
     .prepare = prepare_torrance_sparrow,
@@ -121,7 +121,7 @@ const glint_reflectance_definition glint_reflectance_cook_torrance = {
     .info = {.title = "Cook–Torrance's, Beckmann's facets",
              .equation = "(1.3), (1.4)",
              .formula = "FDG/(4(N·L)(N·V)), D = e^(−tan²α/m²)/(πm² cos⁴α)",
-             .edges = EDGES,
+             .edges = edges,
              .cosine = GLINT_REFLECTANCE_OF_GEOMETRY,
              .n_max = GLINT_EXPONENT_MAX},
     .prepare = prepare_cook_torrance,

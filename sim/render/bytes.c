@@ -1,3 +1,4 @@
+/* A growable byte buffer. */
 #include "render/bytes.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* Reads the parts of a glTF 2.0 file that assimp drops without a word; see gltf.h. */
 #include "render/gltf.h"
 
 #include <cjson/cJSON.h>

@@ -1,3 +1,4 @@
+/* Counts points, lines and meshes that no node shows, for the remark on what was left out. */
 #include "render/left_out.h"
 
 #include <stdbool.h>

@@ -1,3 +1,4 @@
+/* Parses a .ply header line by line. */
 #include "render/ply_header.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* Joins remarks into one line of printable text. */
 #include "render/remarks.h"
 
 #include <stdarg.h>

@@ -1,3 +1,4 @@
+/* Blends joint matrices and moves the vertices; see skin.h. */
 #include "render/skin.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* assimp's file interface over checked, in-memory files; see source.h. */
 #define _DEFAULT_SOURCE
 
 #include "render/source.h"

@@ -1,3 +1,4 @@
+/* From a setting to its shared object: Verilator, compiler, linker; see build.h. */
 #define _GNU_SOURCE /* asprintf */
 
 #include "rtl/build.h"

@@ -1,3 +1,4 @@
+/* Locks, work directories, renames and pruning; see cache.h. */
 #define _GNU_SOURCE /* asprintf */
 
 #include "rtl/cache.h"

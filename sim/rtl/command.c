@@ -1,3 +1,4 @@
+/* fork, exec, pipes and signals for one child process; see command.h. */
 #define _GNU_SOURCE /* memfd_create */
 
 #include "rtl/command.h"

@@ -1,3 +1,4 @@
+/* Picks the one line worth showing from the output of Verilator or a compiler, and rewords it. */
 #include "rtl/diagnosis.h"
 
 #include <stdio.h>

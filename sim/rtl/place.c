@@ -1,3 +1,4 @@
+/* Locates the Verilog, the shim, the headers and the cache; see place.h. */
 #define _GNU_SOURCE /* asprintf */
 
 #include "rtl/place.h"

@@ -1,3 +1,4 @@
+/* Groups pins and output signals into Verilog ports; see ports.h. */
 #include "rtl/ports.h"
 
 #include <stdlib.h>

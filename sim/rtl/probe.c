@@ -1,3 +1,4 @@
+/* Generates the probe module's Verilog; see probe.h. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "rtl/probe.h"

@@ -1,3 +1,4 @@
+/* Collects and hashes everything that goes into one shared object. */
 #define _GNU_SOURCE /* asprintf */
 
 #include "rtl/product.h"

@@ -1,3 +1,4 @@
+/* Compiles Verilator's runtime and precompiles its headers, once per toolchain; see runtime.h. */
 #define _GNU_SOURCE /* asprintf */
 
 #include "rtl/runtime.h"

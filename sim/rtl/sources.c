@@ -1,3 +1,4 @@
+/* Reads and hashes source files; see sources.h. */
 #define _GNU_SOURCE /* asprintf */
 
 #include "rtl/sources.h"

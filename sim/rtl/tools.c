@@ -1,3 +1,4 @@
+/* Finds Verilator and the compiler, asks for their versions and remembers the answers. */
 #define _GNU_SOURCE /* asprintf */
 
 #include "rtl/tools.h"

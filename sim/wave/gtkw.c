@@ -1,3 +1,4 @@
+/* The syntax of a GTKWave save file. */
 #include "wave/gtkw.h"
 
 #include <inttypes.h>

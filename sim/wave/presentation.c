@@ -1,3 +1,4 @@
+/* Display names, radices and colours, shared by every waveform; see presentation.h. */
 #include "wave/presentation.h"
 
 #include <ctype.h>

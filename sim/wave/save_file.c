@@ -1,3 +1,4 @@
+/* The content of a circuit's save file: which rows, in which groups. */
 #include "wave/save_file.h"
 
 #include <stdbool.h>

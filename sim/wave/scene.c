@@ -1,3 +1,4 @@
+/* Picks the scene for a circuit and fills it with pins; see scene.h. */
 #include "wave/scene.h"
 
 #include <stdbool.h>

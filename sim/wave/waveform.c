@@ -1,3 +1,4 @@
+/* Records a scene into an FST or VCD file and checks that the file is complete. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "wave/waveform.h"

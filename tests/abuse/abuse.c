@@ -35,7 +35,7 @@
 #define HEADINGS_MAX 32
 #define KEPT_MAX     ((size_t)1 << 20)
 #define SECONDS      20.0
-#define SURVIVES     10.0 /* seconds: what was killed with it is gone by then on a busy machine too */
+#define SURVIVES     10.0 /* seconds: its children are gone by then, even on a busy machine */
 #define NOBODY       65534
 
 static struct {

@@ -1,5 +1,5 @@
-# What is checked of the dividers beyond what every listed setting gets (tests/circuits.mk); the lists are
-# those of specular.mk.
+# What is checked of the dividers beyond what every listed setting gets (tests/circuits.mk); the
+# lists are those of specular.mk.
 
 MUTATED       += divider_sequential_12 divider_pipelined_12
 # A small one for make test, which is not to wait long.
@@ -9,10 +9,12 @@ SWEEP_CLOCKS_divider_sequential_12 := 400000
 
 OPINIONS_DIVIDER := $(foreach f,sequential pipelined,$(foreach n,6 12 16,divider_$f_$n))
 OPINIONS         += $(foreach b,ice40 generic nodfg plain,$(OPINIONS_DIVIDER:%=$b/%)) \
-                    $(foreach f,sequential pipelined,$(foreach w,$(wildcard tests/divider/wrong/$f/*/*.sed),\
-                        generic-divider_$(call fault_name,$w)/divider_$f_12))
-OPINIONS_SHORT   += generic/divider_sequential_12 ice40/divider_pipelined_6 plain/divider_sequential_12 \
-                    generic-divider_late_done/divider_sequential_12 generic-divider_unsigned_stage/divider_pipelined_12
+                    $(foreach f,sequential pipelined,\
+                        $(foreach w,$(wildcard tests/divider/wrong/$f/*/*.sed),\
+                            generic-divider_$(call fault_name,$w)/divider_$f_12))
+OPINIONS_SHORT   += generic/divider_sequential_12 ice40/divider_pipelined_6 \
+                    plain/divider_sequential_12 generic-divider_late_done/divider_sequential_12 \
+                    generic-divider_unsigned_stage/divider_pipelined_12
 
 COVERED += $(foreach n,6 7 8 9 10 11 12 13 14 15 16,divider_sequential_$n) \
            $(foreach n,6 12 16,divider_pipelined_$n)

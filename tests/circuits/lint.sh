@@ -1,12 +1,12 @@
 #!/bin/sh
-# Lint of one setting's Verilog: Verilator, Icarus, and Yosys down to gates, where a warning, a latch or
-# a problem found by its checks is an error.
+# Lint of one setting's Verilog: Verilator, Icarus, and Yosys down to gates, where a warning, a
+# latch or a problem found by its checks is an error.
 #
 #   tests/circuits/lint.sh SETTING TABLE DIR
 #
 # SETTING is one of TABLE (build/settings); DIR is for what Icarus makes. Yosys takes long over wide
-# circuits: it is asked about those of at most 160 signals. To be called from the directory that holds
-# rtl/. Exit status 1 when something is found.
+# circuits: it is asked about those of at most 160 signals. To be called from the directory that
+# holds rtl/. Exit status 1 when something is found.
 set -eu
 
 setting=$1 table=$2 dir=$3
@@ -28,8 +28,8 @@ mkdir -p "$dir"
 # shellcheck disable=SC2086  # lists of words
 "${VERILATOR:-verilator}" --lint-only -Wall $verilator -Irtl "rtl/$top.v"
 
-# What Icarus makes is not wanted, but goes to a file: it sets the mode of what it writes, and run by
-# root on /dev/null it would take that away from everyone else.
+# What Icarus makes is not wanted, but goes to a file: it sets the mode of what it writes, and run
+# by root on /dev/null it would take that away from everyone else.
 # shellcheck disable=SC2086
 warnings=$(iverilog -g2005 -Wall -Irtl -o "$dir/$setting.vvp" -s "$top" $icarus rtl/*.v 2>&1) &&
     [ -z "$warnings" ] || { echo "$warnings" && exit 1; }

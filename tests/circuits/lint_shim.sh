@@ -1,11 +1,12 @@
 #!/bin/sh
 # Lint of sim/rtl/shim.cpp, by both compilers, over a circuit that is Verilated with waveforms of
-# either kind, and without but with counters: where it runs it is compiled without warnings, as Verilator's code is nobody's to mend.
+# either kind, and without but with counters: where it runs it is compiled without warnings, as
+# Verilator's code is nobody's to mend.
 #
 #   tests/circuits/lint_shim.sh DIR INCLUDE
 #
-# DIR is for what Verilator writes, INCLUDE Verilator's own directory of headers. To be called from the
-# directory that holds rtl/ and sim/.
+# DIR is for what Verilator writes, INCLUDE Verilator's own directory of headers. To be called from
+# the directory that holds rtl/ and sim/.
 set -eu
 
 dir=$1 include=$2
@@ -15,7 +16,8 @@ for traced in '' --trace-fst --trace; do
     rm -rf "$made"
     mkdir -p "$made"
     # shellcheck disable=SC2086  # nothing, or a word
-    "${VERILATOR:-verilator}" --cc $traced --prefix Vcircuit --Mdir "$made" -Irtl rtl/shift_divider.v
+    "${VERILATOR:-verilator}" --cc $traced --prefix Vcircuit --Mdir "$made" \
+        -Irtl rtl/shift_divider.v
     {
         echo '#define GLINT_PORTS(X) X("done", done) X("quotient", quotient)'
         echo '#define GLINT_CLOCK clk'
@@ -24,6 +26,7 @@ for traced in '' --trace-fst --trace; do
     } >"$made/glint_ports.h"
     for compiler in g++ clang++; do
         $compiler -std=gnu++17 -fsyntax-only -Wall -Wextra -Werror -Isim/rtl -isystem "$made" \
-            -isystem "$include" -isystem "$include/vltstd" -DVM_COVERAGE="$counting" sim/rtl/shim.cpp
+            -isystem "$include" -isystem "$include/vltstd" -DVM_COVERAGE="$counting" \
+            sim/rtl/shim.cpp
     done
 done

@@ -4,15 +4,17 @@
 MUTATED += specular_cosine_pipelined_1 specular_cosine_combinational_1
 
 # make netlist: netlists, and the Verilog itself, which is quick to build, Verilated in other ways.
-OPINIONS_SPECULAR := $(addprefix specular_,cosine_pipelined_1 cosine_combinational_1 sign_pipelined_2 \
-                     drawn_pipelined_1)
-VERILOG_SPECULAR  := $(foreach g,cosine sign drawn,$(foreach p,combinational pipelined,specular_$g_$p_1)) \
+OPINIONS_SPECULAR := $(addprefix specular_,cosine_pipelined_1 cosine_combinational_1 \
+                     sign_pipelined_2 drawn_pipelined_1)
+VERILOG_SPECULAR  := $(foreach g,cosine sign drawn,\
+                         $(foreach p,combinational pipelined,specular_$g_$p_1)) \
                      specular_cosine_pipelined_4
 OPINIONS          += $(foreach b,ice40 dsp generic,$(OPINIONS_SPECULAR:%=$b/%)) \
                      $(foreach b,nodfg plain,$(VERILOG_SPECULAR:%=$b/%))
-# Not late_limit: ROM 9 one code too large shuts out a point whose W is 0 anyhow, whatever n is; the pins
-# cannot show it.
-OPINIONS          += $(foreach f,$(filter-out %/limit_rom.sed,$(wildcard tests/lockstep/wrong/*/*.sed)),\
+# Not late_limit: ROM 9 one code too large shuts out a point whose W is 0 anyhow, whatever n is; the
+# pins cannot show it.
+OPINIONS          += $(foreach f,\
+                         $(filter-out %/limit_rom.sed,$(wildcard tests/lockstep/wrong/*/*.sed)),\
                          ice40-$(call fault_name,$f)/specular_cosine_pipelined_1)
 # Those of make test.
 OPINIONS_SHORT    += ice40/specular_cosine_pipelined_1 nodfg/specular_cosine_pipelined_1
@@ -21,8 +23,8 @@ OPINIONS_SHORT    += ice40/specular_cosine_pipelined_1 nodfg/specular_cosine_pip
 COVERED += $(foreach g,cosine sign drawn,$(foreach p,combinational pipelined,specular_$g_$p_1)) \
            $(addprefix specular_,cosine_pipelined_2 sign_combinational_2 drawn_pipelined_4)
 
-# make formal: wrong circuits that the prover must notice, PROOF:PROPERTY:FAULT, each property of each kind
-# of proof at least once. The proofs: tests/formal/specular.awk.
+# make formal: wrong circuits that the prover must notice, PROOF:PROPERTY:FAULT, each property of
+# each kind of proof at least once. The proofs: tests/formal/specular.awk.
 FORMAL_FAULTS += \
     device-cosine-pipelined-1-0:uninvited:tests/formal/wrong/reset_leaves_valid/specular_device.sed \
     device-cosine-pipelined-1-0:in_order:tests/lockstep/wrong/silent/specular_device.sed \

@@ -3,9 +3,9 @@
 #
 #   tests/coverage/c.sh DIR SECONDS
 #
-# DIR/c is the build, SECONDS what the tests took. DIR/html gets each source, line by line; DIR/c.csv a
-# row a file. Then the functions that no test enters: exit status 1 when one of them has no reason in
-# tests/coverage/unentered.txt.
+# DIR/c is the build, SECONDS what the tests took. DIR/html gets each source, line by line;
+# DIR/c.csv a row a file. Then the functions that no test enters: exit status 1 when one of them has
+# no reason in tests/coverage/unentered.txt.
 set -eu
 
 fail() {

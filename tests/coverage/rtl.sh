@@ -1,10 +1,11 @@
 #!/bin/sh
-# Coverage of the Verilog: drives the counting circuits and prints the table with what is not covered
-# and why.
+# Coverage of the Verilog: drives the counting circuits and prints the table with what is not
+# covered and why.
 #
 #   tests/coverage/rtl.sh PROGRAM DIR
 #
-# PROGRAM  tests/coverage/drive.c with the circuits. DIR/counts gets what they count, DIR/rtl.txt the
+# PROGRAM  tests/coverage/drive.c with the circuits. DIR/counts gets what they count, DIR/rtl.txt
+#          the
 # table, DIR/annotated the sources with the count of each line in front.
 set -eu
 
@@ -14,7 +15,8 @@ rm -rf "$dir/counts" "$dir/annotated"
 mkdir -p "$dir/counts"
 "$program" "$dir/counts"
 status=0
-awk -f tests/coverage/report.awk tests/coverage/impossible.txt "$dir"/counts/*.dat >"$dir/rtl.txt" ||
+awk -f tests/coverage/report.awk tests/coverage/impossible.txt \
+    "$dir"/counts/*.dat >"$dir/rtl.txt" ||
     status=$?
 cat "$dir/rtl.txt"
 # The sources lay where they were built: named as those of rtl/, without the probe.
@@ -24,7 +26,8 @@ for counts in "$dir"/counts/*.dat; do
     sed "/${separator}f${equals}glint_probe\.v/d; s:${separator}f${equals}:&rtl/:" "$counts" \
         >"$dir/counts/named/${counts##*/}"
 done
-verilator_coverage --annotate "$dir/annotated" --annotate-all "$dir"/counts/named/*.dat >"$dir/annotate.log"
+verilator_coverage --annotate "$dir/annotated" --annotate-all \
+    "$dir"/counts/named/*.dat >"$dir/annotate.log"
 echo "line by line: $dir/annotated"
 seconds=$(($(date +%s) - begin))
 

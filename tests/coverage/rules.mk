@@ -1,5 +1,5 @@
-# Coverage: of the Verilog by lines and toggles, in the settings COVERED (tests/circuits/*.mk), of the C by
-# gcov (docs/coverage.md).
+# Coverage: of the Verilog by lines and toggles, in the settings COVERED (tests/circuits/*.mk), of
+# the C by gcov (docs/coverage.md).
 
 COVERAGE := $(BUILD)/coverage
 
@@ -17,9 +17,9 @@ coverage-rtl:
 	+$(MAKE) -j$(JOBS) $(COVERAGE)/drive $(COVERAGE)/circuits
 	GLINT_BUILD=$(BUILD) tests/coverage/rtl.sh $(COVERAGE)/drive $(COVERAGE)
 
-# The tests once more, compiled so that gcov counts, also from several threads; the circuits are those
-# of the plain build. Counting makes the loops over the whole domain slow, so they take the strides of
-# the sanitizers' build; and gcc, optimising less, warns of what cannot happen.
+# The tests once more, compiled so that gcov counts, also from several threads; the circuits are
+# those of the plain build. Counting makes the loops over the whole domain slow, so they take the
+# strides of the sanitizers' build; and gcc, optimising less, warns of what cannot happen.
 COVERAGE_C = $(MAKE) BUILD=$(COVERAGE)/c VERILATED=$(VERILATED) LDFLAGS='$(LDFLAGS) --coverage' \
     CFLAGS='$(CFLAGS) -O1 --coverage -fprofile-update=atomic -DGLINT_SANITIZED=1 -Wno-error'
 

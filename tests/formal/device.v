@@ -1,12 +1,13 @@
-// device_proof: lane LANE of specular_device, any setting. The inputs are whatever the prover chooses at
-// each clock, reset and en among them; only before the first reset nothing is claimed.
+// device_proof: lane LANE of specular_device, any setting. The inputs are whatever the prover
+// chooses at each clock, reset and en among them; only before the first reset nothing is claimed.
 //
 // Properties
-//   uninvited, in_order, once, frozen   those of module flow; the data of a slot is the cosine, n and
-//                                       the colour that apply to it
-//   value   out_w, out_r, out_g, out_b of the slot at the output are those of the formula (formula.v)
-//           for its cosine, n and colour. Each step of the formula is computed once, from the slot's
-//           data, and goes on with the slot. The ROMs have the slot's n, and adder 8 is t, at every clock.
+//   uninvited, in_order, once, frozen   those of module flow; the data of a slot is the cosine, n
+//                                       and the colour that apply to it
+//   value   out_w, out_r, out_g, out_b of the slot at the output are those of the formula
+//           (formula.v) for its cosine, n and colour. Each step of the formula is computed once,
+//           from the slot's data, and goes on with the slot. The ROMs have the slot's n, and adder
+//           8 is t, at every clock.
 //
 // The ROMs are free (free_roms.v), but for rom_lemma where the gate is cosine.
 `default_nettype none
@@ -122,8 +123,8 @@ module lane_proof #(
     localparam LATENCY = PIPELINED != 0 ? 4 : 1;
     localparam WIDTH   = 19 + 10 + 24;
 
-    // What applies to a slot: its cosine, at most 1.0, or where it has none the last one, as register 1
-    // keeps that; the material as written up to its edge and at it.
+    // What applies to a slot: its cosine, at most 1.0, or where it has none the last one, as
+    // register 1 keeps that; the material as written up to its edge and at it.
     wire [LATENCY-1:0]       valid;
     wire [LATENCY*WIDTH-1:0] history;
     wire [18:0]              its_cos;
@@ -136,11 +137,12 @@ module lane_proof #(
     // Combinational, the outputs are wires of registers 1 to 5: those are what must not change.
     wire [52:0] held = PIPELINED != 0 ? {10'd0, out} : {reg1, reg2, rgb_1};
     flow #(.LATENCY(LATENCY), .WIDTH(WIDTH), .OUT(53)) u_flow (
-        .clk(clk), .reset(reset), .en(en), .started(started), .in_valid(in_valid), .in_data(in_data),
+        .clk(clk), .reset(reset), .en(en), .started(started),
+        .in_valid(in_valid), .in_data(in_data),
         .out_valid(out_valid), .out(held), .valid(valid), .history(history));
 
-    // The formula, each step at the place of the slot where the device has it, from registers 1 to 5, which
-    // value_cos and value_rgb say hold the slot's data.
+    // The formula, each step at the place of the slot where the device has it, from registers 1 to
+    // 5, which value_cos and value_rgb say hold the slot's data.
     wire [27:0] t_1;
     formula_t u_t (.cos(reg1), .sigma(rom33), .t(t_1));
 
@@ -196,8 +198,8 @@ module lane_proof #(
                 h_w:       assert (s3_keys12 == w_3);
             end
         end else begin : g_steps
-            // Step by step as well: each from the device's own result of the step before, which value_t and
-            // value_keys say is the formula's.
+            // Step by step as well: each from the device's own result of the step before, which
+            // value_t and value_keys say is the formula's.
             always @* {inside_2, t_2} = {!adder8[27], adder8};
             always @* w_3 = s3_keys12;
             always @* w_4 = s3_keys12;
@@ -228,8 +230,8 @@ module lane_proof #(
         end
     end
 
-    // Both sides of the edge, the centre, a cosine out of range, at an output; and a point whose material
-    // was replaced while it was on its way.
+    // Both sides of the edge, the centre, a cosine out of range, at an output; and a point whose
+    // material was replaced while it was on its way.
     localparam LAST = (LATENCY - 1) * WIDTH;
     reg above_1; // since the reset a code above 1.0 was taken
     always @(posedge clk)

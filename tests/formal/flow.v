@@ -1,9 +1,9 @@
 // flow: what must hold of a pipeline that only the clock enable moves, whatever flows through it.
 //
-// A slot is an enabled clock, with an input or without. A history of the slots, one place on at every
-// enabled clock and emptied by reset, says what the pipeline must hold: the slot in its last place is
-// the one whose turn it is to be at the output. That the history is right is not taken for granted: it
-// is shown by following one slot that the prover chooses freely, and by counting.
+// A slot is an enabled clock, with an input or without. A history of the slots, one place on at
+// every enabled clock and emptied by reset, says what the pipeline must hold: the slot in its last
+// place is the one whose turn it is to be at the output. That the history is right is not taken for
+// granted: it is shown by following one slot that the prover chooses freely, and by counting.
 //
 // in_data is what the first stage must hold after the edge. Place j of the history (1 the youngest,
 // LATENCY the one at the output) is valid[j-1] and history[(j-1)*WIDTH +: WIDTH].
@@ -45,7 +45,8 @@ module flow #(
             history <= next_history[LATENCY*WIDTH-1:0];
         end
 
-    // Enabled clocks since the reset, and since the last with an input; LATENCY stands for more, too.
+    // Enabled clocks since the reset, and since the last with an input; LATENCY stands for more,
+    // too.
     reg [4:0] since_reset, since_input;
     always @(posedge clk)
         if (reset) begin
@@ -59,7 +60,7 @@ module flow #(
 
     // The slot followed: one at a time, from any enabled clock on.
     (* anyseq *) reg follow;
-    reg  [4:0]       age;       // the enabled clocks since, its own included; 0: no slot is followed
+    reg  [4:0]       age;       // enabled clocks since, its own included; 0: none followed
     reg              its_valid;
     reg  [WIDTH-1:0] its_data;
     reg              stalled;   // on its way there was a clock without enable
@@ -97,7 +98,8 @@ module flow #(
     reg       placed, cleared;
     always @* begin
         count   = 5'd0;
-        cleared = 1'b1; // places not reached since the reset are empty, so are those since the input
+        // Places not reached since the reset are empty, and so are those since the input.
+        cleared = 1'b1;
         placed  = age == 5'd0;
         for (j = 1; j <= LATENCY; j = j + 1) begin
             count = count + {4'd0, valid[j-1]};

@@ -1,5 +1,5 @@
-// The specular-colour device's arithmetic as docs/device.md and docs/formats.md state it, a module for
-// each step of
+// The specular-colour device's arithmetic as docs/device.md and docs/formats.md state it, a module
+// for each step of
 //
 //   t = sigma (cos - 1) + 1,  W = t^2 inside the highlight, else 0,  (R,G,B)out = W times (R,G,B)
 //
@@ -13,8 +13,8 @@ module formula_t (
     input  wire        [21:0] sigma,
     output wire signed [27:0] t
 );
-    // cos - 1 in S1.18, written as adder 6 does it: the integer digit less 1, which modulo 2 is plus 1. So
-    // Yosys finds one multiplication where the device and this module have the same.
+    // cos - 1 in S1.18, written as adder 6 does it: the integer digit less 1, which modulo 2 is
+    // plus 1. So Yosys finds one multiplication where the device and this module have the same.
     wire               digit   = cos[18] + 1'b1;
     wire signed [18:0] x       = {digit, cos[17:0]};
     wire signed [22:0] factor  = {1'b0, sigma};

@@ -1,6 +1,6 @@
-// The device's ROMs with outputs that the prover chooses anew at every clock, whatever n is: what holds
-// with them holds with any content, so with the right one too. What the real ROMs hold is shown by
-// roms_proof.
+// The device's ROMs with outputs that the prover chooses anew at every clock, whatever n is: what
+// holds with them holds with any content, so with the right one too. What the real ROMs hold is
+// shown by roms_proof.
 `default_nettype none
 
 module sigma_rom (

@@ -1,15 +1,16 @@
 // gates_proof: lane LANE of two devices with the same inputs, one of gate cosine, one of gate sign.
 //
 // Properties
-//   gates_equal  after a reset all outputs of both are equal at every clock, valid or not: for every n,
-//                cosine code (out of range, too) and colour, however they follow each other.
+//   gates_equal  after a reset all outputs of both are equal at every clock, valid or not: for
+//                every n, cosine code (out of range, too) and colour, however they follow each
+//                other.
 //
-// The ROMs are free (free_roms.v), and so are the multipliers' results (prove.sh cuts them off), but for
-// what holds of the real ones:
-//   - what ROM 33 and a multiplier give is the same in both devices where their inputs are the same: they
-//     are the same module or expression without memory
-//   - comparator 11 of gate cosine says what the sign of adder 8 says: rom_lemma, adder 8 being its t
-//     (device_proof, value)
+// The ROMs are free (free_roms.v), and so are the multipliers' results (prove.sh cuts them off),
+// but for what holds of the real ones:
+//   - what ROM 33 and a multiplier give is the same in both devices where their inputs are the
+//     same: they are the same module or expression without memory
+//   - comparator 11 of gate cosine says what the sign of adder 8 says: rom_lemma, adder 8 being its
+//     t (device_proof, value)
 `default_nettype none
 
 module gates_proof #(

@@ -1,12 +1,12 @@
-// pipelined_divider_proof: the divider's pipelined form, any number of shifts. The inputs are whatever the
-// prover chooses at each clock, reset and en among them.
+// pipelined_divider_proof: the divider's pipelined form, any number of shifts. The inputs are
+// whatever the prover chooses at each clock, reset and en among them.
 //
 // Properties
-//   uninvited, in_order, once, frozen   those of module flow, with LATENCY = SHIFTS + 1; the data of a
-//                                       slot is k and the three differences
-//   sum           at the turn of a slot the quotients are the sums of the table's terms, difference *
-//                 ij / 2^j over j = 0 to SHIFTS: each term of its own difference and of the bits that the
-//                 table has for its k is added once, while the slot moves
+//   uninvited, in_order, once, frozen   those of module flow, with LATENCY = SHIFTS + 1; the data
+//                                       of a slot is k and the three differences
+//   sum           at the turn of a slot the quotients are the sums of the table's terms, difference
+//                 * ij / 2^j over j = 0 to SHIFTS: each term of its own difference and of the bits
+//                 that the table has for its k is added once, while the slot moves
 //   out_of_table  at the turn of a slot it says whether its k was 0 or beyond the table
 // What the table holds is table_proof's.
 `default_nettype none
@@ -62,7 +62,8 @@ module pipelined_divider_proof #(
     // The table, as the divider should ask it.
     wire [SHIFTS:0] its_bits;
     wire            its_miss;
-    reciprocal_rom #(.SHIFTS(SHIFTS)) u_table (.k(history[27 +: 8]), .bits(its_bits), .miss(its_miss));
+    reciprocal_rom #(.SHIFTS(SHIFTS)) u_table (
+        .k(history[27 +: 8]), .bits(its_bits), .miss(its_miss));
 
     // At place j + 1: what goes with the slot, and the sums of its terms up to the one of 2^-j.
     wire [LATENCY*LATENCY-1:0] bits; // j's in [j*LATENCY +: LATENCY]
@@ -107,11 +108,13 @@ module pipelined_divider_proof #(
         c_sum:          cover (out_valid && quotient_r < 0 && quotient_g > 0
                                && bits[SHIFTS*LATENCY +: 2] == 2'd3);
         c_sum_one:      cover (out_valid && quotient_b != 0 && bits[LATENCY*LATENCY-1]);
-        c_out_of_table: cover (out_valid && out_of_table && history[(LATENCY-1)*WIDTH +: 9] != 9'd0);
+        c_out_of_table: cover (out_valid && out_of_table &&
+                               history[(LATENCY-1)*WIDTH +: 9] != 9'd0);
     end
 endmodule
 
-// place: the step of a slot from place J to place J + 1, and what the divider's stage must hold there.
+// place: the step of a slot from place J to place J + 1, and what the divider's stage must hold
+// there.
 module place #(
     parameter integer SHIFTS = 12,
     parameter integer J      = 1

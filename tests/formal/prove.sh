@@ -2,23 +2,25 @@
 # One proof of the circuits by yosys-smtbmc and z3, or one search that must find a fault.
 #
 #   tests/formal/prove.sh DIR PROOF                  proves PROOF of the circuits in rtl/
-#   tests/formal/prove.sh DIR PROOF FAULT PROPERTY   edits rtl/ by FAULT, .../<module>.sed, and looks for a
-#                                                    run that violates PROPERTY: there must be one
+#   tests/formal/prove.sh DIR PROOF FAULT PROPERTY   edits rtl/ by FAULT, .../<module>.sed, and
+#                                                    looks for a run that violates PROPERTY: there
+#                                                    must be one
 #
 # PROOF  device-GATE-PIPELINE-LANES-LANE   gates-PIPELINE-LANES-LANE   roms   table-SHIFTS
 #        sequential-SHIFTS   pipelined-SHIFTS
-#        GATE cosine sign drawn; PIPELINE pipelined combinational; LANES 1 2 4 8 16, LANE the one looked at
+#        GATE cosine sign drawn; PIPELINE pipelined combinational; LANES 1 2 4 8 16, LANE the one
+#        looked at
 #
-# DIR gets the model (model.smt2), what the tools said (*.log), traces for GTKWave (*.vcd: one for each
-# cover; counterexample.vcd where a property fails) and the line "result":
-#   name, properties, method, seconds, covers reached of all ("-": none looked for), PROVED, FAULT FOUND
-#   or FAILED and why; separated by tabs.
+# DIR gets the model (model.smt2), what the tools said (*.log), traces for GTKWave (*.vcd: one for
+# each cover; counterexample.vcd where a property fails) and the line "result":
+#   name, properties, method, seconds, covers reached of all ("-": none looked for), PROVED, FAULT
+#   FOUND or FAILED and why; separated by tabs.
 # A short form of it goes to standard output; where it is FAILED, the line itself to standard error.
 # Exit status 0, 1 (FAILED) or 2 (not called as above, or a tool is missing).
 #
-# A proof with a clock is by induction over one clock: the assertions hold after a reset in any state
-# whatever, and after any clock before which they held. Each property needs a cover reached, or the proof
-# fails. See docs/formal.md.
+# A proof with a clock is by induction over one clock: the assertions hold after a reset in any
+# state whatever, and after any clock before which they held. Each property needs a cover reached,
+# or the proof fails. See docs/formal.md.
 set -eu
 here=$(dirname "$0")
 rtl=$here/../../rtl
@@ -70,7 +72,8 @@ device-*)
     number "$(field 4)"
     number "$(field 5)"
     top=device_proof modules=$device files='device flow formula lemma free_roms'
-    parameters="-set GATE $gate -set PIPELINED $pipelined -set LANES $(field 4) -set LANE $(field 5)"
+    parameters="-set GATE $gate -set PIPELINED $pipelined"
+    parameters="$parameters -set LANES $(field 4) -set LANE $(field 5)"
     properties="$flow value" depth=12
     ;;
 gates-*)
@@ -110,7 +113,7 @@ esac
 
 for tool in yosys yosys-smtbmc z3; do
     command -v $tool >/dev/null || {
-        echo "tests/formal/prove.sh: no $tool; install the packages yosys and z3 (make formal does)" >&2
+        echo "tests/formal/prove.sh: $tool not found: install yosys and z3 (make formal does)" >&2
         exit 2
     }
 done
@@ -132,7 +135,8 @@ result() {
         exit 1
         ;;
     esac
-    awk -F '\t' '{ print $1 ": " $6 ($5 == "-" ? "" : ", " $5 " covers") ", " $4 " s" }' "$dir/result"
+    awk -F '\t' '{ print $1 ": " $6 ($5 == "-" ? "" : ", " $5 " covers") ", " $4 " s" }' \
+        "$dir/result"
     exit 0
 }
 
@@ -141,7 +145,8 @@ if [ -n "$fault" ]; then
     mkdir "$dir/rtl"
     cp "$rtl"/* "$dir/rtl"
     sed -f "$fault" "$rtl/$module.v" >"$dir/rtl/$module.v"
-    ! cmp -s "$rtl/$module.v" "$dir/rtl/$module.v" || result "FAILED: $fault changes nothing in rtl/$module.v"
+    ! cmp -s "$rtl/$module.v" "$dir/rtl/$module.v" ||
+        result "FAILED: $fault changes nothing in rtl/$module.v"
     rtl=$dir/rtl
 fi
 
@@ -152,7 +157,8 @@ for name in $files; do script="$script $here/$name.v"; done
 script="$script; ${parameters:+chparam $parameters $top;} prep -top $top -flatten;
     ${cut:+cutpoint $cut;} memory_map -rom-only;
     opt -keepdc -fast; dffunmap;"
-[ -z "$wanted" ] || script="$script select -set wanted c:$wanted c:${wanted}_* c:*.$wanted c:*.${wanted}_*;
+[ -z "$wanted" ] || script="$script
+    select -set wanted c:$wanted c:${wanted}_* c:*.$wanted c:*.${wanted}_*;
     delete t:\$assert @wanted %d; select -assert-min 1 t:\$assert;"
 script="$script opt_clean; check -assert; write_smt2 -wires $dir/model.smt2"
 yosys -q -p "$script" >"$dir/yosys.log" 2>&1 || result "FAILED: Yosys, see $dir/yosys.log"
@@ -182,7 +188,8 @@ fi
 
 # Every assertion belongs to a property, or is a helper of the induction; every property has some.
 for property in $properties; do
-    labels assert | grep -q -e "^$property\(_.*\)\{0,1\}\$" || result "FAILED: no assertion of $property"
+    labels assert | grep -q -e "^$property\(_.*\)\{0,1\}\$" ||
+        result "FAILED: no assertion of $property"
 done
 labels assert | grep -v '^h_' | while read -r label; do
     for property in $properties; do
@@ -195,7 +202,8 @@ done || result "FAILED: an assertion of no property"
 
 # failed LOG: the assertions that the log says failed
 failed() {
-    failures=$(sed -n 's/.*Assert failed in [^:]*: //p' "$dir/$1.log" | sed 's/.*\.//' | tr '\n' ' ')
+    failures=$(sed -n 's/.*Assert failed in [^:]*: //p' "$dir/$1.log" |
+        sed 's/.*\.//' | tr '\n' ' ')
     result "FAILED: $1: ${failures:-see $dir/$1.log}"
 }
 
@@ -208,7 +216,8 @@ else
     # shellcheck disable=SC2086
     smtbmc base $anew -t 2 --dump-vcd "$dir/counterexample.vcd" || failed base
     # shellcheck disable=SC2086
-    smtbmc step $anew -i -t 1 --smtc "$here/step.smtc" --dump-vcd "$dir/counterexample.vcd" || failed step
+    smtbmc step $anew -i -t 1 --smtc "$here/step.smtc" --dump-vcd "$dir/counterexample.vcd" ||
+        failed step
     grep -q 'Temporal induction successful' "$dir/step.log" || failed step
 fi
 
@@ -238,7 +247,8 @@ sed -n 's/.*Reached cover statement at \([^ ]*\) .*/reached \1/p;
     done >"$dir/reached"
 covers=$(wc -l <"$dir/reached")/$all
 for property in $properties; do
-    grep -q -e "^c_$property\(_.*\)\{0,1\}\$" "$dir/reached" || result "FAILED: no cover of $property reached"
+    grep -q -e "^c_$property\(_.*\)\{0,1\}\$" "$dir/reached" ||
+        result "FAILED: no cover of $property reached"
 done
 [ "$covers" = "$all/$all" ] || result "FAILED: a cover not reached, see $dir/cover.log"
 result PROVED

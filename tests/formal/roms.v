@@ -1,5 +1,5 @@
-// roms_proof: what the device's ROMs hold, for every n and every cosine code. There is no clock: a single
-// state with n and cos free is all there is.
+// roms_proof: what the device's ROMs hold, for every n and every cosine code. There is no clock: a
+// single state with n and cos free is all there is.
 //
 // Properties
 //   sigma  ROM 33 holds (n+1)/3 rounded to 13 fraction bits: 3 sigma is within one unit of n + 1

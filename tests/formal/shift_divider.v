@@ -1,16 +1,20 @@
-// shift_divider_proof: the divider's sequential form, any number of shifts. The inputs are whatever the
-// prover chooses at each clock, reset and en among them.
+// shift_divider_proof: the divider's sequential form, any number of shifts. The inputs are whatever
+// the prover chooses at each clock, reset and en among them.
 //
-// age counts the enabled clocks since the last start that was taken, its own included; 0 where there was
-// none since the reset, SHIFTS + 2 for more than SHIFTS + 1.
+// age counts the enabled clocks since the last start that was taken, its own included; 0 where
+// there was none since the reset, SHIFTS + 2 for more than SHIFTS + 1.
 //
 // Properties
-//   busy, done    busy is 1 exactly while age is 1 to SHIFTS, done exactly while it is SHIFTS + 1. A start
-//                 counts where busy is 0, one in the clock of done too; while busy is 1 it changes nothing.
-//   once          divisions taken less done clocks, since the reset: 1 from the start to done, else 0
-//   sum           from done until the next start is taken, quotient is the sum of the table's terms,
-//                 difference * ij / 2^j over j = 0 to SHIFTS, added here one at each enabled clock
-//   out_of_table  in the same clocks it says whether k was 0 or beyond the table, and if so, quotient is 0
+//   busy, done    busy is 1 exactly while age is 1 to SHIFTS, done exactly while it is SHIFTS + 1.
+//                 A start counts where busy is 0, one in the clock of done too; while busy is 1 it
+//                 changes nothing.
+//   once          divisions taken less done clocks, since the reset: 1 from the start to done, else
+//                 0
+//   sum           from done until the next start is taken, quotient is the sum of the table's
+//                 terms, difference * ij / 2^j over j = 0 to SHIFTS, added here one at each enabled
+//                 clock
+//   out_of_table  in the same clocks it says whether k was 0 or beyond the table, and if so,
+//                 quotient is 0
 //   cleared       until the first start after a reset quotient and out_of_table are 0
 //   frozen        a clock without enable and reset changes no output
 // What the table holds is table_proof's.
@@ -94,7 +98,8 @@ module shift_divider_proof #(
         h_shift: assert (age == 5'd0 || \dut.shift_rg == moved);
         h_sum:  assert (quotient == its_sum);
         h_miss: assert (age == 5'd0 || out_of_table == its_miss);
-        h_bits: assert (age == 5'd0 || !its_miss || {its_bits, its_sum} == {(SHIFTS + 1 + W){1'b0}});
+        h_bits: assert (age == 5'd0 || !its_miss ||
+                       {its_bits, its_sum} == {(SHIFTS + 1 + W){1'b0}});
 
         busy_:          assert (busy == under_way);
         done_:          assert (done == (age == SHIFTS + 1));

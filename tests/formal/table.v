@@ -1,9 +1,9 @@
-// table_proof: what the divider's table holds. There is no clock: a single state with k free is all there
-// is.
+// table_proof: what the divider's table holds. There is no clock: a single state with k free is all
+// there is.
 //
 // Properties
-//   rounded  for k = 1 to 16 the bits are 2^n / k rounded to nearest, n = SHIFTS: k times them is within
-//            half a k of 2^n
+//   rounded  for k = 1 to 16 the bits are 2^n / k rounded to nearest, n = SHIFTS: k times them is
+//            within half a k of 2^n
 //   miss     for every other k they are 0 and miss is 1, which it is for no k of the table
 `default_nettype none
 

@@ -3,10 +3,11 @@
 #
 #   tests/formats/try.sh DIR NAME VALUE SETTING...
 #
-# Copies the sources into DIR (made anew), sets NAME in cmodel/glint_formats.h to VALUE, generates what is
-# generated, looks at the Verilog with Verilator's lint, builds the C model and what drives circuits, and
-# runs tests/formats/drive.c with the settings (cosine-pipelined-4). With $GLINT_CACHE the circuits, and
-# Verilator's own runtime, are kept there. Exit status 0 when everything builds and nothing differs.
+# Copies the sources into DIR (made anew), sets NAME in cmodel/glint_formats.h to VALUE, generates
+# what is generated, looks at the Verilog with Verilator's lint, builds the C model and what drives
+# circuits, and runs tests/formats/drive.c with the settings (cosine-pipelined-4). With $GLINT_CACHE
+# the circuits, and Verilator's own runtime, are kept there. Exit status 0 when everything builds
+# and nothing differs.
 set -eu
 
 scratch=$1

@@ -1,3 +1,4 @@
+/* The wrapped functions; see mock_rtl.h. */
 #include "mock_rtl.h"
 
 #include <pthread.h>

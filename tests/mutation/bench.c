@@ -1,3 +1,4 @@
+/* Runs model and netlist side by side, outputs only; see bench.h. */
 #include "bench.h"
 
 #include <string.h>

@@ -14,8 +14,8 @@
 # them equivalent, must find one of them different at least, and where it says by which point, the
 # bench must see the fault at that point.
 #
-# Exit status 1 when a fault is missed or undecided; 2 when the prover fails its own test, or when there
-# were no faults at all.
+# Exit status 1 when a fault is missed or undecided; 2 when the prover fails its own test, or when
+# there were no faults at all.
 set -eu
 
 fail() {
@@ -61,7 +61,8 @@ ask_about_killed() {
         different*) different=$((different + 1)) ;;
         esac
     done
-    [ "$different" -gt 0 ] || fail "$circuit: the prover found none of $asked killed faults different"
+    [ "$different" -gt 0 ] ||
+        fail "$circuit: the prover found none of $asked killed faults different"
     case $circuit in
     specular*) [ "$points" -gt 0 ] || fail "$circuit: no point shows any of $asked killed faults" ;;
     esac
@@ -104,7 +105,8 @@ open=$(($(count missed) + $(count undecided)))
 score=$(awk -v killed="$(count killed)" -v of=$((all - $(count equivalent))) \
     'BEGIN { printf "%.2f", of ? 100 * killed / of : 0 }')
 cat <<END
-$circuit: $all faults: killed $(count killed) (lockstep $(count killed lockstep), sweep $(count killed sweep)), \
+$circuit: $all faults: killed $(count killed) (lockstep $(count killed lockstep), \
+sweep $(count killed sweep)), \
 equivalent $(count equivalent) (induction $(count equivalent induction), \
 reachability $(count equivalent reachability), points $(count equivalent points)), \
 missed $(count missed), undecided $(count undecided); score $score % of those not proven equivalent

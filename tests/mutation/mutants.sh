@@ -8,8 +8,8 @@
 #
 # Writes to DIR: healthy.il, the netlist in Yosys's own format; mutants.list, the faults, a command
 # of Yosys a line; mutants.v, the netlist with all of them and two inputs more: a rising edge of
-# "choose" switches on the fault whose line is the number on "fault", and with 0 none. To be called from
-# the directory that holds rtl/.
+# "choose" switches on the fault whose line is the number on "fault", and with 0 none. To be called
+# from the directory that holds rtl/.
 set -eu
 
 fail() {
@@ -29,8 +29,8 @@ for parameter in $(echo "$line" | cut -s -d ' ' -f 5-); do
 done
 
 mkdir -p "$dir"
-# -nordff: register 2 stays in front of the ROMs, as in the Verilog; else Yosys would put registers of
-# its own behind them.
+# -nordff: register 2 stays in front of the ROMs, as in the Verilog; else Yosys would put registers
+# of its own behind them.
 yosys -q -p "
     read_verilog -Irtl rtl/*.v
     chparam $setting $top
@@ -53,9 +53,11 @@ yosys -q -p "
     write_verilog -noattr $dir/netlist.v"
 sed 's/^\(module .*\), mutsel);$/\1, fault, choose);/
     s/^  input \[15:0\] mutsel;$/  input [15:0] fault;\n  input choose;/
-    s/^  wire \[15:0\] mutsel;$/  reg [15:0] mutsel;\n  always @(posedge choose) mutsel <= fault;/' \
+    s/^  wire \[15:0\] mutsel;$/  reg [15:0] mutsel;\
+  always @(posedge choose) mutsel <= fault;/' \
     "$dir/netlist.v" >"$dir/mutants.v.new"
-[ "$(grep -cE '^  reg \[15:0\] mutsel;$|, fault, choose\);$|^  input choose;$' "$dir/mutants.v.new")" = 3 ] ||
+added='^  reg \[15:0\] mutsel;$|, fault, choose\);$|^  input choose;$'
+[ "$(grep -cE "$added" "$dir/mutants.v.new")" = 3 ] ||
     fail "$circuit: Yosys wrote no input mutsel as expected to $dir/netlist.v"
 rm "$dir/netlist.v"
 mv "$dir/mutants.v.new" "$dir/mutants.v"

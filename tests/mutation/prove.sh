@@ -13,12 +13,13 @@
 # What is proven: the netlist and the one with the fault, side by side, each with registers of any
 # content, one clock of reset, then any inputs at all, for ever: after every rising edge all outputs
 # are equal.
-#   points        of the specular device, for faults in its arithmetic and ROMs; docs/mutation.md has
-#                 the argument: what a point becomes is the same, by SAT over all n, cosines, colours
-#   induction     registers and gates that are equal in every reachable step are merged, by SAT, until
-#                 nothing is left that could differ
-#   reachability  property-directed reachability (ABC's pdr), which checks the invariant that it found
-#                 again, and else the several engines of dprove, on what the merging left
+#   points        of the specular device, for faults in its arithmetic and ROMs; docs/mutation.md
+#                 has the argument: what a point becomes is the same, by SAT over all n, cosines,
+#                 colours
+#   induction     registers and gates that are equal in every reachable step are merged, by SAT,
+#                 until nothing is left that could differ
+#   reachability  property-directed reachability (ABC's pdr), which checks the invariant that it
+#                 found again, and else the several engines of dprove, on what the merging left
 set -eu
 
 fail() {
@@ -118,7 +119,8 @@ try_points() {
     run_abc "read $work/one_point.aig; strash; iprove; print_status; write_cex $work/point"
     case $(abc_status) in
     1) answer equivalent points ;;
-    0) answer different "n=$(number 1 10),cos=$(number 35 19),rgb=$(number 11 8),$(number 19 8),$(number 27 8)" ;;
+    0) answer different \
+        "n=$(number 1 10),cos=$(number 35 19),rgb=$(number 11 8),$(number 19 8),$(number 27 8)" ;;
     esac
 }
 
@@ -154,9 +156,9 @@ write_from_reset() {
         }' "$dir/healthy.il" >"$work/from_reset.v"
 }
 
-# Registers of unknown content become inputs of the first step (-zinit). The first steps, in which the
-# reset acts and nothing is compared, become part of the initial state; then the merging. What pdr
-# does not find in a tenth of the time it seldom finds in all of it.
+# Registers of unknown content become inputs of the first step (-zinit). The first steps, in which
+# the reset acts and nothing is compared, become part of the initial state; then the merging. What
+# pdr does not find in a tenth of the time it seldom finds in all of it.
 try_from_reset() {
     write_from_reset
     build from_reset "
@@ -164,7 +166,8 @@ try_from_reset() {
         $([ $halves = 0 ] || echo clk2fflogic both)
         read_verilog $work/from_reset.v"
     for engine in "pdr -T $((seconds / 10 + 1))" dprove; do
-        run_abc "read $work/from_reset.aig; strash; tempor -F $first_steps; scorr; print_stats; $engine; print_status"
+        run_abc "read $work/from_reset.aig; strash; tempor -F $first_steps; scorr; \
+print_stats; $engine; print_status"
         case $(abc_status) in
         1)
             ! grep -q ' lat = *0  and = *0 ' "$work/abc.log" || answer equivalent induction

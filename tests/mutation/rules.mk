@@ -7,14 +7,15 @@
 MUTANTS       ?= 1000
 MUTATION_SEED ?= 1
 MUTATION_SECONDS ?= 900
-# The settings MUTATED, and in make test MUTATED_SHORT: tests/circuits/*.mk. SWEEP_CLOCKS_<setting> is how
-# much of its sweep one gets, where that is not all.
+# The settings MUTATED, and in make test MUTATED_SHORT: tests/circuits/*.mk. SWEEP_CLOCKS_<setting>
+# is how much of its sweep one gets, where that is not all.
 MUTANTS_SHORT := 60
 MUTATION      := $(VERILATED)/mutation
 
 mutation_class  = Vmutants_$1
 
-.SECONDARY: $(foreach m,$(MUTATED) $(MUTATED_SHORT),$(addprefix $(MUTATION)/$m/,mutants.v netlist.stamp ports.h shim.o) \
+.SECONDARY: $(foreach m,$(MUTATED) $(MUTATED_SHORT),\
+    $(addprefix $(MUTATION)/$m/,mutants.v netlist.stamp ports.h shim.o) \
     $(BUILD)/mutation/$m/bench)
 
 # Rewritten only when it changes, so that other faults make the netlist anew.
@@ -35,7 +36,8 @@ $(MUTATION)/%/ports.h: $(CIRCUIT_SOURCES) | $(BUILD)/list-settings
 # Names and widths are Yosys's, not ours: no lint. Verilator 5.006 gets netlists wrong without
 # -fno-const-bit-op-tree (docs/netlists.md). A netlist of gates gains nothing from -O2.
 $(MUTATION)/%/netlist.stamp: $(MUTATION)/%/mutants.v $(VERILATED)/version
-	$(VERILATOR) --cc -O3 -fno-const-bit-op-tree --x-assign fast --x-initial unique --noassert -Wno-lint -Wno-style \
+	$(VERILATOR) --cc -O3 -fno-const-bit-op-tree --x-assign fast --x-initial unique \
+	    --noassert -Wno-lint -Wno-style \
 	    --prefix $(call mutation_class,$*) --Mdir $(@D)/verilated $<
 	$(MAKE) -s -C $(@D)/verilated -f $(call mutation_class,$*).mk OPT_FAST=-O1 OPT_SLOW=-O0 \
 	    $(call mutation_class,$*)__ALL.a >/dev/null
@@ -61,7 +63,8 @@ MUTATION_OBJECTS := $(addprefix $(BUILD)/tests/mutation/,main.o bench.o sweep.o)
 $(BUILD)/mutation/%/bench: $(MUTATION)/%/shim.o $(MUTATION_OBJECTS) $(MUTATION_RUNTIME) $(LIBRARIES)
 	@mkdir -p $(@D)
 	$(CXX) $(LDFLAGS) -o $@ $< $(MUTATION_OBJECTS) \
-	    $(MUTATION)/$*/verilated/$(call mutation_class,$*)__ALL.a $(MUTATION_RUNTIME) $(LIBRARIES) $(LDLIBS)
+	    $(MUTATION)/$*/verilated/$(call mutation_class,$*)__ALL.a \
+	    $(MUTATION_RUNTIME) $(LIBRARIES) $(LDLIBS)
 	cp $(MUTATION)/$*/healthy.il $(MUTATION)/$*/mutants.list $(@D)/
 
 $(BUILD)/mutation/%/verdicts.tsv: $(BUILD)/mutation/%/bench

@@ -1,5 +1,5 @@
-// A little circuit with the specular device's pins, for the test of points.ys and prove.sh: two ranks
-// of registers. FLAW 0 keeps every premise of points.ys; each of the others breaks one.
+// A little circuit with the specular device's pins, for the test of points.ys and prove.sh: two
+// ranks of registers. FLAW 0 keeps every premise of points.ys; each of the others breaks one.
 `default_nettype none
 
 module specular_device #(

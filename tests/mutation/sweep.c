@@ -1,3 +1,4 @@
+/* Directed stimulus, one clock at a time; see sweep.h. */
 #include "sweep.h"
 
 #include <string.h>

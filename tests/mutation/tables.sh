@@ -3,9 +3,9 @@
 #
 #   tests/mutation/tables.sh DIR CIRCUIT...
 #
-# DIR/CIRCUIT is where judge.sh wrote results.tsv. In the second table faults of the same kind share a
-# row: the kind of cell (a register with its name in the Verilog), its pin, what the fault does there,
-# how it was proven.
+# DIR/CIRCUIT is where judge.sh wrote results.tsv. In the second table faults of the same kind share
+# a row: the kind of cell (a register with its name in the Verilog), its pin, what the fault does
+# there, how it was proven.
 set -eu
 
 fail() {
@@ -23,7 +23,8 @@ for circuit in "$@"; do
 done
 
 printf '%s\n' \
-    '| circuit | faults | killed | by lockstep | by the sweep | equivalent | missed or undecided | killed of those not equivalent |' \
+    "| circuit | faults | killed | by lockstep | by the sweep | equivalent | missed or undecided \
+| killed of those not equivalent |" \
     '|---|---|---|---|---|---|---|---|'
 for circuit in "$@"; do
     awk -F '\t' -v circuit="$circuit" '
@@ -59,7 +60,8 @@ for circuit in "$@"; do
             split($0, field, "\t")
             for (i = 1; i < NF; i++)
                 given[$i] = $(i + 1)
-            count[kind[given["-cell"]] " | " given["-port"] " | " fault_of[given["-mode"]] " | " field[3]]++
+            fault = fault_of[given["-mode"]]
+            count[kind[given["-cell"]] " | " given["-port"] " | " fault " | " field[3]]++
         }
         END {
             for (row in count)

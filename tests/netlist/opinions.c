@@ -1,3 +1,4 @@
+/* Reads a list of alternative builds and selects one of them. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "opinions.h"

@@ -1,3 +1,4 @@
+/* Strips a circuit's description down to its pins. */
 #include "pins.h"
 
 #include <stdbool.h>

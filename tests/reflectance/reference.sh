@@ -63,21 +63,36 @@ define r(n, x) {
     auto y, d;
     y = k(x);
     d = n - n * x + x;
-    print "{GLINT_REFLECTANCE_LAMBERT, ", n, ", ", x, ", "; y0 = z(x);
-    print "{GLINT_REFLECTANCE_PHONG, ", n, ", ", x, ", "; y0 = z(p(x, n));
-    print "{GLINT_REFLECTANCE_BLINN, ", n, ", ", x, ", "; y0 = z(p(x, n));
-    print "{GLINT_REFLECTANCE_BLINN_NORMALIZED, ", n, ", ", x, ", "; y0 = z((n + 6) / (8 * pi) * p(x, n));
-    print "{GLINT_REFLECTANCE_SCHLICK, ", n, ", ", x, ", "; y0 = z(x / d);
-    print "{GLINT_REFLECTANCE_SCHLICK_MODIFIED, ", n, ", ", x, ", "; y0 = z(x / (0.5 * n * (1 - x * x) + d));
-    print "{GLINT_REFLECTANCE_SCHLICK_MODIFIED_ANGLE, ", n, ", ", x, ", "; y0 = z(x / (0.5 * n * (1 - c(y * y)) + d));
-    print "{GLINT_REFLECTANCE_SCHLICK_MODIFIED_LINEAR, ", n, ", ", x, ", "; y0 = z(x / (0.5 * n * (1 - x) ^ 2 + d));
-    print "{GLINT_REFLECTANCE_SCHLICK_MODIFIED_SQUARED, ", n, ", ", x, ", "; y0 = z(x / (0.5 * (n * (1 - x)) ^ 2 + d));
-    print "{GLINT_REFLECTANCE_QUADRATIC, ", n, ", ", x, ", "; y0 = z(q(x, n));
-    print "{GLINT_REFLECTANCE_COSINE_QUADRATIC, ", n, ", ", x, ", "; y0 = z(g(x, n));
-    print "{GLINT_REFLECTANCE_ENERGY_CONSERVING, ", n, ", ", x, ", "; y0 = z((n + 6) / 24.55 * g(x, n));
-    print "{GLINT_REFLECTANCE_LYON_4, ", n, ", ", x, ", "; y0 = z(f(x, n, 4));
-    print "{GLINT_REFLECTANCE_LYON_8, ", n, ", ", x, ", "; y0 = z(f(x, n, 8));
-    print "{GLINT_REFLECTANCE_LYON_16, ", n, ", ", x, ", "; y0 = z(f(x, n, 16));
+    print "{GLINT_REFLECTANCE_LAMBERT, ", n, ", ", x, ", "
+    y0 = z(x);
+    print "{GLINT_REFLECTANCE_PHONG, ", n, ", ", x, ", "
+    y0 = z(p(x, n));
+    print "{GLINT_REFLECTANCE_BLINN, ", n, ", ", x, ", "
+    y0 = z(p(x, n));
+    print "{GLINT_REFLECTANCE_BLINN_NORMALIZED, ", n, ", ", x, ", "
+    y0 = z((n + 6) / (8 * pi) * p(x, n));
+    print "{GLINT_REFLECTANCE_SCHLICK, ", n, ", ", x, ", "
+    y0 = z(x / d);
+    print "{GLINT_REFLECTANCE_SCHLICK_MODIFIED, ", n, ", ", x, ", "
+    y0 = z(x / (0.5 * n * (1 - x * x) + d));
+    print "{GLINT_REFLECTANCE_SCHLICK_MODIFIED_ANGLE, ", n, ", ", x, ", "
+    y0 = z(x / (0.5 * n * (1 - c(y * y)) + d));
+    print "{GLINT_REFLECTANCE_SCHLICK_MODIFIED_LINEAR, ", n, ", ", x, ", "
+    y0 = z(x / (0.5 * n * (1 - x) ^ 2 + d));
+    print "{GLINT_REFLECTANCE_SCHLICK_MODIFIED_SQUARED, ", n, ", ", x, ", "
+    y0 = z(x / (0.5 * (n * (1 - x)) ^ 2 + d));
+    print "{GLINT_REFLECTANCE_QUADRATIC, ", n, ", ", x, ", "
+    y0 = z(q(x, n));
+    print "{GLINT_REFLECTANCE_COSINE_QUADRATIC, ", n, ", ", x, ", "
+    y0 = z(g(x, n));
+    print "{GLINT_REFLECTANCE_ENERGY_CONSERVING, ", n, ", ", x, ", "
+    y0 = z((n + 6) / 24.55 * g(x, n));
+    print "{GLINT_REFLECTANCE_LYON_4, ", n, ", ", x, ", "
+    y0 = z(f(x, n, 4));
+    print "{GLINT_REFLECTANCE_LYON_8, ", n, ", ", x, ", "
+    y0 = z(f(x, n, 8));
+    print "{GLINT_REFLECTANCE_LYON_16, ", n, ", ", x, ", "
+    y0 = z(f(x, n, 16));
     return 0;
 }
 define w(n) {
@@ -118,8 +133,10 @@ define h(n, f, x, y, o, j) {
     return q * d * w / (4 * c(x) * c(y));
 }
 define m(n, f, x, y, o) {
-    print "{GLINT_REFLECTANCE_TORRANCE_SPARROW, ", n, ", ", f, ", ", x, ", ", y, ", ", o, ", "; y0 = z(h(n, f, x, y, o, 0));
-    print "{GLINT_REFLECTANCE_COOK_TORRANCE, ", n, ", ", f, ", ", x, ", ", y, ", ", o, ", "; y0 = z(h(n, f, x, y, o, 1));
+    print "{GLINT_REFLECTANCE_TORRANCE_SPARROW, ", n, ", ", f, ", ", x, ", ", y, ", ", o, ", "
+    y0 = z(h(n, f, x, y, o, 0));
+    print "{GLINT_REFLECTANCE_COOK_TORRANCE, ", n, ", ", f, ", ", x, ", ", y, ", ", o, ", "
+    y0 = z(h(n, f, x, y, o, 1));
     return 0;
 }
 define u(n, f) {
@@ -129,9 +146,12 @@ define u(n, f) {
     return 0;
 }
 
-print "static const struct {\n    glint_reflectance_model model;\n    double n, cosine, value;\n} reference_lobes[] = {\n"
+print "static const struct {\n"
+print "    glint_reflectance_model model;\n    double n, cosine, value;\n} reference_lobes[] = {\n"
 y0 = w(1); y0 = w(2); y0 = w(3); y0 = w(7.5); y0 = w(80); y0 = w(1000)
-print "};\n\nstatic const struct {\n    glint_reflectance_model model;\n    double n, f0, light, viewer, around, brdf;\n} reference_facets[] = {\n"
+print "};\n\nstatic const struct {\n"
+print "    glint_reflectance_model model;\n"
+print "    double n, f0, light, viewer, around, brdf;\n} reference_facets[] = {\n"
 y0 = u(80, 0.04); y0 = u(80, 1); y0 = u(200, 0.5); y0 = u(1000, 0.04)
 print "};\n"
 halt

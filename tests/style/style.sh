@@ -1,9 +1,9 @@
 #!/bin/sh
 # The style that a tool can see, over every file that git knows: style.sh
 #
-# C and C++ as .clang-format has them; an include guard is the file's path; a .c file opens with what it
-# is for; no line of C, Verilog, make or shell that someone wrote is longer than 100 columns.
-# Exit status 0: all of it, 1: a line for each place that is not so.
+# C and C++ as .clang-format has them; an include guard is the file's path; a .c file opens with
+# what it is for; no line of C, Verilog, make or shell that someone wrote is longer than 100
+# columns. Exit status 0: all of it, 1: a line for each place that is not so.
 set -u
 found=$(mktemp) || exit 2
 trap 'rm -f "$found"' EXIT

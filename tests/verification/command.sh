@@ -26,6 +26,7 @@ field() {
 }
 mismatches=$(field mismatches)
 echo "$what: $mismatches mismatches of $(field comparisons), $(field seconds) s"
-"$(dirname "$0")"/record.sh "$name" "$what" "$method" "$(field comparisons)" comparisons "$mismatches" \
+"$(dirname "$0")"/record.sh "$name" "$what" "$method" "$(field comparisons)" comparisons \
+    "$mismatches" \
     "$(field seconds)" "$*" || status=1
 exit "$status"

@@ -3,8 +3,9 @@
 #
 #   tests/verification/record.sh NAME WHAT METHOD CASES UNIT FAILED SECONDS COMMAND
 #
-# NAME     lower-case name, the same for each run of the same check: a later run replaces it; begins with
-#          rtl- model- formal- mutation- netlist- coverage- fuzz- or abuse-, the order of the table
+# NAME     lower-case name, the same for each run of the same check: a later run replaces it; begins
+#          with rtl- model- formal- mutation- netlist- coverage- fuzz- or abuse-, the order of the
+#          table
 # WHAT     what is shown, a short phrase; METHOD by what (lockstep, exhaustion, SAT, …)
 # CASES    how many, a whole number above 0, of UNIT (points, mutants, …); FAILED of them
 # SECONDS  elapsed; COMMAND what repeats it

@@ -1,3 +1,4 @@
+/* Writes stimulus and expected outputs for $readmemh; see vectors.h. */
 #include "vectors.h"
 
 #include <setjmp.h>

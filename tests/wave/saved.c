@@ -1,3 +1,4 @@
+/* Parses GTKWave save files line by line. */
 #define _XOPEN_SOURCE 700
 
 #include "saved.h"

@@ -1,3 +1,4 @@
+/* Parses VCD into definitions and value changes; see vcd.h. */
 #define _XOPEN_SOURCE 700
 
 #include "vcd.h"

@@ -3,10 +3,10 @@
 // Function    sum = first ? a*b : clamp(sum + a*b), clamp to the range of S2W.0, W = WIDTH
 // Formats     a, b SW.0;  product S2W.0;  sum S2W.0
 // Rounding    none; a sum beyond an end is that end, and out_saturated says so
-// Latency     2 clocks from the edge that takes a and b to the one after which the sum has them, both
-//             counted. Throughput: a product every clock.
-// Handshake   in_valid at an enabled edge takes a, b and first; out_valid marks a sum that is new. There
-//             is no back pressure; en = 0 freezes everything instead.
+// Latency     2 clocks from the edge that takes a and b to the one after which the sum has them,
+//             both counted. Throughput: a product every clock.
+// Handshake   in_valid at an enabled edge takes a, b and first; out_valid marks a sum that is new.
+//             There is no back pressure; en = 0 freezes everything instead.
 // Reset       synchronous, active high, clears everything, whatever en says.
 // Parameters  WIDTH 2..16
 `default_nettype none

@@ -4,7 +4,8 @@
 // Formats     x S12.0;  y S8.0;  lane i in bits [i*width +: width]
 // Rounding    none; a number beyond an end is that end
 // Latency     2 clocks. Throughput: LANES numbers a clock.
-// Handshake   in_valid[i] at an enabled edge: lane i takes its number; out_valid[i] marks its result.
+// Handshake   in_valid[i] at an enabled edge: lane i takes its number; out_valid[i] marks its
+//             result.
 // Reset       synchronous, active high, clears everything, whatever en says.
 // Parameters  LANES 1..32
 `default_nettype none

@@ -1,3 +1,4 @@
+/* A bit-serial multiplier, for the tests of user circuits: the C model, clock by clock. */
 #include <stdlib.h>
 
 #include "serial_mul.h"

@@ -3,10 +3,10 @@
 // Function    product = a * b
 // Formats     a, b UWIDTH.0;  product U(2*WIDTH).0
 // Rounding    none
-// Latency     WIDTH + 1 clocks from the edge that takes a and b to the one after which done is 1, both
-//             counted; during which it takes nothing
-// Handshake   start at an enabled edge while busy is 0 takes a and b; while it is 1, start is ignored.
-//             done is 1 for one clock. en = 0 freezes everything but the reset.
+// Latency     WIDTH + 1 clocks from the edge that takes a and b to the one after which done is 1,
+//             both counted; during which it takes nothing
+// Handshake   start at an enabled edge while busy is 0 takes a and b; while it is 1, start is
+//             ignored. done is 1 for one clock. en = 0 freezes everything but the reset.
 // Reset       asynchronous, active high
 // Parameters  WIDTH 2..16
 `default_nettype none

@@ -1,2 +1,0 @@
-findings.o: sim/report/findings.c sim/report/findings.h
-sim/report/findings.h:

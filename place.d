@@ -1,3 +1,0 @@
-place.o: sim/report/place.c sim/report/place.h cmodel/glint_status.h
-sim/report/place.h:
-cmodel/glint_status.h:
