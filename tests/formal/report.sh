@@ -25,7 +25,12 @@ lines=$(
 
 printf 'proof\tproperties\tmethod\tseconds\tcovers\tresult\n%s\n' "$lines" |
     awk -F '\t' '
-        { for (i = 1; i <= 6; i++) { cell[NR, i] = $i; if (length($i) > width[i]) width[i] = length($i) } }
+        {
+            for (i = 1; i <= 6; i++) {
+                cell[NR, i] = $i
+                if (length($i) > width[i]) width[i] = length($i)
+            }
+        }
         END {
             for (n = 1; n <= NR; n++) {
                 for (i = 1; i < 6; i++) printf "%-" width[i] "s  ", cell[n, i]
@@ -42,13 +47,16 @@ record() {
     "$here/../verification/record.sh" "$1" "$2" "$3" "$7" "$6" "$8" "$9" 'make formal'
 }
 
-record formal-device 'every input comes out once, in order, on time, with its value; freeze and reset work' \
+record formal-device \
+    'every input comes out once, in order, on time, with its value; freeze and reset work' \
     'induction, z3' '^device-[^ ]*	' PROVED proofs
 record formal-divider 'busy, done, latency; the sum of the terms of the table' \
     'induction, z3' '^\(sequential\|pipelined\|table\)-[^ ]*	' PROVED proofs
 record formal-gates 'gates sign and cosine are equal' 'induction, z3' '^gates-[^ ]*	' PROVED proofs
-record formal-roms 'ROM 33 is (n+1)/3 rounded; ROM 9 is where t changes sign' 'SMT, z3' '^roms	' PROVED proofs
-record formal-wrong 'every deliberately broken circuit is caught' 'counterexample, z3' '^[^ 	]* ' 'FAULT FOUND' circuits
+record formal-roms 'ROM 33 is (n+1)/3 rounded; ROM 9 is where t changes sign' 'SMT, z3' \
+    '^roms	' PROVED proofs
+record formal-wrong 'every deliberately broken circuit is caught' 'counterexample, z3' \
+    '^[^ 	]* ' 'FAULT FOUND' circuits
 
 echo "$lines" | awk -F '\t' '
     $6 == "PROVED" { proved++ } $6 == "FAULT FOUND" { found++ }

@@ -5,7 +5,8 @@
 #
 # Programs are BUILD/fuzzers/TARGET. They start from tests/fuzz/corpus/TARGET and what earlier runs
 # found (BUILD/corpus/TARGET, grows). An input that fails is kept as BUILD/failures/TARGET-…; the
-# exit status is 1 then, and when a target did nothing; 2 when it is called otherwise. GLINT_SEED= repeats a run's choices.
+# exit status is 1 then, and when a target did nothing; 2 when it is called otherwise. GLINT_SEED=
+# repeats a run's choices.
 set -u
 
 fail() {

@@ -20,7 +20,8 @@ note() { # NAME WHAT LINE UNIT: of the line "LINE: D differ of N UNIT…"
 note model-reference-w 'W is the formula with its stated rounding, bit for bit' W points
 note model-reference-colors 'each output is W times the colour, rounded to nearest, bit for bit' \
     colours values
-note model-reference-multiplier 'multiplier 13 rounds every product to nearest' 'multiplier 13' pairs
+note model-reference-multiplier 'multiplier 13 rounds every product to nearest' \
+    'multiplier 13' pairs
 note model-reference-roms 'both ROMs match their definitions' ROMs words
 note model-reference-divider 'each quotient is exactly the sum of the terms of the rounded 1/k' \
     divider divisions

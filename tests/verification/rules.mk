@@ -8,7 +8,8 @@ verification:
 	+$(MAKE) test
 	$(NOTE) rtl-1-lockstep "RTL = C model: every register and named value, every clock, 52 settings" \
 	    "lockstep, random" $(BUILD)/glint verify --seed 1
-	$(NOTE) rtl-2-exhaustive "RTL = C model: every n, cosine code and W with every colour, each gate and pipeline" \
+	$(NOTE) rtl-2-exhaustive \
+	    "RTL = C model: every n, cosine code and W with every colour, each gate and pipeline" \
 	    exhaustion $(BUILD)/glint verify --exhaustive --gate all --pipeline all
 	+$(MAKE) mutation
 	+$(MAKE) formal

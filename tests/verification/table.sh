@@ -56,7 +56,8 @@ table() {
         {
             gsub(/[|]/, "\\\\|") # in a row it would end the cell
             time = $6 < 100 ? sprintf("%.1f s", $6) : sprintf("%d min %02d s", $6 / 60, $6 % 60)
-            printf "| %s | %s | %s %s | %s | %s | `%s` |\n", $1, $2, grouped($3), $4, grouped($5), time, $7
+            printf "| %s | %s | %s %s | %s | %s | `%s` |\n",
+                $1, $2, grouped($3), $4, grouped($5), time, $7
         }
         END { exit bad }' || fail "a note in $records has not seven fields"
     echo "<!-- verification table: end -->"
@@ -66,7 +67,10 @@ new=$document.new
 trap 'rm -f "$new" "$new.table"' EXIT
 table "$@" >"$new.table"
 awk -v table="$new.table" '
-    /^<!-- verification table: begin -->$/ { while ((getline line < table) > 0) print line; inside = 1 }
+    /^<!-- verification table: begin -->$/ {
+        while ((getline line < table) > 0) print line
+        inside = 1
+    }
     !inside { print }
     /^<!-- verification table: end -->$/ { inside = 0 }' "$document" >"$new"
 mv "$new" "$document"
