@@ -84,7 +84,8 @@ generate: $(BUILD)/glint-gen
 	@for pair in $(GENERATED); do \
 	    file=$${pair%%:*}; \
 	    $(BUILD)/glint-gen $(BUILD)/generated $${pair##*:} || exit 1; \
-	    cmp -s $(BUILD)/generated $$file || { cp $(BUILD)/generated $$file && echo "$$file is new"; } || exit 1; \
+	    cmp -s $(BUILD)/generated $$file || \
+	        { cp $(BUILD)/generated $$file && echo "$$file is new"; } || exit 1; \
 	done; \
 	rm $(BUILD)/generated
 
@@ -145,9 +146,10 @@ $(BUILD)/wrong/$1/$3: $2 $(RTL)
 	$$Qsed -f $2 rtl/$3 > $$@
 	@! cmp -s rtl/$3 $$@ || { echo "$2 changes nothing in rtl/$3" >&2; exit 1; }
 endef
-$(foreach f,$(FAULTS) $(DEEP_FAULTS),$(eval $(call wrong_circuit,$(call wrong_name,$f),$f,$(notdir $(f:.sed=.v)))))
-$(foreach f,$(DIVIDER_FAULTS) $(DEEP_DIVIDER_FAULTS),$(eval $(call wrong_circuit,divider_$(call wrong_name,$f),$f,$(notdir \
-    $(f:.sed=.v)))))
+$(foreach f,$(FAULTS) $(DEEP_FAULTS),\
+    $(eval $(call wrong_circuit,$(call wrong_name,$f),$f,$(notdir $(f:.sed=.v)))))
+$(foreach f,$(DIVIDER_FAULTS) $(DEEP_DIVIDER_FAULTS),\
+    $(eval $(call wrong_circuit,divider_$(call wrong_name,$f),$f,$(notdir $(f:.sed=.v)))))
 
 # What several tests share: tests/<thing>/*.c that are no programs themselves.
 TEST_HELPERS := $(filter-out $(TEST_SOURCES) %/main.c %/drive.c,$(wildcard tests/*/*.c))
@@ -171,13 +173,14 @@ run-tests: build-tests
 # For the edit loop: the C model, the descriptions, and one setting of each circuit in lockstep. No
 # GTKWave, clang or valgrind. One test alone: make build/tests/model/test_device &&
 # build/tests/model/test_device
-CHECKS := $(filter %/test_description %/test_words %/test_random_pins $(BUILD)/tests/model/% $(BUILD)/tests/image/% \
-          $(BUILD)/tests/color/%,$(TEST_PROGRAMS))
+CHECKS := $(filter %/test_description %/test_words %/test_random_pins $(BUILD)/tests/model/% \
+          $(BUILD)/tests/image/% $(BUILD)/tests/color/%,$(TEST_PROGRAMS))
 .PHONY: check
 check:
 	@sim/deps.sh check
 	@+$(MAKE) --no-print-directory -j$(JOBS) $(CHECKS) $(BUILD)/glint $(BUILD)/glint-gen
-	@$(BUILD)/glint verify --clocks 20000 --lanes 1 --gate cosine --pipeline pipelined --seed 1 --out $(BUILD)/check
+	@$(BUILD)/glint verify --clocks 20000 --lanes 1 --gate cosine --pipeline pipelined \
+	    --seed 1 --out $(BUILD)/check
 	@$(BUILD)/glint verify --clocks 20000 --circuit divider --shifts 12 --seed 1 --out $(BUILD)/check
 	@GLINT=$(BUILD)/glint GLINT_BUILD=$(BUILD) tests/run.sh $(BUILD)/check-logs $(CHECKS)
 
@@ -202,12 +205,14 @@ sanitize:
 
 # ---- Lint ----------------------------------------------------------------------------------------
 
-C_SOURCES  := $(wildcard cmodel/*.c sim/*/*.c tests/*/*.c docs/examples/*/*.c tests/circuit/own/*/*.c)
+C_SOURCES  := $(wildcard cmodel/*.c sim/*/*.c tests/*/*.c \
+                         docs/examples/*/*.c tests/circuit/own/*/*.c)
 
 .PHONY: lint-verilog lint-c lint-cpp
 lint:
 	sim/deps.sh lint
-	+@mode=$$(stat -c %a /dev/null) && $(MAKE) -j$(JOBS) lint-verilog lint-c lint-cpp && \
+	+@mode=$$(stat -c %a /dev/null) && \
+	    $(MAKE) -j$(JOBS) lint-verilog lint-c lint-cpp lint-style lint-tidy && \
 	    { [ "$$(stat -c %a /dev/null)" = "$$mode" ] || \
 	        { echo "lint has changed the mode of /dev/null from $$mode" >&2; exit 1; }; }
 
@@ -223,7 +228,8 @@ lint-%: $(BUILD)/settings FORCE
 # The other compiler: the build itself is with CC.
 lint-c:
 	$(call say,LINT,'$(words $(C_SOURCES)) C files')
-	$Qclang -std=c17 -O3 -fsyntax-only $(WARNINGS) -Icmodel -Isim -I$(BUILD) $(PACKAGE_CFLAGS) $(C_SOURCES)
+	$Qclang -std=c17 -O3 -fsyntax-only $(WARNINGS) -Icmodel -Isim -I$(BUILD) \
+	    $(PACKAGE_CFLAGS) $(C_SOURCES)
 
 # The shim over a circuit, with and without a clock and a waveform; where it runs it is compiled
 # without warnings, as Verilator's code is nobody's to mend.
@@ -238,8 +244,8 @@ include tests/circuits.mk $(wildcard tests/*/rules.mk)
 
 # ---- What a user calls ---------------------------------------------------------------------------
 
-# The picture and a first verdict, each with the one circuit that it shows, built side by side; then the
-# waveform with its own.
+# The picture and a first verdict, each with the one circuit that it shows, built side by side; then
+# the waveform with its own.
 DEMO := $(BUILD)/demo
 .PHONY: demo-picture demo-verdict
 demo:
@@ -254,9 +260,11 @@ demo:
 	@echo "the picture:   $(DEMO)/teapot.png"
 	@echo "the waveform:  gtkwave $(DEMO)/specular_cosine_pipelined.fst" \
 	    "$(DEMO)/specular_cosine_pipelined.gtkw"
-	@command -v gtkwave >/dev/null || echo "(GTKWave is not installed; sim/deps.sh gtkwave installs it)"
+	@command -v gtkwave >/dev/null || \
+	    echo "(GTKWave is not installed; sim/deps.sh gtkwave installs it)"
 	@echo "what it shows: docs/waveforms.md"
-	@echo "every setting: $(BUILD)/glint verify (52 circuits are built first); how to work with it: docs/working.md"
+	@echo "every setting: $(BUILD)/glint verify (builds 52 circuits first)"
+	@echo "how to work:   docs/working.md"
 
 demo-picture:
 	@$(BUILD)/glint render --model teapot --size 1280x960 --backend both --lanes 4 --force \
@@ -296,7 +304,8 @@ $(BUILD)/pic/%.o: %.c | $(BUILD)/packages
 # Programs that were linked with one version run with every later one of the same first number.
 $(SHARED): $(MODEL_SOURCES:%.c=$(BUILD)/pic/%.o)
 	$(call say,LD,$@)
-	$Q$(CC) $(LDFLAGS) -shared -Wl,-soname,libglint.so.$(firstword $(subst ., ,$(VERSION))) -o $@ $^ -lm
+	$Q$(CC) $(LDFLAGS) -shared -Wl,-soname,libglint.so.$(firstword $(subst ., ,$(VERSION))) \
+	    -o $@ $^ -lm
 
 # Made of what the command's --help says.
 $(BUILD)/install/man/glint.1: $(BUILD)/glint sim/install/man.sh
@@ -325,30 +334,30 @@ uninstall:
 	$(PLACES) sim/install/install.sh uninstall $(BUILD) $(VERSION)
 
 help:
-	@echo "make demo      install what is missing, build, render the teapot by C and by Verilog, compare,"
-	@echo "               verify, write waveforms, say where to look"
+	@echo "make demo      install what is missing, build, render the teapot with C and with Verilog,"
+	@echo "               compare, verify, write waveforms, say where to look"
 	@echo "make test      install what is missing, build, run every test"
-	@echo "make test-full the same, and every input of the specular device, C against Verilog"
+	@echo "make test-full the same, plus every input of the specular device, C against Verilog"
 	@echo "make check     a light test for the edit loop, well under a minute (docs/working.md)"
 	@echo "make           build the command $(BUILD)/glint"
 	@echo "make verification  all of it, and the table in docs/verified.md"
-	@echo "make netlist   second opinions: synthesised netlists and other Verilator settings against the C model"
+	@echo "make netlist   second opinions: netlists and other Verilator settings against the C model"
 	@echo "make portability  the C model with musl, and on a big-endian machine by qemu"
 	@echo "make reference the C model against exact rationals, every input"
 	@echo "make newest    a shorter pass with the newest Verilator of the package index for Python"
-	@echo "make formal    proofs over every sequence of inputs, by yosys-smtbmc and z3 (docs/formal.md)"
-	@echo "make mutation  1000 single faults of each of four synthesised circuits: killed, or proven equivalent"
+	@echo "make formal    proofs over all input sequences, with yosys-smtbmc and z3 (docs/formal.md)"
+	@echo "make mutation  1000 single faults in each of 4 netlists: killed or proven equivalent"
 	@echo "make coverage  lines and toggles of rtl/, each covered or explained; the C by gcov"
 	@echo "make bench     fragments, clocks and frames a second"
 	@echo "make report    what the thesis claims, measured: $(BUILD)/report/index.html"
 	@echo "make wave      the waveforms with their GTKWave save files"
-	@echo "make lint      Verilator, Icarus, Yosys and both C compilers over everything"
+	@echo "make lint      Verilator, Icarus, Yosys, both C compilers, clang-tidy and the style check"
 	@echo "make sanitize  the tests under AddressSanitizer and UBSan"
 	@echo "make fuzz      20 s of fuzzing (FUZZ_SECONDS=) for each reader of what comes from outside"
 	@echo "make formats   16 to 20 fraction bits of the cosine, by one edit each (docs/formats.md)"
 	@echo "make generate  write the generated Verilog anew from cmodel/"
-	@echo "make install PREFIX=DIR   command, library, headers, Verilog, documentation ($(PREFIX)); DESTDIR= before it"
-	@echo "make uninstall PREFIX=DIR what make install has put there"
+	@echo "make install PREFIX=DIR    command, library, headers, Verilog, docs ($(PREFIX)); or DESTDIR="
+	@echo "make uninstall PREFIX=DIR  remove what make install put there"
 	@echo "make clean     remove $(BUILD)/"
 	@echo "Variables: BUILD=DIR, CC=, CXX=, JOBS=N, NO_INSTALL=1 (only say which packages are missing)"
 

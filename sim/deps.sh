@@ -25,7 +25,8 @@ packages_of() {
     build | demo | bench | wave) echo "$build" ;;
     check) echo "$build libcmocka-dev" ;;
     install) echo "$build help2man" ;;
-    lint | mutation | netlist | formats) echo "$checks" ;;
+    lint) echo "$checks clang-format clang-tidy" ;;
+    mutation | netlist | formats) echo "$checks" ;;
     formal) echo "yosys $solver make" ;;
     coverage) echo "$checks gcovr $view $meshes $plots" ;;
     fuzz) echo "$checks" ;;

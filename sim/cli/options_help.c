@@ -164,7 +164,8 @@ static void print_details(const char *text)
         const size_t length = paragraph_length(text);
         (void)snprintf(paragraph, sizeof paragraph, "%.*s", (int)length, text);
         for (char *c = paragraph; *text != ' ' && *c != '\0'; c++)
-            *c = *c == '\n' ? ' ' : *c;
+            if (*c == '\n')
+                *c = ' ';
         if (*text == ' ')
             puts(paragraph);
         else

@@ -51,8 +51,7 @@ static void blend(glint_image *image, int x, int y, int end, uint8_t grey, unsig
         rgb[c] = (uint8_t)((rgb[c] * (255 - cover) + grey * cover + 127) / 255);
 }
 
-static void draw_letter(const FT_GlyphSlot glyph, glint_image *image, int x, int y, int end,
-                        uint8_t grey)
+static void draw_letter(FT_GlyphSlot glyph, glint_image *image, int x, int y, int end, uint8_t grey)
 {
     for (unsigned row = 0; row < glyph->bitmap.rows; row++) {
         const uint8_t *cover = glyph->bitmap.buffer + (ptrdiff_t)row * glyph->bitmap.pitch;

@@ -32,7 +32,9 @@ glint_word glint_word_of(const char *text, size_t length)
     const size_t kept = length <= room ? length : room - 3;
     for (size_t i = 0; i < kept; i++) {
         const char c = text[i];
-        word.text[i] = ' ' <= c && c <= '~' ? c : '?';
+        word.text[i] = c;
+        if (c < ' ' || c > '~')
+            word.text[i] = '?';
     }
     if (kept < length)
         memcpy(word.text + kept, "...", 3);

@@ -8,6 +8,6 @@
 #include "circuit/setting.h"
 
 /* The setting of that circuit, until the next call: one at a time, of one thread. */
-glint_setting pins_setting(const glint_setting *whole);
+glint_setting pins_setting(const glint_setting *setting);
 
 #endif

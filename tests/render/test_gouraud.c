@@ -576,7 +576,7 @@ static void the_frame_cuts_without_a_trace(void **state)
             shoot(&narrow, &scene);
             assert_true(narrow.stats.fragments > 1000);
             for (int y = 0; y < TALL; y++) {
-                const size_t at = (size_t)(y * WIDE + (WIDE - NARROW) / 2);
+                const size_t at = (size_t)y * WIDE + (WIDE - NARROW) / 2;
                 assert_memory_equal(&narrow.image->rgb[3 * NARROW * y], &wide.image->rgb[3 * at],
                                     3 * NARROW);
             }
