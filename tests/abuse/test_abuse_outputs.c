@@ -96,8 +96,8 @@ static void files_may_not_grow(void **state)
     for (size_t i = 0; i < WRITERS; i++) {
         int failures = 0;
         for (size_t k = 0; k < sizeof limits / sizeof limits[0]; k += i == REPORT ? 7 : 1) {
-            failures += write_fails("File too large", "a limit on the size of files", &writers[i],
-                                    out, (abuse){.file_limit = limits[k], .seconds = 60.0});
+            failures += write_fails("File too large", "a file size limit", &writers[i], out,
+                                    (abuse){.file_limit = limits[k], .seconds = 60.0});
             empty(out);
         }
         assert_true(failures > 0); /* the smallest is too small for everyone */
@@ -270,7 +270,7 @@ static void pipes_that_nobody_reads(void **state)
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
         char line[2048];
         line_of(&(writer){.line = commands[i]}, out, line);
-        outcome done = abuse_run("a pipe that nobody reads", line, &(abuse){0});
+        outcome done = abuse_run("a pipe without a reader", line, &(abuse){0});
         abuse_expect_failure(&done, line, 2, "unread.png: it is a pipe, and in 5 s nobody came");
         abuse_forget(&done);
     }
