@@ -76,6 +76,33 @@ typedef struct glint_domain {
     void (*put)(const int *values, uint64_t point, void *pins);
 } glint_domain;
 
+/* How a block is drawn. */
+typedef enum glint_symbol {
+    GLINT_SYMBOL_PIN, /* an input; needs a row only for its text */
+    GLINT_SYMBOL_REGISTER,
+    GLINT_SYMBOL_ROM,
+    GLINT_SYMBOL_MULTIPLIER,
+    GLINT_SYMBOL_ADDER,
+    GLINT_SYMBOL_COMPARATOR,
+    GLINT_SYMBOL_KEYS,  /* passes a number, or zero */
+    GLINT_SYMBOL_LOGIC, /* any other */
+    GLINT_SYMBOL_MORE,  /* stages like those before it, left out */
+    GLINT_SYMBOL_WIRE,  /* not drawn: what feeds it feeds what it feeds */
+    GLINT_SYMBOL_COUNT
+} glint_symbol;
+
+/* A block of the drawing (`glint draw`). */
+typedef struct glint_block_info {
+    /* The signal at its output, "acc[3]" of lane 3, or a pin; or, where the Verilog has no name for
+     * it, a name of its own. A signal without a lane is looked for in the first. */
+    const char *name;
+    glint_symbol symbol;
+    const char *text;    /* inside it; NULL: what the symbol says */
+    const char *inputs;  /* what feeds it, from top to bottom: "rom33 adder6"; NULL: nothing */
+    const char *control; /* what it obeys, written beside it and not wired: "n_we"; NULL: nothing */
+    int stacked;         /* there are more like it */
+} glint_block_info;
+
 typedef struct glint_circuit {
     const char *name;       /* of --circuit, of files and in JSON: a C identifier */
     const char *title;      /* for people: "Specular-colour device" */
@@ -124,6 +151,11 @@ typedef struct glint_circuit {
     void (*stimulus_next)(void *stimulus, void *pins);
 
     const glint_domain *domain; /* NULL: exhaustion says that there is none */
+
+    /* The drawing's blocks 0…count−1, as the data flows: an input from a later row is feedback. The
+     * outputs and the pins that feed something need no rows. NULL: `glint draw` has nothing. */
+    int (*block_count)(const int *values);
+    glint_block_info (*block)(const int *values, int index);
 } glint_circuit;
 
 /* What a directory of one's own defines (glint --circuit-dir): one circuit. */

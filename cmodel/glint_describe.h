@@ -45,6 +45,14 @@
         .path = at, .heading = title                                                               \
     }
 
+/* A block of the drawing, named after the signal at its output; inputs "a b", control "en_a", each
+ * may be NULL. */
+#define GLINT_BLOCK(called, how, says, feeds, obeys)                                               \
+    {                                                                                              \
+        .name = called, .symbol = GLINT_SYMBOL_##how, .text = says, .inputs = feeds,               \
+        .control = obeys                                                                           \
+    }
+
 /* The function name(values) whose answer is the same in every setting: of top, latency, pace. */
 #define GLINT_ALWAYS(type, name, answer)                                                           \
     static type name(const int *values)                                                            \
@@ -55,6 +63,8 @@
 
 #define GLINT_PIN_TABLE(count, row, ...)    GLINT_TABLE(glint_pin_info, count, row, __VA_ARGS__)
 #define GLINT_SIGNAL_TABLE(count, row, ...) GLINT_TABLE(glint_signal_info, count, row, __VA_ARGS__)
+
+#define GLINT_BLOCK_TABLE(count, row, ...) GLINT_TABLE(glint_block_info, count, row, __VA_ARGS__)
 
 #define GLINT_TABLE(type, count, row, ...)                                                         \
     static type row(const int *values, int index)                                                  \

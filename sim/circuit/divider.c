@@ -158,6 +158,74 @@ static int pace(const int *values)
     return is_sequential(values) ? values[GLINT_DIVIDER_SHIFTS] + 1 : 1;
 }
 
+/* ---- Drawing --------------------------------------------------------------------------------- */
+
+/* Figure 2.13 with what feeds it: a start loads the registers, then each clock moves them on. */
+static const glint_block_info sequential_blocks[] = {
+    GLINT_BLOCK("k", PIN, NULL, NULL, NULL),
+    GLINT_BLOCK("difference", PIN, NULL, NULL, NULL),
+    GLINT_BLOCK("start", PIN, NULL, NULL, NULL),
+    GLINT_BLOCK("rom_miss", COMPARATOR, "k > 16", "k", NULL),
+    GLINT_BLOCK("rom_bits", ROM, "1/k", "k", NULL),
+    GLINT_BLOCK("bits_rg", REGISTER, "\u2190 i", "rom_bits", "start, busy"),
+    GLINT_BLOCK("shift_rg", REGISTER, "\u2192 RG", "shifted difference", "start, busy"),
+    GLINT_BLOCK("shifted", LOGIC, "\u00f7 2", "shift_rg", NULL),
+    GLINT_BLOCK("term", KEYS, NULL, "bits_rg shifted", NULL),
+    GLINT_BLOCK("sum", ADDER, "\u03a3", "term acc_rg", NULL),
+    GLINT_BLOCK("acc_rg", REGISTER, "RG", "sum difference rom_bits", "start, busy"),
+    GLINT_BLOCK("left", REGISTER, "\u2212 1", NULL, "start, busy"),
+    GLINT_BLOCK("busy", REGISTER, NULL, "start left", NULL),
+    GLINT_BLOCK("done", REGISTER, NULL, "left", "busy"),
+    GLINT_BLOCK("out_of_table", REGISTER, NULL, "rom_miss", "start, busy"),
+    GLINT_BLOCK("quotient", WIRE, NULL, "acc_rg", NULL),
+};
+
+/* The input registers and the table, stage 1, and the others as one. One of R, G and B. */
+#define OF_EACH(called, how, says, feeds)                                                          \
+    {                                                                                              \
+        .name = called, .symbol = GLINT_SYMBOL_##how, .text = says, .inputs = feeds, .stacked = 1  \
+    }
+static const glint_block_info pipelined_blocks[] = {
+    OF_EACH("difference_r", PIN, "r, g, b", NULL),
+    GLINT_BLOCK("k", PIN, NULL, NULL, NULL),
+    GLINT_BLOCK("in_valid", PIN, NULL, NULL, NULL),
+    {.name = "s0_d_r",
+     .symbol = GLINT_SYMBOL_REGISTER,
+     .text = "D",
+     .inputs = "difference_r",
+     .control = "in_valid",
+     .stacked = 1},
+    GLINT_BLOCK("s0_k", REGISTER, "k", "k", "in_valid"),
+    GLINT_BLOCK("s0_valid", REGISTER, NULL, "in_valid", NULL),
+    GLINT_BLOCK("rom_bits", ROM, "1/k", "s0_k", NULL),
+    GLINT_BLOCK("rom_miss", COMPARATOR, "k > 16", "s0_k", NULL),
+    OF_EACH("i0_d", KEYS, NULL, "s0_d_r rom_bits"),
+    OF_EACH("i1_d", KEYS, NULL, "s0_d_r rom_bits"),
+    OF_EACH("sum", ADDER, NULL, "i0_d i1_d"),
+    OF_EACH("d_r[1]", REGISTER, NULL, "s0_d_r"),
+    OF_EACH("acc_r[1]", REGISTER, NULL, "sum"),
+    GLINT_BLOCK("bits[1]", REGISTER, NULL, "rom_bits", NULL),
+    GLINT_BLOCK("miss[1]", REGISTER, NULL, "rom_miss", NULL),
+    GLINT_BLOCK("valid[1]", REGISTER, NULL, "s0_valid", NULL),
+    OF_EACH("more", MORE, NULL, "d_r[1] acc_r[1] bits[1]"),
+    GLINT_BLOCK("more_miss", MORE, NULL, "miss[1]", NULL),
+    GLINT_BLOCK("more_valid", MORE, NULL, "valid[1]", NULL),
+    OF_EACH("quotient_r", WIRE, NULL, "more"),
+    GLINT_BLOCK("out_of_table", WIRE, NULL, "more_miss", NULL),
+    GLINT_BLOCK("out_valid", WIRE, NULL, "more_valid", NULL),
+};
+
+static int block_count(const int *values)
+{
+    return is_sequential(values) ? sizeof sequential_blocks / sizeof sequential_blocks[0]
+                                 : sizeof pipelined_blocks / sizeof pipelined_blocks[0];
+}
+
+static glint_block_info block(const int *values, int index)
+{
+    return is_sequential(values) ? sequential_blocks[index] : pipelined_blocks[index];
+}
+
 /* ---- C model and stimulus -------------------------------------------------------------------- */
 
 static glint_status create(const int *values, void **model)
@@ -253,4 +321,6 @@ const glint_circuit glint_circuit_divider = {
     .stimulus_begin = stimulus_begin,
     .stimulus_next = stimulus_next,
     .domain = &domain,
+    .block_count = block_count,
+    .block = block,
 };

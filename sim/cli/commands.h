@@ -14,6 +14,7 @@ int glint_cmd_verify_exhaustive(int argc, char **argv); /* verify with --exhaust
 int glint_cmd_replay(int argc, char **argv);
 int glint_cmd_wave(int argc, char **argv);
 int glint_cmd_divide(int argc, char **argv);
+int glint_cmd_draw(int argc, char **argv);
 int glint_cmd_energy(int argc, char **argv);
 int glint_cmd_report(int argc, char **argv);
 int glint_cmd_bench(int argc, char **argv);

@@ -25,6 +25,7 @@ static const struct {
     {"verify", "C model and Verilog in lockstep, every register, every clock", glint_cmd_verify},
     {"replay", "a mismatch that verify or render left in a packet, again", glint_cmd_replay},
     {"wave", "a waveform of a short scene, with a GTKWave save file", glint_cmd_wave},
+    {"draw", "a circuit as a drawing, from its description", glint_cmd_draw},
     {"energy", "how much light the reflectance models give back", glint_cmd_energy},
     {"report", "what the thesis claims, measured, as a page to read", glint_cmd_report},
     {"bench", "fragments, divisions, clocks and frames a second", glint_cmd_bench},
@@ -45,7 +46,7 @@ static int print_help(void)
            "glint SUBCOMMAND --help   its options, their defaults, examples;\n"
            "                          also: glint help SUBCOMMAND\n"
            "glint --circuit-dir DIR SUBCOMMAND ...   a circuit of one's own (verify, eval,\n"
-           "                          wave, replay, info)\n"
+           "                          wave, replay, info, draw)\n"
            "glint --version, -V       the version\n"
            "\n"
            "Exit status:\n"

@@ -1,0 +1,94 @@
+/* `glint draw`: the drawing of a circuit in one setting, from its description. */
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/circuit_options.h"
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/picture.h"
+#include "draw/draw.h"
+#include "file/new_file.h"
+
+typedef struct draw_options {
+    glint_circuit_options circuits;
+    const char *out;
+} draw_options;
+
+static const char *usual(const char *parameter)
+{
+    (void)parameter;
+    return NULL;
+}
+
+static int parse(int argc, char **argv, draw_options *chosen)
+{
+    const glint_circuit_use use = {
+        .command = "draw", .circuit = "specular", .one_circuit = true, .usual = usual};
+    const int begun = glint_circuit_options_begin(&chosen->circuits, &use, argc, argv);
+    if (begun != GLINT_OPTIONS_RUN)
+        return begun;
+    glint_option options[1 + GLINT_CIRCUIT_OPTIONS] = {
+        {.name = "out",
+         .placeholder = "FILE",
+         .required = true,
+         .help = "the drawing, FILE.svg, or the graph that is laid out, FILE.dot",
+         .kind = GLINT_OPTION_STRING,
+         .string = &chosen->out},
+    };
+    const size_t count = 1 + glint_circuit_options_add(&chosen->circuits, options + 1);
+    static const glint_example examples[] = {
+        {"the specular-colour device", "glint draw --out device.svg"},
+        {"the divider as the thesis has it",
+         "glint draw --circuit divider --form sequential --out divider.svg"},
+        {NULL, NULL},
+    };
+    const glint_command_line line = {
+        .command = "draw",
+        .summary = "Draws a circuit from its description: its blocks, with the numbers of the "
+                   "thesis's figure, the formats of the numbers on the wires, and the edges of "
+                   "the clock at which registers load. Graphviz's dot, which must be installed, "
+                   "finds the layout.",
+        .examples = examples,
+        .options = options,
+        .option_count = count,
+    };
+    const int status = glint_options_parse(&line, argc, argv);
+    return status == GLINT_OPTIONS_RUN ? glint_circuit_options_settle(&chosen->circuits) : status;
+}
+
+static bool ends_with(const char *text, const char *end)
+{
+    const size_t length = strlen(text), end_length = strlen(end);
+    return length > end_length && strcmp(text + length - end_length, end) == 0;
+}
+
+static glint_status draw(const glint_setting *setting, const char *path, glint_error *err)
+{
+    glint_new_file *file;
+    glint_status status = glint_new_file_open(path, &file, err);
+    if (status != GLINT_OK)
+        return status;
+    status = (ends_with(path, ".svg") ? glint_draw_svg : glint_draw_plan)(
+        setting, glint_new_file_stream(file), err);
+    if (status == GLINT_OK)
+        return glint_new_file_commit(file, err);
+    glint_new_file_discard(file);
+    return status;
+}
+
+int glint_cmd_draw(int argc, char **argv)
+{
+    draw_options chosen = {.out = NULL};
+    glint_error err;
+    int status = parse(argc, argv, &chosen);
+    if (status != GLINT_OPTIONS_RUN)
+        return status;
+    if (!ends_with(chosen.out, ".svg") && !ends_with(chosen.out, ".dot"))
+        return glint_complain("draw", GLINT_EXIT_TROUBLE,
+                              "--out: a file that ends with .svg or .dot");
+    const glint_setting setting = glint_circuit_options_first(&chosen.circuits, 0);
+    status = draw(&setting, chosen.out, &err) == GLINT_OK ? GLINT_EXIT_OK
+                                                          : glint_complain_error("draw", &err);
+    return glint_output_finish("draw", status);
+}

@@ -1,0 +1,373 @@
+/* From a circuit's description to the graph of its drawing; see graph.h. */
+#include "draw/graph.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "lockstep/signals.h"
+
+/* While the graph is made: the rows of the description, and which nodes they have become. */
+typedef struct making {
+    glint_draw_graph *graph;
+    int row_count;
+    glint_block_info row[GLINT_DRAW_NODES_MAX];
+    int node_of[GLINT_DRAW_NODES_MAX];    /* −1: none, it is a wire or feeds nothing */
+    bool is_needed[GLINT_DRAW_NODES_MAX]; /* a row that an output depends on */
+    int stage[GLINT_DRAW_NODES_MAX], depth[GLINT_DRAW_NODES_MAX]; /* of a node */
+    glint_error *err;
+} making;
+
+#define WRONG(m, ...) glint_fail((m)->err, GLINT_BAD_INPUT, __VA_ARGS__)
+
+/* ---- Names ----------------------------------------------------------------------------------- */
+
+static int find_row(const making *m, const char *name, size_t length)
+{
+    for (int i = 0; i < m->row_count; i++)
+        if (strlen(m->row[i].name) == length && strncmp(m->row[i].name, name, length) == 0)
+            return i;
+    return -1;
+}
+
+static bool is_of(const char *name, int lane, const char *text, size_t length)
+{
+    char whole[GLINT_DRAW_NAME];
+    if (strlen(name) == length && strncmp(name, text, length) == 0)
+        return true;
+    (void)snprintf(whole, sizeof whole, "%s[%d]", name, lane);
+    return strlen(whole) == length && strncmp(whole, text, length) == 0;
+}
+
+/* "acc[3]": of lane 3; "acc": of no lane, or of the first. */
+static bool find_signal(const glint_setting *setting, const char *name, glint_signal_info *signal)
+{
+    for (int i = 0; i < glint_setting_signal_count(setting); i++) {
+        *signal = glint_setting_signal(setting, i);
+        if (is_of(signal->name, signal->lane, name, strlen(name)))
+            return true;
+    }
+    return false;
+}
+
+static bool find_pin(const glint_setting *setting, const char *name, size_t length,
+                     glint_pin_info *pin)
+{
+    for (int i = 0; i < glint_setting_pin_count(setting); i++) {
+        *pin = glint_setting_pin(setting, i);
+        if (is_of(pin->name, pin->lane, name, length))
+            return true;
+    }
+    return false;
+}
+
+/* The next name of a list of them; NULL past the last. */
+static const char *next_name(const char **list, size_t *length)
+{
+    if (*list == NULL)
+        return NULL;
+    const char *name = *list + strspn(*list, " ");
+    *length = strcspn(name, " ");
+    *list = name + *length;
+    return *length > 0 ? name : NULL;
+}
+
+/* ---- Nodes ----------------------------------------------------------------------------------- */
+
+static glint_status add_node(making *m, glint_draw_kind kind, const char *name, size_t length,
+                             int *index)
+{
+    glint_draw_graph *graph = m->graph;
+    if (graph->count == GLINT_DRAW_NODES_MAX)
+        return WRONG(m, "the drawing has more than %d blocks", GLINT_DRAW_NODES_MAX);
+    if (length >= GLINT_DRAW_NAME)
+        return WRONG(m, "block %.*s: its name is longer than %d", (int)length, name,
+                     GLINT_DRAW_NAME - 1);
+    glint_draw_node *node = &graph->node[ *index = graph->count++];
+    *node = (glint_draw_node){.kind = kind};
+    memcpy(node->name, name, length);
+    return GLINT_OK;
+}
+
+static bool has_several_lanes(const glint_setting *setting, const char *name)
+{
+    bool several = false;
+    for (int i = 0; i < glint_setting_signal_count(setting) && !several; i++) {
+        const glint_signal_info signal = glint_setting_signal(setting, i);
+        several = signal.lane > 0 && strcmp(signal.name, name) == 0;
+    }
+    for (int i = 0; i < glint_setting_pin_count(setting) && !several; i++) {
+        const glint_pin_info pin = glint_setting_pin(setting, i);
+        several = pin.lane > 0 && strcmp(pin.name, name) == 0;
+    }
+    return several;
+}
+
+/* What the signal's row says of the node; a block of the figure has its number once. */
+static void describe_block(making *m, glint_draw_node *node, const glint_block_info *row)
+{
+    glint_signal_info signal;
+    node->symbol = row->symbol;
+    node->text = row->text;
+    node->control = row->control;
+    node->is_stacked = row->stacked || has_several_lanes(m->graph->setting, node->name);
+    if (!find_signal(m->graph->setting, row->name, &signal))
+        return;
+    node->int_bits = signal.int_bits;
+    node->frac_bits = signal.frac_bits;
+    node->is_signed = signal.is_signed;
+    node->is_copy = signal.kind == GLINT_SIGNAL_STAGE || signal.kind == GLINT_SIGNAL_OUTPUT;
+    node->number = node->is_copy ? 0 : signal.block;
+    for (const glint_draw_node *other = m->graph->node; other < node; other++)
+        if (node->number != 0 && other->number == node->number)
+            node->number = 0;
+}
+
+static glint_status add_pin(making *m, const char *name, size_t length, int *index)
+{
+    glint_draw_graph *graph = m->graph;
+    glint_pin_info pin;
+    for (*index = 0; *index < graph->count; ++*index)
+        if (graph->node[*index].kind == GLINT_DRAW_PIN &&
+            strncmp(graph->node[*index].name, name, length) == 0 &&
+            graph->node[*index].name[length] == '\0')
+            return GLINT_OK;
+    if (!find_pin(graph->setting, name, length, &pin))
+        return WRONG(m, "%.*s is neither a block of the drawing nor a pin", (int)length, name);
+    const glint_status status = add_node(m, GLINT_DRAW_PIN, name, length, index);
+    if (status != GLINT_OK)
+        return status;
+    glint_draw_node *node = &graph->node[*index];
+    const int row = find_row(m, name, length);
+    node->text = row >= 0 ? m->row[row].text : NULL;
+    node->int_bits = pin.int_bits;
+    node->frac_bits = pin.frac_bits;
+    node->is_signed = pin.is_signed;
+    node->is_stacked =
+        has_several_lanes(graph->setting, node->name) || (row >= 0 && m->row[row].stacked);
+    return GLINT_OK;
+}
+
+/* The node that gives the value of that name; −1: a wire that nothing feeds. */
+static glint_status find_source(making *m, const char *name, size_t length, int *node)
+{
+    int row = find_row(m, name, length);
+    for (int steps = 0; row >= 0 && m->row[row].symbol == GLINT_SYMBOL_WIRE; steps++) {
+        const char *list = m->row[row].inputs;
+        *node = -1;
+        if ((name = next_name(&list, &length)) == NULL || steps == m->row_count)
+            return GLINT_OK;
+        row = find_row(m, name, length);
+    }
+    if (row >= 0 && m->row[row].symbol != GLINT_SYMBOL_PIN) {
+        *node = m->node_of[row];
+        return GLINT_OK;
+    }
+    return add_pin(m, name, length, node);
+}
+
+static glint_status add_inputs(making *m, int to, const char *list)
+{
+    const char *name;
+    size_t length;
+    glint_status status = GLINT_OK;
+    while (status == GLINT_OK && (name = next_name(&list, &length)) != NULL) {
+        int from;
+        status = find_source(m, name, length, &from);
+        glint_draw_node *node = &m->graph->node[to];
+        if (status == GLINT_OK && node->input_count == GLINT_DRAW_INPUTS_MAX)
+            status =
+                WRONG(m, "block %s has more than %d inputs", node->name, GLINT_DRAW_INPUTS_MAX);
+        if (status == GLINT_OK && from >= 0)
+            node->input[node->input_count++] = from;
+    }
+    return status;
+}
+
+/* ---- What is drawn --------------------------------------------------------------------------- */
+
+static bool is_output(const glint_setting *setting, const char *name)
+{
+    glint_signal_info signal;
+    return find_signal(setting, name, &signal) && signal.kind == GLINT_SIGNAL_OUTPUT;
+}
+
+/* The row, and what feeds it. */
+static void need(making *m, int row)
+{
+    const char *name, *list = m->row[row].inputs;
+    size_t length;
+    if (m->is_needed[row])
+        return;
+    m->is_needed[row] = true;
+    while ((name = next_name(&list, &length)) != NULL) {
+        const int from = find_row(m, name, length);
+        if (from >= 0)
+            need(m, from);
+    }
+}
+
+static glint_status read_rows(making *m)
+{
+    const glint_setting *setting = m->graph->setting;
+    const glint_circuit *circuit = setting->circuit;
+    if (circuit->block_count == NULL || circuit->block == NULL)
+        return WRONG(m, "circuit %s: its description has no blocks to draw (glint_circuit.h)",
+                     circuit->name);
+    const int count = circuit->block_count(setting->values);
+    if (count < 1 || count > GLINT_DRAW_NODES_MAX)
+        return WRONG(m, "circuit %s: %d blocks are not 1 to %d", circuit->name, count,
+                     GLINT_DRAW_NODES_MAX);
+    for (int i = 0; i < count; i++) {
+        const glint_block_info row = circuit->block(setting->values, i);
+        if (row.name == NULL || (unsigned)row.symbol >= GLINT_SYMBOL_COUNT)
+            return WRONG(m, "circuit %s: block %d has no name, or a symbol that there is not",
+                         circuit->name, i);
+        if (find_row(m, row.name, strlen(row.name)) >= 0)
+            return WRONG(m, "circuit %s: two blocks %s", circuit->name, row.name);
+        m->row[m->row_count++] = row;
+    }
+    for (int i = 0; i < count; i++)
+        if (is_output(setting, m->row[i].name))
+            need(m, i);
+    return GLINT_OK;
+}
+
+/* Pins with rows come first, in their order. */
+static glint_status add_pins(making *m)
+{
+    glint_status status = GLINT_OK;
+    int index;
+    for (int i = 0; i < m->row_count && status == GLINT_OK; i++)
+        if (m->is_needed[i] && m->row[i].symbol == GLINT_SYMBOL_PIN)
+            status = add_pin(m, m->row[i].name, strlen(m->row[i].name), &index);
+    return status;
+}
+
+static glint_status add_blocks(making *m)
+{
+    glint_status status = GLINT_OK;
+    for (int i = 0; i < m->row_count && status == GLINT_OK; i++) {
+        const glint_block_info *row = &m->row[i];
+        m->node_of[i] = -1;
+        if (!m->is_needed[i] || row->symbol == GLINT_SYMBOL_PIN || row->symbol == GLINT_SYMBOL_WIRE)
+            continue;
+        status = add_node(m, GLINT_DRAW_BLOCK, row->name, strlen(row->name), &m->node_of[i]);
+        if (status == GLINT_OK)
+            describe_block(m, &m->graph->node[m->node_of[i]], row);
+    }
+    for (int i = 0; i < m->row_count && status == GLINT_OK; i++)
+        if (m->node_of[i] >= 0)
+            status = add_inputs(m, m->node_of[i], m->row[i].inputs);
+    return status;
+}
+
+static glint_status add_ports(making *m)
+{
+    glint_status status = GLINT_OK;
+    for (int i = 0; i < m->row_count && status == GLINT_OK; i++) {
+        const char *name = m->row[i].name;
+        int port, source;
+        if (!is_output(m->graph->setting, name))
+            continue;
+        status = find_source(m, name, strlen(name), &source);
+        if (status == GLINT_OK)
+            status = add_node(m, GLINT_DRAW_PORT, name, strlen(name), &port);
+        if (status != GLINT_OK || source < 0)
+            continue;
+        glint_draw_node *node = &m->graph->node[port];
+        node->is_stacked = m->graph->node[source].is_stacked;
+        node->input[node->input_count++] = source;
+    }
+    return status;
+}
+
+/* ---- Columns --------------------------------------------------------------------------------- */
+
+/* The stage that a node is in, and how far behind the registers that begin it. Blocks come in the
+ * order of the description, so that what feeds a block from before it has its place already. */
+static void place_in_stage(making *m, int index)
+{
+    const glint_draw_node *node = &m->graph->node[index];
+    int stage = 0, depth = 0;
+    if (node->input_count == 0 && m->graph->setting->circuit->clock_port != NULL)
+        stage = 1; /* a constant is there with the first registers */
+    for (int i = 0; i < node->input_count; i++) {
+        const int from = node->input[i];
+        if (m->graph->node[from].kind == GLINT_DRAW_BLOCK && from >= index)
+            continue; /* feedback */
+        if (m->stage[from] > stage) {
+            stage = m->stage[from];
+            depth = m->depth[from];
+        } else if (m->stage[from] == stage && m->depth[from] > depth) {
+            depth = m->depth[from];
+        }
+    }
+    const bool is_register = node->symbol == GLINT_SYMBOL_REGISTER;
+    m->stage[index] = stage + is_register;
+    m->depth[index] = is_register ? 0 : depth + 1;
+}
+
+static glint_status place_in_columns(making *m)
+{
+    glint_draw_graph *graph = m->graph;
+    int depth_of[GLINT_DRAW_COLUMNS_MAX] = {0}, first[GLINT_DRAW_COLUMNS_MAX + 1] = {0};
+    for (int i = 0; i < graph->count; i++) {
+        if (graph->node[i].kind == GLINT_DRAW_BLOCK)
+            place_in_stage(m, i);
+        if (m->stage[i] >= GLINT_DRAW_COLUMNS_MAX - 1)
+            return WRONG(m, "the drawing has more than %d stages", GLINT_DRAW_COLUMNS_MAX - 2);
+        if (m->stage[i] > graph->stages)
+            graph->stages = m->stage[i];
+        if (m->depth[i] > depth_of[m->stage[i]])
+            depth_of[m->stage[i]] = m->depth[i];
+    }
+    for (int s = 0; s <= graph->stages; s++) {
+        graph->stage_column[s] = first[s];
+        first[s + 1] = first[s] + depth_of[s] + 1;
+    }
+    graph->columns = first[graph->stages + 1] + 1;
+    if (graph->columns > GLINT_DRAW_COLUMNS_MAX)
+        return WRONG(m, "the drawing has more than %d columns", GLINT_DRAW_COLUMNS_MAX);
+    for (int i = 0; i < graph->count; i++)
+        graph->node[i].column = graph->node[i].kind == GLINT_DRAW_PORT
+                                    ? graph->columns - 1
+                                    : first[m->stage[i]] + m->depth[i];
+    return GLINT_OK;
+}
+
+bool glint_draw_passes(const glint_draw_graph *graph, int net, int column)
+{
+    const int from = graph->node[net].column;
+    for (int i = 0; i < graph->count; i++)
+        for (int j = 0; j < graph->node[i].input_count; j++) {
+            const int to = graph->node[i].column;
+            if (graph->node[i].input[j] == net &&
+                (to > from ? column > from && column < to : column >= to && column <= from))
+                return true;
+        }
+    return false;
+}
+
+glint_status glint_draw_graph_make(const glint_setting *setting, glint_draw_graph *graph,
+                                   glint_error *err)
+{
+    making *m = calloc(1, sizeof *m);
+    if (m == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a drawing");
+    memset(graph, 0, sizeof *graph);
+    graph->setting = setting;
+    m->graph = graph;
+    m->err = err;
+    glint_status status = read_rows(m);
+    if (status == GLINT_OK)
+        status = add_pins(m);
+    if (status == GLINT_OK)
+        status = add_blocks(m);
+    if (status == GLINT_OK)
+        status = add_ports(m);
+    if (status == GLINT_OK)
+        status = place_in_columns(m);
+    free(m);
+    return status;
+}

@@ -1,0 +1,61 @@
+/* A circuit's drawing as a graph: the blocks of its description, with the pins that feed them and
+ * the output ports, each in a column from left to right. */
+#ifndef GLINT_SIM_DRAW_GRAPH_H
+#define GLINT_SIM_DRAW_GRAPH_H
+
+#include <stdbool.h>
+
+#include "circuit/setting.h"
+
+#define GLINT_DRAW_NODES_MAX   128
+#define GLINT_DRAW_COLUMNS_MAX 64
+#define GLINT_DRAW_INPUTS_MAX  16
+#define GLINT_DRAW_NAME        64
+
+typedef enum glint_draw_kind { GLINT_DRAW_PIN, GLINT_DRAW_BLOCK, GLINT_DRAW_PORT } glint_draw_kind;
+
+typedef struct glint_draw_node {
+    glint_draw_kind kind;
+    glint_symbol symbol; /* of a block */
+    char name[GLINT_DRAW_NAME];
+    const char *text;    /* inside; NULL: what the symbol says */
+    const char *control; /* NULL: nothing */
+    int number;          /* in the figure; 0: none */
+    bool is_copy;        /* a pipeline stage's copy of a value, or an output's register */
+    bool is_stacked;     /* there are more like it */
+    int int_bits, frac_bits, is_signed;            /* of its output; no bits: unknown */
+    int input_count, input[GLINT_DRAW_INPUTS_MAX]; /* the nodes that feed it */
+    int column;
+    int x, y, width, height; /* of its symbol: left edge, middle, sizes; pixels (layout.h) */
+} glint_draw_node;
+
+/* Columns: the pins; then stage by stage its registers and what stands behind them; the ports. A
+ * node and what it feeds are a *net*, which has the node's index. */
+typedef struct glint_draw_graph {
+    const glint_setting *setting;
+    int count;
+    glint_draw_node node[GLINT_DRAW_NODES_MAX];
+    int columns;
+    int stages;                               /* that begin with registers */
+    int stage_column[GLINT_DRAW_COLUMNS_MAX]; /* where the registers of stage 1… are */
+    /* A net's way through the columns between its node and those it feeds: the height at which it
+     * passes the column, or 0 (layout.h fills it). */
+    int pass[GLINT_DRAW_NODES_MAX][GLINT_DRAW_COLUMNS_MAX];
+} glint_draw_graph;
+
+/* GLINT_BAD_INPUT, naming the block, for a description that makes no drawing: an input that is
+ * neither a block nor a pin, two blocks of one name, too many of anything; and for one without
+ * blocks. The setting is to stay. */
+glint_status glint_draw_graph_make(const glint_setting *setting, glint_draw_graph *graph,
+                                   glint_error *err);
+
+/* Whether the net passes the column, forwards or back, on the way to something that it feeds. */
+bool glint_draw_passes(const glint_draw_graph *graph, int net, int column);
+
+/* Whether node `to` is fed by `from` against the direction of the drawing. */
+static inline bool glint_draw_is_feedback(const glint_draw_graph *graph, int from, int to)
+{
+    return graph->node[from].column >= graph->node[to].column;
+}
+
+#endif

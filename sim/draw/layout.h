@@ -1,0 +1,64 @@
+/* Where everything of a drawing is, in pixels: which block is above which, and the heights, by
+ * Graphviz's dot; columns, and the wires in the channels between them, here. */
+#ifndef GLINT_SIM_DRAW_LAYOUT_H
+#define GLINT_SIM_DRAW_LAYOUT_H
+
+#include <stdio.h>
+
+#include "draw/graph.h"
+
+/* Pixels about a symbol that belong to it: above for what it obeys, below for its name. */
+#define GLINT_DRAW_ABOVE 18
+#define GLINT_DRAW_BELOW 16
+
+/* Widths of the fonts: sans of blocks, and the smaller one of names and formats. */
+#define GLINT_DRAW_FORMAT 32 /* of a format as text */
+#define GLINT_DRAW_SANS 8
+#define GLINT_DRAW_MONO 6
+
+typedef struct glint_draw_wire { /* of a net, between two columns */
+    int net;
+    int trunk;                                    /* its vertical part; −1: none */
+    int left_count, left[GLINT_DRAW_NODES_MAX];   /* heights at which it leaves a column */
+    int right_count, right[GLINT_DRAW_NODES_MAX]; /* and comes to the next one */
+} glint_draw_wire;
+
+typedef struct glint_draw_channel {
+    int left, right; /* where it begins and ends */
+    int count;
+    glint_draw_wire wire[GLINT_DRAW_NODES_MAX];
+} glint_draw_channel;
+
+typedef struct glint_draw_layout {
+    int width, height;
+    int middle[GLINT_DRAW_COLUMNS_MAX];                 /* of each column */
+    glint_draw_channel channel[GLINT_DRAW_COLUMNS_MAX]; /* behind each column but the last */
+} glint_draw_layout;
+
+/* The graph for dot: nodes by column, a node for every column that a wire passes. Always the same
+ * text for the same description. */
+void glint_draw_dot(glint_draw_graph *graph, FILE *out);
+
+/* Fills the graph's places, and the layout. GLINT_IO_ERROR where there is no dot, or it fails. */
+glint_status glint_draw_lay_out(glint_draw_graph *graph, glint_draw_layout *layout,
+                                glint_error *err);
+
+/* The height of input i of a node. */
+int glint_draw_input_height(const glint_draw_node *node, int i);
+
+/* "U1.18"; empty where the number has one bit, or no known format. */
+void glint_draw_format(const glint_draw_node *node, char text[GLINT_DRAW_FORMAT]);
+
+/* What is written inside a node. */
+const char *glint_draw_text(const glint_draw_node *node);
+
+/* Characters of UTF-8 text. */
+int glint_draw_length(const char *text);
+
+/* Levels wires that are nearly so (straighten.c). */
+void glint_draw_straighten(glint_draw_graph *graph);
+
+/* Columns and channels, once the heights are known (route.c). */
+void glint_draw_route(glint_draw_graph *graph, glint_draw_layout *layout);
+
+#endif

@@ -1,0 +1,354 @@
+/* The drawing as SVG: the edges of the clock, then wires, then the symbols, each over the last. */
+#include "draw/svg.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "lockstep/signals.h"
+
+static const char style[] =
+    "  text { font-family: 'DejaVu Sans', Verdana, sans-serif; font-size: 12px; fill: #1f2933; "
+    "text-anchor: middle }\n"
+    "  .title { font-size: 15px; font-weight: bold; text-anchor: start }\n"
+    "  .note { font-size: 11px; fill: #52606d; text-anchor: start }\n"
+    "  .name { font-family: 'DejaVu Sans Mono', Menlo, monospace; font-size: 9.5px; "
+    "fill: #52606d; "
+    "paint-order: stroke; stroke: #ffffff; stroke-width: 3px }\n"
+    "  .kind { font-size: 10px; fill: #334e68 }\n"
+    "  .format { font-family: 'DejaVu Sans Mono', Menlo, monospace; font-size: 9.5px; "
+    "fill: #0b5394; text-anchor: start }\n"
+    "  .control { font-size: 9.5px; font-style: italic; fill: #9c3d10; text-anchor: start }\n"
+    "  .number { font-size: 10px; font-weight: bold; fill: #ffffff }\n"
+    "  .edge { font-size: 11px; fill: #8a6d00 }\n"
+    "  .cut { stroke: #c9a400; stroke-width: 1.2; stroke-dasharray: 6 4; fill: none }\n"
+    "  .shape { stroke: #1f2933; stroke-width: 1.4; fill: #ffffff }\n"
+    "  .register { fill: #fff3c4 } .rom { fill: #d9eaf7 } .multiplier { fill: #dff2df }\n"
+    "  .adder { fill: #dff2df } .comparator { fill: #fbe3d6 } .keys { fill: #fbe3d6 }\n"
+    "  .pin { fill: #eceff3 } .port { fill: #eceff3 } .more { fill: #f5f5f5; "
+    "stroke-dasharray: 4 3 }\n"
+    "  .mark { stroke: #1f2933; stroke-width: 1.2; fill: none }\n"
+    "  .badge { fill: #334e68 }\n"
+    "  .bus { stroke: #334e68; stroke-width: 1.8; fill: none; stroke-linejoin: round }\n"
+    "  .bit { stroke: #52606d; stroke-width: 1; fill: none; stroke-linejoin: round }\n"
+    "  .joint { stroke: #334e68; stroke-width: 5.5; stroke-linecap: round; fill: none }\n"
+    "  .arrow { fill: #334e68 }\n";
+
+static const char *const symbol_names[GLINT_SYMBOL_COUNT] = {
+    [GLINT_SYMBOL_PIN] = "pin",     [GLINT_SYMBOL_REGISTER] = "register",
+    [GLINT_SYMBOL_ROM] = "rom",     [GLINT_SYMBOL_MULTIPLIER] = "multiplier",
+    [GLINT_SYMBOL_ADDER] = "adder", [GLINT_SYMBOL_COMPARATOR] = "comparator",
+    [GLINT_SYMBOL_KEYS] = "keys",   [GLINT_SYMBOL_LOGIC] = "logic",
+    [GLINT_SYMBOL_MORE] = "more",   [GLINT_SYMBOL_WIRE] = "wire",
+};
+
+static void write_text(FILE *out, const char *text)
+{
+    for (; *text != '\0'; text++) {
+        const char *entity = *text == '<'   ? "&lt;"
+                             : *text == '>' ? "&gt;"
+                             : *text == '&' ? "&amp;"
+                             : *text == '"' ? "&quot;"
+                                            : NULL;
+        if (entity != NULL)
+            fputs(entity, out);
+        else
+            fputc(*text, out);
+    }
+}
+
+static void label(FILE *out, const char *class, int x, int y, const char *text)
+{
+    fprintf(out, "<text class=\"%s\" x=\"%d\" y=\"%d\">", class, x, y);
+    write_text(out, text);
+    fprintf(out, "</text>\n");
+}
+
+/* ---- Wires ----------------------------------------------------------------------------------- */
+
+/* How far a symbol's outline is inside its box at this height: circles are round. */
+static int inset(const glint_draw_node *node, int y)
+{
+    const int radius = node->height / 2, off = abs(y - node->y);
+    int in = 0;
+    if (node->kind != GLINT_DRAW_BLOCK ||
+        (node->symbol != GLINT_SYMBOL_MULTIPLIER && node->symbol != GLINT_SYMBOL_ADDER))
+        return 0;
+    while (in < radius && (radius - in) * (radius - in) > radius * radius - off * off)
+        in++;
+    return in;
+}
+
+/* Where a branch of the net at that height ends in the column: at a symbol, or as it passes by. */
+static int left_end(const glint_draw_graph *graph, const glint_draw_layout *layout,
+                    const glint_draw_wire *wire, int column, int y)
+{
+    const glint_draw_node *node = &graph->node[wire->net];
+    if (node->column == column && node->y == y)
+        return node->x + node->width;
+    return layout->middle[column];
+}
+
+/* The node of the column that the net feeds at that height; NULL: none, it passes. */
+static const glint_draw_node *fed_at(const glint_draw_graph *graph, int net, int column, int y)
+{
+    for (int i = 0; i < graph->count; i++)
+        for (int j = 0; j < graph->node[i].input_count; j++)
+            if (graph->node[i].column == column && graph->node[i].input[j] == net &&
+                glint_draw_input_height(&graph->node[i], j) == y)
+                return &graph->node[i];
+    return NULL;
+}
+
+static int right_end(const glint_draw_graph *graph, const glint_draw_layout *layout,
+                     const glint_draw_wire *wire, int column, int y)
+{
+    const glint_draw_node *node = fed_at(graph, wire->net, column, y);
+    return node != NULL ? node->x + inset(node, y) : layout->middle[column];
+}
+
+/* Every branch of the net, then its trunks. */
+static void write_path(const glint_draw_graph *graph, const glint_draw_layout *layout, int column,
+                       const glint_draw_wire *wire, FILE *out)
+{
+    int least = 1000000, most = -1000000;
+    for (int i = 0; i < wire->left_count; i++) {
+        const int y = wire->left[i], x = left_end(graph, layout, wire, column, y);
+        fprintf(out, "M%d %dH%d", x, y, wire->trunk >= 0 ? wire->trunk : layout->middle[column]);
+        least = y < least ? y : least;
+        most = y > most ? y : most;
+    }
+    for (int i = 0; i < wire->right_count; i++) {
+        const int y = wire->right[i], x = right_end(graph, layout, wire, column + 1, y);
+        const int from = wire->trunk >= 0 ? wire->trunk
+                         : wire->left_count > 0
+                             ? left_end(graph, layout, wire, column, wire->left[0])
+                             : x;
+        fprintf(out, "M%d %dH%d", from, y, x);
+        least = y < least ? y : least;
+        most = y > most ? y : most;
+    }
+    if (wire->trunk >= 0)
+        fprintf(out, "M%d %dV%d", wire->trunk, least, most);
+}
+
+/* A dot where three branches meet: at every height of a trunk but its ends, and at an end that has
+ * one on each side. */
+static void write_joints(const glint_draw_wire *wire, FILE *out)
+{
+    int heights[2 * GLINT_DRAW_NODES_MAX], sides[2 * GLINT_DRAW_NODES_MAX], count = 0;
+    if (wire->trunk < 0)
+        return;
+    for (int i = 0; i < wire->left_count + wire->right_count; i++) {
+        const int y = i < wire->left_count ? wire->left[i] : wire->right[i - wire->left_count];
+        int at = 0;
+        while (at < count && heights[at] != y)
+            at++;
+        if (at == count) {
+            heights[count] = y;
+            sides[count++] = 0;
+        }
+        sides[at]++;
+    }
+    for (int i = 0; i < count; i++) {
+        int above = 0, below = 0;
+        for (int j = 0; j < count; j++) {
+            above |= heights[j] < heights[i];
+            below |= heights[j] > heights[i];
+        }
+        if (above + below + sides[i] > 2)
+            fprintf(out, "M%d %dh0", wire->trunk, heights[i]);
+    }
+}
+
+static void write_net(const glint_draw_graph *graph, const glint_draw_layout *layout, int net,
+                      FILE *out)
+{
+    const glint_draw_node *node = &graph->node[net];
+    const bool is_bit = node->int_bits + node->frac_bits == 1;
+    bool feeds = false;
+    for (int i = 0; i < graph->count; i++)
+        for (int j = 0; j < graph->node[i].input_count; j++)
+            if (graph->node[i].input[j] == net) {
+                fprintf(out, feeds ? " %s%s" : "<g data-net=\"%s\" data-to=\"%s%s",
+                        feeds ? graph->node[i].name : node->name, feeds ? "" : graph->node[i].name,
+                        "");
+                feeds = true;
+            }
+    if (!feeds)
+        return;
+    fprintf(out, "\">\n<path class=\"%s\" d=\"", is_bit ? "bit" : "bus");
+    for (int pass = 0; pass < 2; pass++) {
+        for (int c = 0; c + 1 < graph->columns; c++)
+            for (int i = 0; i < layout->channel[c].count; i++) {
+                const glint_draw_wire *wire = &layout->channel[c].wire[i];
+                if (wire->net != net)
+                    continue;
+                if (pass == 0)
+                    write_path(graph, layout, c, wire, out);
+                else
+                    write_joints(wire, out);
+            }
+        fprintf(out, pass == 0 ? "\"/>\n<path class=\"joint\" d=\"" : "\"/>\n");
+    }
+    fprintf(out, "<path class=\"arrow\" d=\"");
+    for (int i = 0; i < graph->count; i++)
+        for (int j = 0; j < graph->node[i].input_count; j++)
+            if (graph->node[i].input[j] == net) {
+                const int y = glint_draw_input_height(&graph->node[i], j);
+                fprintf(out, "M%d %dl-8 -3.5v7z", graph->node[i].x + inset(&graph->node[i], y), y);
+            }
+    fprintf(out, "\"/>\n</g>\n");
+}
+
+static void write_format(const glint_draw_node *node, FILE *out)
+{
+    char text[GLINT_DRAW_FORMAT];
+    glint_draw_format(node, text);
+    if (text[0] != '\0')
+        label(out, "format", node->x + node->width + 4, node->y - 4, text);
+}
+
+/* ---- Symbols --------------------------------------------------------------------------------- */
+
+static void write_outline(const glint_draw_node *node, int shift, const char *class, FILE *out)
+{
+    const int x = node->x + shift, y = node->y - node->height / 2 - shift;
+    const int w = node->width, h = node->height;
+    if (node->kind != GLINT_DRAW_BLOCK)
+        fprintf(out, "<path class=\"shape %s\" d=\"M%d %dh%dl%d %dl-%d %dh-%dz\"/>\n", class, x, y,
+                w - h / 2, h / 2, h / 2, h / 2, h / 2, w - h / 2);
+    else if (node->symbol == GLINT_SYMBOL_MULTIPLIER || node->symbol == GLINT_SYMBOL_ADDER)
+        fprintf(out, "<ellipse class=\"shape %s\" cx=\"%d\" cy=\"%d\" rx=\"%d\" ry=\"%d\"/>\n",
+                class, x + w / 2, y + h / 2, w / 2, h / 2);
+    else
+        fprintf(out,
+                "<rect class=\"shape %s\" x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" "
+                "rx=\"%d\"/>\n",
+                class, x, y, w, h, node->symbol == GLINT_SYMBOL_LOGIC ? 8 : 2);
+}
+
+/* What a symbol has besides its outline: the clock's wedge, the ROM's rows, the keys' switch. */
+static void write_mark(const glint_draw_node *node, FILE *out)
+{
+    const int x = node->x, bottom = node->y + node->height / 2;
+    switch (node->symbol) {
+    case GLINT_SYMBOL_REGISTER:
+        fprintf(out, "<path class=\"mark\" d=\"M%d %dl6 -8l6 8\"/>\n", x + node->width / 2 - 6,
+                bottom);
+        break;
+    case GLINT_SYMBOL_ROM:
+        fprintf(out, "<path class=\"mark\" d=\"M%d %dh%d\"/>\n", x, bottom - node->height + 17,
+                node->width);
+        label(out, "kind", x + node->width / 2, bottom - node->height + 12, "ROM");
+        break;
+    case GLINT_SYMBOL_KEYS:
+        fprintf(out,
+                "<path class=\"mark\" d=\"M%d %dh12l13 -9m-1 9h12\"/>\n"
+                "<path class=\"joint\" d=\"M%d %dh0m12 0h0\"/>\n",
+                x + 6, node->y + 4, x + 18, node->y + 4);
+        break;
+    default:
+        break;
+    }
+}
+
+static void write_node(const glint_draw_node *node, FILE *out)
+{
+    const char *class = node->kind == GLINT_DRAW_PIN    ? "pin"
+                        : node->kind == GLINT_DRAW_PORT ? "port"
+                                                        : symbol_names[node->symbol];
+    const int middle = node->x + node->width / 2;
+    const int top = node->y - node->height / 2, bottom = node->y + node->height / 2;
+    const bool is_block = node->kind == GLINT_DRAW_BLOCK;
+    char number[16];
+    fprintf(out, "<g data-%s=\"", is_block ? "block" : class);
+    write_text(out, node->name);
+    fprintf(out, "\">\n");
+    if (node->is_stacked)
+        write_outline(node, 4, class, out);
+    write_outline(node, 0, class, out);
+    if (is_block)
+        write_mark(node, out);
+    label(out, "text", is_block ? middle : middle - 3,
+          node->y + (is_block && node->symbol == GLINT_SYMBOL_ROM ? 13 : 4), glint_draw_text(node));
+    if (is_block)
+        label(out, "name", middle, bottom + 12, node->name);
+    (void)snprintf(number, sizeof number, "%d", node->number);
+    if (node->number != 0) {
+        fprintf(out,
+                "<rect class=\"badge\" x=\"%d\" y=\"%d\" width=\"20\" height=\"14\" "
+                "rx=\"7\"/>\n",
+                node->x - 6, top - 9);
+        label(out, "number", node->x + 4, top + 2, number);
+    }
+    if (!is_block && node->kind == GLINT_DRAW_PIN && node->text != NULL)
+        label(out, "name", node->x + 10, top - 3, node->text);
+    if (node->control != NULL) {
+        fprintf(out, "<path class=\"bit\" d=\"M%d %dv-9\"/>\n", middle + 6, top);
+        label(out, "control", middle + 9, top - 4, node->control);
+    }
+    fprintf(out, "</g>\n");
+}
+
+/* ---- The whole ------------------------------------------------------------------------------- */
+
+/* What is the same everywhere is not drawn: the clock, resets and enables. */
+static void write_notes(const glint_draw_graph *graph, const glint_draw_layout *layout, FILE *out)
+{
+    const glint_setting *setting = graph->setting;
+    char text[GLINT_SETTING_TEXT];
+    bool any = setting->circuit->clock_port != NULL, stacked = false;
+    label(out, "title", 20, 24, setting->circuit->title);
+    glint_setting_describe(setting, text);
+    label(out, "note", 20 + glint_draw_length(setting->circuit->title) * 10, 24, text);
+    fprintf(out, "<text class=\"note\" x=\"20\" y=\"%d\">", layout->height - 8);
+    if (any)
+        fprintf(out, "not drawn: %s", setting->circuit->clock_port);
+    for (int i = 0; i < glint_setting_pin_count(setting); i++) {
+        const glint_pin_info pin = glint_setting_pin(setting, i);
+        if (pin.role != GLINT_PIN_RESET && pin.role != GLINT_PIN_RESET_LOW &&
+            pin.role != GLINT_PIN_ENABLE)
+            continue;
+        fprintf(out, "%s%s", any ? ", " : "not drawn: ", pin.name);
+        any = true;
+    }
+    for (int i = 0; i < graph->count; i++)
+        stacked |= graph->node[i].is_stacked;
+    if (stacked)
+        fprintf(out, "%sa double outline: several alike", any ? "; " : "");
+    fprintf(out, "</text>\n");
+}
+
+/* Where registers load: a pipeline's stages. Where one thing takes several clocks they are none. */
+static void write_cuts(const glint_draw_graph *graph, const glint_draw_layout *layout, FILE *out)
+{
+    if (glint_setting_pace(graph->setting) > 1)
+        return;
+    for (int s = 1; s <= graph->stages; s++) {
+        const int x = layout->middle[graph->stage_column[s]];
+        char text[32];
+        (void)snprintf(text, sizeof text, "edge %d", s);
+        fprintf(out, "<path class=\"cut\" d=\"M%d 50V%d\"/>\n", x, layout->height - 24);
+        label(out, "edge", x, 46, text);
+    }
+}
+
+void glint_draw_write_svg(const glint_draw_graph *graph, const glint_draw_layout *layout, FILE *out)
+{
+    fprintf(out,
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" "
+            "viewBox=\"0 0 %d %d\">\n<title>",
+            layout->width, layout->height, layout->width, layout->height);
+    write_text(out, graph->setting->circuit->title);
+    fprintf(out, "</title>\n<style>\n%s</style>\n", style);
+    fprintf(out, "<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n");
+    write_notes(graph, layout, out);
+    write_cuts(graph, layout, out);
+    for (int i = 0; i < graph->count; i++)
+        write_net(graph, layout, i, out);
+    for (int i = 0; i < graph->count; i++)
+        write_format(&graph->node[i], out);
+    for (int i = 0; i < graph->count; i++)
+        write_node(&graph->node[i], out);
+    fprintf(out, "</svg>\n");
+}
