@@ -160,20 +160,25 @@ static int pace(const int *values)
 
 /* ---- Drawing --------------------------------------------------------------------------------- */
 
+#define OUT_OF_TABLE "\u2209 1\u202616"
+_Static_assert(GLINT_DIVIDER_K_MAX == 16, "the drawing says so");
+#define OTHERS "stages 2\u2026n"
+
 /* Figure 2.13 with what feeds it: a start loads the registers, then each clock moves them on. */
 static const glint_block_info sequential_blocks[] = {
     GLINT_BLOCK("k", PIN, NULL, NULL, NULL),
     GLINT_BLOCK("difference", PIN, NULL, NULL, NULL),
     GLINT_BLOCK("start", PIN, NULL, NULL, NULL),
-    GLINT_BLOCK("rom_miss", COMPARATOR, "k > 16", "k", NULL),
+    GLINT_BLOCK("rom_miss", COMPARATOR, OUT_OF_TABLE, "k", NULL),
     GLINT_BLOCK("rom_bits", ROM, "1/k", "k", NULL),
-    GLINT_BLOCK("bits_rg", REGISTER, "\u2190 i", "rom_bits", "start, busy"),
-    GLINT_BLOCK("shift_rg", REGISTER, "\u2192 RG", "shifted difference", "start, busy"),
+    GLINT_BLOCK("i0_d", KEYS, "i\u2080", "rom_bits difference", NULL),
+    GLINT_BLOCK("bits_rg", REGISTER, "i\u2c7c", "rom_bits", "start, busy"),
+    GLINT_BLOCK("shift_rg", REGISTER, "D", "shifted difference", "start, busy"),
     GLINT_BLOCK("shifted", LOGIC, "\u00f7 2", "shift_rg", NULL),
-    GLINT_BLOCK("term", KEYS, NULL, "bits_rg shifted", NULL),
-    GLINT_BLOCK("sum", ADDER, "\u03a3", "term acc_rg", NULL),
-    GLINT_BLOCK("acc_rg", REGISTER, "RG", "sum difference rom_bits", "start, busy"),
-    GLINT_BLOCK("left", REGISTER, "\u2212 1", NULL, "start, busy"),
+    GLINT_BLOCK("term", KEYS, "i\u2c7c", "bits_rg shifted", NULL),
+    GLINT_BLOCK("sum", ADDER, NULL, "term acc_rg", NULL),
+    GLINT_BLOCK("acc_rg", REGISTER, "\u03a3", "sum i0_d", "start, busy"),
+    GLINT_BLOCK("left", REGISTER, "n\u20260", NULL, "start, busy"),
     GLINT_BLOCK("busy", REGISTER, NULL, "start left", NULL),
     GLINT_BLOCK("done", REGISTER, NULL, "left", "busy"),
     GLINT_BLOCK("out_of_table", REGISTER, NULL, "rom_miss", "start, busy"),
@@ -186,7 +191,7 @@ static const glint_block_info sequential_blocks[] = {
         .name = called, .symbol = GLINT_SYMBOL_##how, .text = says, .inputs = feeds, .stacked = 1  \
     }
 static const glint_block_info pipelined_blocks[] = {
-    OF_EACH("difference_r", PIN, "r, g, b", NULL),
+    OF_EACH("difference_r", PIN, NULL, NULL),
     GLINT_BLOCK("k", PIN, NULL, NULL, NULL),
     GLINT_BLOCK("in_valid", PIN, NULL, NULL, NULL),
     {.name = "s0_d_r",
@@ -198,18 +203,19 @@ static const glint_block_info pipelined_blocks[] = {
     GLINT_BLOCK("s0_k", REGISTER, "k", "k", "in_valid"),
     GLINT_BLOCK("s0_valid", REGISTER, NULL, "in_valid", NULL),
     GLINT_BLOCK("rom_bits", ROM, "1/k", "s0_k", NULL),
-    GLINT_BLOCK("rom_miss", COMPARATOR, "k > 16", "s0_k", NULL),
-    OF_EACH("i0_d", KEYS, NULL, "s0_d_r rom_bits"),
-    OF_EACH("i1_d", KEYS, NULL, "s0_d_r rom_bits"),
+    GLINT_BLOCK("rom_miss", COMPARATOR, OUT_OF_TABLE, "s0_k", NULL),
+    OF_EACH("i0_d", KEYS, "i\u2080", "s0_d_r rom_bits"),
+    OF_EACH("half", LOGIC, "\u00f7 2", "s0_d_r"),
+    OF_EACH("i1_d", KEYS, "i\u2081", "half rom_bits"),
     OF_EACH("sum", ADDER, NULL, "i0_d i1_d"),
     OF_EACH("d_r[1]", REGISTER, NULL, "s0_d_r"),
     OF_EACH("acc_r[1]", REGISTER, NULL, "sum"),
     GLINT_BLOCK("bits[1]", REGISTER, NULL, "rom_bits", NULL),
     GLINT_BLOCK("miss[1]", REGISTER, NULL, "rom_miss", NULL),
     GLINT_BLOCK("valid[1]", REGISTER, NULL, "s0_valid", NULL),
-    OF_EACH("more", MORE, NULL, "d_r[1] acc_r[1] bits[1]"),
-    GLINT_BLOCK("more_miss", MORE, NULL, "miss[1]", NULL),
-    GLINT_BLOCK("more_valid", MORE, NULL, "valid[1]", NULL),
+    OF_EACH("more", MORE, OTHERS, "acc_r[1] d_r[1] bits[1]"),
+    GLINT_BLOCK("more_miss", MORE, OTHERS, "miss[1]", NULL),
+    GLINT_BLOCK("more_valid", MORE, OTHERS, "valid[1]", NULL),
     OF_EACH("quotient_r", WIRE, NULL, "more"),
     GLINT_BLOCK("out_of_table", WIRE, NULL, "more_miss", NULL),
     GLINT_BLOCK("out_valid", WIRE, NULL, "more_valid", NULL),

@@ -8,11 +8,13 @@
 #include "cli/output.h"
 #include "cli/picture.h"
 #include "draw/draw.h"
+#include "file/kind.h"
 #include "file/new_file.h"
 
 typedef struct draw_options {
     glint_circuit_options circuits;
     const char *out;
+    bool force;
 } draw_options;
 
 static const char *usual(const char *parameter)
@@ -21,6 +23,8 @@ static const char *usual(const char *parameter)
     return NULL;
 }
 
+#define OWN_ROWS 2
+
 static int parse(int argc, char **argv, draw_options *chosen)
 {
     const glint_circuit_use use = {
@@ -28,15 +32,17 @@ static int parse(int argc, char **argv, draw_options *chosen)
     const int begun = glint_circuit_options_begin(&chosen->circuits, &use, argc, argv);
     if (begun != GLINT_OPTIONS_RUN)
         return begun;
-    glint_option options[1 + GLINT_CIRCUIT_OPTIONS] = {
+    glint_option options[OWN_ROWS + GLINT_CIRCUIT_OPTIONS] = {
         {.name = "out",
          .placeholder = "FILE",
          .required = true,
          .help = "the drawing, FILE.svg, or the graph that is laid out, FILE.dot",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
+        GLINT_FORCE_OPTION(&chosen->force),
     };
-    const size_t count = 1 + glint_circuit_options_add(&chosen->circuits, options + 1);
+    const size_t count =
+        OWN_ROWS + glint_circuit_options_add(&chosen->circuits, options + OWN_ROWS);
     static const glint_example examples[] = {
         {"the specular-colour device", "glint draw --out device.svg"},
         {"the divider as the thesis has it",
@@ -69,8 +75,8 @@ static glint_status draw(const glint_setting *setting, const char *path, glint_e
     glint_status status = glint_new_file_open(path, &file, err);
     if (status != GLINT_OK)
         return status;
-    status = (ends_with(path, ".svg") ? glint_draw_svg : glint_draw_plan)(
-        setting, glint_new_file_stream(file), err);
+    status = (ends_with(path, ".svg") ? glint_draw_svg
+                                      : glint_draw_plan)(setting, glint_new_file_stream(file), err);
     if (status == GLINT_OK)
         return glint_new_file_commit(file, err);
     glint_new_file_discard(file);
@@ -88,7 +94,12 @@ int glint_cmd_draw(int argc, char **argv)
         return glint_complain("draw", GLINT_EXIT_TROUBLE,
                               "--out: a file that ends with .svg or .dot");
     const glint_setting setting = glint_circuit_options_first(&chosen.circuits, 0);
-    status = draw(&setting, chosen.out, &err) == GLINT_OK ? GLINT_EXIT_OK
-                                                          : glint_complain_error("draw", &err);
-    return glint_output_finish("draw", status);
+    if (!chosen.force && glint_file_replaceable(chosen.out, &err) != GLINT_OK)
+        return glint_complain_error("draw", &err);
+    if (draw(&setting, chosen.out, &err) != GLINT_OK)
+        return glint_complain_error("draw", &err);
+    char text[GLINT_SETTING_TEXT];
+    glint_setting_describe(&setting, text);
+    printf("%s: %s, %s\n", chosen.out, setting.circuit->title, text);
+    return glint_output_finish("draw", GLINT_EXIT_OK);
 }

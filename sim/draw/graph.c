@@ -61,13 +61,13 @@ static bool find_pin(const glint_setting *setting, const char *name, size_t leng
     return false;
 }
 
-/* The next name of a list of them; NULL past the last. */
+/* The next name of a list, which has blanks or commas between; NULL past the last. */
 static const char *next_name(const char **list, size_t *length)
 {
     if (*list == NULL)
         return NULL;
-    const char *name = *list + strspn(*list, " ");
-    *length = strcspn(name, " ");
+    const char *name = *list + strspn(*list, ", ");
+    *length = strcspn(name, ", ");
     *list = name + *length;
     return *length > 0 ? name : NULL;
 }
@@ -113,11 +113,12 @@ static void describe_block(making *m, glint_draw_node *node, const glint_block_i
     node->is_stacked = row->stacked || has_several_lanes(m->graph->setting, node->name);
     if (!find_signal(m->graph->setting, row->name, &signal))
         return;
+    node->has_name = true;
     node->int_bits = signal.int_bits;
     node->frac_bits = signal.frac_bits;
     node->is_signed = signal.is_signed;
-    node->is_copy = signal.kind == GLINT_SIGNAL_STAGE || signal.kind == GLINT_SIGNAL_OUTPUT;
-    node->number = node->is_copy ? 0 : signal.block;
+    if (signal.kind == GLINT_SIGNAL_REGISTER || signal.kind == GLINT_SIGNAL_BLOCK)
+        node->number = signal.block;
     for (const glint_draw_node *other = m->graph->node; other < node; other++)
         if (node->number != 0 && other->number == node->number)
             node->number = 0;
@@ -192,19 +193,35 @@ static bool is_output(const glint_setting *setting, const char *name)
     return find_signal(setting, name, &signal) && signal.kind == GLINT_SIGNAL_OUTPUT;
 }
 
-/* The row, and what feeds it. */
+/* The row, what feeds it, and what it obeys. */
 static void need(making *m, int row)
 {
-    const char *name, *list = m->row[row].inputs;
-    size_t length;
+    const char *const lists[] = {m->row[row].inputs, m->row[row].control};
     if (m->is_needed[row])
         return;
     m->is_needed[row] = true;
-    while ((name = next_name(&list, &length)) != NULL) {
-        const int from = find_row(m, name, length);
-        if (from >= 0)
-            need(m, from);
+    for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
+        const char *name, *list = lists[i];
+        size_t length;
+        while ((name = next_name(&list, &length)) != NULL) {
+            const int from = find_row(m, name, length);
+            if (from >= 0)
+                need(m, from);
+        }
     }
+}
+
+/* What a block obeys is not wired, but is there. */
+static glint_status check_control(const making *m, const glint_block_info *row)
+{
+    const char *name, *list = row->control;
+    size_t length;
+    glint_pin_info pin;
+    while ((name = next_name(&list, &length)) != NULL)
+        if (find_row(m, name, length) < 0 && !find_pin(m->graph->setting, name, length, &pin))
+            return WRONG(m, "block %s: %.*s is neither a block of the drawing nor a pin", row->name,
+                         (int)length, name);
+    return GLINT_OK;
 }
 
 static glint_status read_rows(making *m)
@@ -233,6 +250,18 @@ static glint_status read_rows(making *m)
     return GLINT_OK;
 }
 
+/* What the stages left out give has the format of what they are given. */
+static void follow_format(glint_draw_graph *graph, int index)
+{
+    glint_draw_node *node = &graph->node[index];
+    if (node->symbol != GLINT_SYMBOL_MORE || node->has_name || node->input_count == 0)
+        return;
+    const glint_draw_node *first = &graph->node[node->input[0]];
+    node->int_bits = first->int_bits;
+    node->frac_bits = first->frac_bits;
+    node->is_signed = first->is_signed;
+}
+
 /* Pins with rows come first, in their order. */
 static glint_status add_pins(making *m)
 {
@@ -256,9 +285,13 @@ static glint_status add_blocks(making *m)
         if (status == GLINT_OK)
             describe_block(m, &m->graph->node[m->node_of[i]], row);
     }
-    for (int i = 0; i < m->row_count && status == GLINT_OK; i++)
-        if (m->node_of[i] >= 0)
+    for (int i = 0; i < m->row_count && status == GLINT_OK; i++) {
+        status = check_control(m, &m->row[i]);
+        if (status == GLINT_OK && m->node_of[i] >= 0)
             status = add_inputs(m, m->node_of[i], m->row[i].inputs);
+        if (status == GLINT_OK && m->node_of[i] >= 0)
+            follow_format(m->graph, m->node_of[i]);
+    }
     return status;
 }
 

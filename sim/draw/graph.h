@@ -18,11 +18,11 @@ typedef struct glint_draw_node {
     glint_draw_kind kind;
     glint_symbol symbol; /* of a block */
     char name[GLINT_DRAW_NAME];
-    const char *text;    /* inside; NULL: what the symbol says */
-    const char *control; /* NULL: nothing */
-    int number;          /* in the figure; 0: none */
-    bool is_copy;        /* a pipeline stage's copy of a value, or an output's register */
-    bool is_stacked;     /* there are more like it */
+    const char *text;                              /* inside; NULL: what the symbol says */
+    const char *control;                           /* NULL: nothing */
+    int number;                                    /* in the figure; 0: none */
+    bool has_name;                                 /* in the Verilog */
+    bool is_stacked;                               /* there are more like it */
     int int_bits, frac_bits, is_signed;            /* of its output; no bits: unknown */
     int input_count, input[GLINT_DRAW_INPUTS_MAX]; /* the nodes that feed it */
     int column;

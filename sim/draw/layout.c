@@ -31,8 +31,8 @@ void glint_draw_format(const glint_draw_node *node, char text[GLINT_DRAW_FORMAT]
 {
     text[0] = '\0';
     if (node->int_bits + node->frac_bits > 1)
-        (void)snprintf(text, GLINT_DRAW_FORMAT, "%c%d.%d", node->is_signed ? 'S' : 'U', node->int_bits,
-                       node->frac_bits);
+        (void)snprintf(text, GLINT_DRAW_FORMAT, "%c%d.%d", node->is_signed ? 'S' : 'U',
+                       node->int_bits, node->frac_bits);
 }
 
 const char *glint_draw_text(const glint_draw_node *node)
@@ -67,7 +67,7 @@ static void size_of(glint_draw_node *node)
     }
     node->width = sizes[node->symbol].width;
     node->height = sizes[node->symbol].height;
-    if (node->is_copy && node->symbol == GLINT_SYMBOL_REGISTER && length == 0) {
+    if (node->symbol == GLINT_SYMBOL_REGISTER && length == 0) {
         node->width = 26;
         node->height = 34;
     }
@@ -161,6 +161,33 @@ static int fan_out(const glint_draw_graph *graph, int net)
     return count;
 }
 
+/* Feedback is to stay near: a point behind its node, and one before what it feeds, hold it there.
+ */
+static void write_feedback(const glint_draw_graph *graph, int net, FILE *out)
+{
+    const int from = graph->node[net].column;
+    bool is_any = false;
+    for (int i = 0; i < graph->count; i++)
+        for (int j = 0; j < graph->node[i].input_count; j++) {
+            const int to = graph->node[i].column;
+            if (graph->node[i].input[j] != net || to > from)
+                continue;
+            is_any = true;
+            if (to > 0)
+                fprintf(out,
+                        "  h%d_%d_%d [shape=point, width=0.01];\n"
+                        "  h%d_%d_%d -> p%d_%d [style=invis, weight=2];\n"
+                        "  h%d_%d_%d -> n%d:i%d:w [style=invis, weight=2];\n",
+                        net, i, j, net, i, j, net, to, net, i, j, i, j);
+        }
+    if (is_any && from + 1 < graph->columns)
+        fprintf(out,
+                "  h%d [shape=point, width=0.01];\n"
+                "  p%d_%d -> h%d [style=invis, weight=2];\n"
+                "  n%d:o:e -> h%d [style=invis, weight=2];\n",
+                net, net, from, net, net, net);
+}
+
 /* To the inputs themselves. What goes from one to one is to be level before all else. */
 static void write_ends(const glint_draw_graph *graph, int net, FILE *out)
 {
@@ -184,10 +211,10 @@ static void write_net(const glint_draw_graph *graph, int net, FILE *out)
         if (glint_draw_passes(graph, net, column + 1) &&
             (column == from || glint_draw_passes(graph, net, column))) {
             write_tail(graph, net, column, out);
-            fprintf(out, " -> p%d_%d [weight=%d];\n", net, column + 1,
-                    column == from ? 8 : 20);
+            fprintf(out, " -> p%d_%d [weight=%d];\n", net, column + 1, column == from ? 8 : 20);
         }
     write_ends(graph, net, out);
+    write_feedback(graph, net, out);
 }
 
 void glint_draw_dot(glint_draw_graph *graph, FILE *out)
@@ -276,6 +303,9 @@ static void shift(glint_draw_graph *graph, glint_draw_layout *layout)
         const int below = node->y + node->height / 2 + GLINT_DRAW_BELOW;
         top = i == 0 || above < top ? above : top;
         bottom = below > bottom ? below : bottom;
+        for (int c = 0; c < graph->columns; c++)
+            if (glint_draw_passes(graph, i, c) && graph->pass[i][c] < top)
+                top = graph->pass[i][c];
     }
     for (int i = 0; i < graph->count; i++) {
         graph->node[i].y += TITLE - top;

@@ -13,8 +13,8 @@
 
 /* Widths of the fonts: sans of blocks, and the smaller one of names and formats. */
 #define GLINT_DRAW_FORMAT 32 /* of a format as text */
-#define GLINT_DRAW_SANS 8
-#define GLINT_DRAW_MONO 6
+#define GLINT_DRAW_SANS   8
+#define GLINT_DRAW_MONO   6
 
 typedef struct glint_draw_wire { /* of a net, between two columns */
     int net;

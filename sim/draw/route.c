@@ -7,6 +7,7 @@
 #define MARGIN 20
 #define TRACK  11 /* from trunk to trunk */
 #define ARROW  12 /* room for an arrowhead */
+#define BEHIND 10 /* and before the first trunk */
 
 /* ---- Channels -------------------------------------------------------------------------------- */
 
@@ -123,8 +124,7 @@ static int column_width(const glint_draw_graph *graph, int column)
     int width = 12;
     for (int i = 0; i < graph->count; i++) {
         const glint_draw_node *node = &graph->node[i];
-        const int name =
-            node->kind == GLINT_DRAW_BLOCK ? glint_draw_length(node->name) * GLINT_DRAW_MONO : 0;
+        const int name = node->has_name ? glint_draw_length(node->name) * GLINT_DRAW_MONO : 0;
         if (node->column != column)
             continue;
         width = node->width > width ? node->width : width;
@@ -169,7 +169,7 @@ void glint_draw_route(glint_draw_graph *graph, glint_draw_layout *layout)
             channel->count += wire->left_count + wire->right_count > 0;
         }
         const int trunks = find_trunks(channel);
-        x += format_width(graph, c) + 6;
+        x += format_width(graph, c) + BEHIND;
         for (int i = 0; i < trunks; i++)
             channel->wire[i].trunk = x + i * TRACK;
         x += (trunks > 0 ? (trunks - 1) * TRACK : 0) + ARROW;

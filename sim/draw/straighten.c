@@ -116,8 +116,8 @@ static void level(places *p, int from, int to, int input)
     int step;
     if (p->place[from].group == p->place[to].group || !step_of(p, from, to, input, &step))
         return;
-    if (step == 0 || (abs(step) <= STEP_MAX && (move(p, p->place[to].group, -step) ||
-                                                move(p, p->place[from].group, step))))
+    if (step == 0 || (abs(step) <= STEP_MAX &&
+                      (move(p, p->place[to].group, -step) || move(p, p->place[from].group, step))))
         join(p, from, to);
 }
 

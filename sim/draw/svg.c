@@ -6,6 +6,8 @@
 
 #include "lockstep/signals.h"
 
+#define SHADOW 4 /* of a symbol that stands for several */
+
 static const char style[] =
     "  text { font-family: 'DejaVu Sans', Verdana, sans-serif; font-size: 12px; fill: #1f2933; "
     "text-anchor: middle }\n"
@@ -205,7 +207,8 @@ static void write_format(const glint_draw_node *node, FILE *out)
     char text[GLINT_DRAW_FORMAT];
     glint_draw_format(node, text);
     if (text[0] != '\0')
-        label(out, "format", node->x + node->width + 4, node->y - 4, text);
+        label(out, "format", node->x + node->width + 4 + (node->is_stacked ? SHADOW : 0),
+              node->y - 4, text);
 }
 
 /* ---- Symbols --------------------------------------------------------------------------------- */
@@ -245,11 +248,17 @@ static void write_mark(const glint_draw_node *node, FILE *out)
         fprintf(out,
                 "<path class=\"mark\" d=\"M%d %dh12l13 -9m-1 9h12\"/>\n"
                 "<path class=\"joint\" d=\"M%d %dh0m12 0h0\"/>\n",
-                x + 6, node->y + 4, x + 18, node->y + 4);
+                x + 6, node->y + 10, x + 18, node->y + 10);
         break;
     default:
         break;
     }
+}
+
+/* Where the text's line is, below the middle: other things are in some symbols, too. */
+static int text_below(const glint_draw_node *node)
+{
+    return node->symbol == GLINT_SYMBOL_ROM ? 13 : node->symbol == GLINT_SYMBOL_KEYS ? -7 : 4;
 }
 
 static void write_node(const glint_draw_node *node, FILE *out)
@@ -260,18 +269,19 @@ static void write_node(const glint_draw_node *node, FILE *out)
     const int middle = node->x + node->width / 2;
     const int top = node->y - node->height / 2, bottom = node->y + node->height / 2;
     const bool is_block = node->kind == GLINT_DRAW_BLOCK;
+    const int shadow = node->is_stacked ? SHADOW : 0;
     char number[16];
     fprintf(out, "<g data-%s=\"", is_block ? "block" : class);
     write_text(out, node->name);
     fprintf(out, "\">\n");
     if (node->is_stacked)
-        write_outline(node, 4, class, out);
+        write_outline(node, shadow, class, out);
     write_outline(node, 0, class, out);
     if (is_block)
         write_mark(node, out);
-    label(out, "text", is_block ? middle : middle - 3,
-          node->y + (is_block && node->symbol == GLINT_SYMBOL_ROM ? 13 : 4), glint_draw_text(node));
-    if (is_block)
+    label(out, "text", is_block ? middle : middle - 3, node->y + text_below(node),
+          glint_draw_text(node));
+    if (node->has_name)
         label(out, "name", middle, bottom + 12, node->name);
     (void)snprintf(number, sizeof number, "%d", node->number);
     if (node->number != 0) {
@@ -282,10 +292,10 @@ static void write_node(const glint_draw_node *node, FILE *out)
         label(out, "number", node->x + 4, top + 2, number);
     }
     if (!is_block && node->kind == GLINT_DRAW_PIN && node->text != NULL)
-        label(out, "name", node->x + 10, top - 3, node->text);
+        label(out, "name", node->x + 10, top - 3 - shadow, node->text);
     if (node->control != NULL) {
-        fprintf(out, "<path class=\"bit\" d=\"M%d %dv-9\"/>\n", middle + 6, top);
-        label(out, "control", middle + 9, top - 4, node->control);
+        fprintf(out, "<path class=\"bit\" d=\"M%d %dv-9\"/>\n", middle + 6, top - shadow);
+        label(out, "control", middle + 9, top - 4 - shadow, node->control);
     }
     fprintf(out, "</g>\n");
 }

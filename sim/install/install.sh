@@ -47,7 +47,7 @@ list() {
     below 644 share/glint/sim sim/rtl/shim.cpp sim/rtl/shim.h
     below 644 share/doc/glint README.md LICENSE
     below 644 share/doc/glint/docs docs/*.md
-    below 644 share/doc/glint/docs/images docs/images/*.png
+    below 644 share/doc/glint/docs/images docs/images/*.png docs/images/*.svg
     below 644 share/doc/glint/docs/examples/saturating_mac docs/examples/saturating_mac/*
     echo "example docs/library.md share/doc/glint/examples/example.c"
     below man share/man/man1 "$build"/install/man/*.1

@@ -189,6 +189,7 @@ static const char *const printers[] = {
     "compare --json " PNG " " PNG,
     "wave --out %s",
     "wave --json --out %s",
+    "draw --out %s/a.svg",
     "verify --clocks 10 --out %s/p",
     "verify --clocks 10 --json --out %s/p",
     "verify --exhaustive --shard 1/1000 --stride 4096 --out %s/p",

@@ -14,7 +14,7 @@
 
 static const char *const subcommands[] = {"info",    "models", "eval",   "divide", "render",
                                           "compare", "study",  "verify", "replay", "wave",
-                                          "energy",  "report", "bench"};
+                                          "draw",    "energy", "report", "bench"};
 #define SUBCOMMAND_COUNT (sizeof subcommands / sizeof subcommands[0])
 
 static void help_lists_every_subcommand(void **state)

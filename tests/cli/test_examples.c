@@ -15,7 +15,8 @@
 /* In an order in which each finds what it reads. */
 static const char *const helps[] = {"",       "info",    "models", "eval",   "divide",
                                     "render", "compare", "study",  "verify", "verify --exhaustive",
-                                    "replay", "wave",    "energy", "report", "bench"};
+                                    "replay", "wave",    "draw",   "energy", "report",
+                                    "bench"};
 
 /* These take minutes: their command lines are read, and then only --help is shown. */
 static const char *const lengthy[] = {"glint verify --clocks 1M", "glint verify --exhaustive",

@@ -63,6 +63,10 @@ static const struct {
     {"compare " PNG " %s/a.png", "", RIGHT, 2}, /* of another size */
     {"compare " PNG, "", RIGHT, 2},
     {"compare " PNG " " PNG " --diff " PNG, "", RIGHT, 2},
+    {"draw --out %s/a.svg", "", RIGHT, 0},
+    {"draw --circuit divider --out %s/a.dot", "", RIGHT, 0},
+    {"draw --out %s/a.txt", "", RIGHT, 2},
+    {"draw", "", RIGHT, 2},
     {"verify --clocks 200 --seed 1 --out %s/p", "", RIGHT, 0},
     {"verify --clocks 2000 --seed 1 --gate cosine --lanes 1 --out %s/p", "", WRONG, 1},
     {"verify --clocks 2000 --seed 1 --gate cosine --lanes 1 --json --out %s/q", "", WRONG, 1},

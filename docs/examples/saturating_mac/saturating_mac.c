@@ -60,6 +60,19 @@ GLINT_SIGNAL_TABLE(
     GLINT_SIGNAL(mac_signals, out_saturated, OUTPUT, 1, 0, 0, OUTPUTS, "it stopped at an end"),
     GLINT_SIGNAL(mac_signals, out_sum, OUTPUT, 2 * values[WIDTH], 0, 1, OUTPUTS, "the sum"))
 
+/* For the drawing (`glint draw`): what each value is made of. */
+GLINT_BLOCK_TABLE(block_count, block, GLINT_BLOCK("factors", MULTIPLIER, NULL, "a b", NULL),
+                  GLINT_BLOCK("product", REGISTER, "a\u00b7b", "factors", "in_valid"),
+                  GLINT_BLOCK("s1_first", REGISTER, NULL, "first", "in_valid"),
+                  GLINT_BLOCK("s1_valid", REGISTER, NULL, "in_valid", NULL),
+                  GLINT_BLOCK("sum_or_0", KEYS, NULL, "s1_first out_sum", NULL),
+                  GLINT_BLOCK("added", ADDER, NULL, "product sum_or_0", NULL),
+                  GLINT_BLOCK("beyond", COMPARATOR, "fits?", "added", NULL),
+                  GLINT_BLOCK("clamped", LOGIC, "clamp", "added beyond", NULL),
+                  GLINT_BLOCK("out_sum", REGISTER, "sum", "clamped", "s1_valid"),
+                  GLINT_BLOCK("out_saturated", REGISTER, NULL, "beyond", "s1_valid"),
+                  GLINT_BLOCK("out_valid", REGISTER, NULL, "s1_valid", NULL))
+
 GLINT_ALWAYS(const char *, top, "saturating_mac")
 GLINT_ALWAYS(int, latency, 2)
 
@@ -164,4 +177,6 @@ const glint_circuit glint_my_circuit = {
     .clock = clock_edge,
     .signals = signals,
     .domain = &domain,
+    .block_count = block_count,
+    .block = block,
 };
