@@ -80,7 +80,7 @@ $(BUILD)/glint-gen: $(BUILD)/cmodel/gen.o $(BUILD)/libglint.a
 GENERATED := rtl/glint_formats.vh:formats rtl/sigma_rom.v:sigma-rom rtl/limit_rom.v:limit-rom \
              rtl/reciprocal_rom.v:reciprocal-rom
 
-generate: $(BUILD)/glint-gen
+generate: $(BUILD)/glint-gen drawings
 	@for pair in $(GENERATED); do \
 	    file=$${pair%%:*}; \
 	    $(BUILD)/glint-gen $(BUILD)/generated $${pair##*:} || exit 1; \
@@ -88,6 +88,12 @@ generate: $(BUILD)/glint-gen
 	        { cp $(BUILD)/generated $$file && echo "$$file is new"; } || exit 1; \
 	done; \
 	rm $(BUILD)/generated
+
+# The circuits' drawings: a line each in docs/images/drawings.txt.
+.PHONY: drawings
+drawings: $(BUILD)/glint
+	$Qsim/deps.sh draw
+	$Qsim/draw/drawings.sh $<
 
 # ---- What drives them: libglint-sim and the command ----------------------------------------------
 
@@ -355,7 +361,7 @@ help:
 	@echo "make sanitize  the tests under AddressSanitizer and UBSan"
 	@echo "make fuzz      20 s of fuzzing (FUZZ_SECONDS=) for each reader of what comes from outside"
 	@echo "make formats   16 to 20 fraction bits of the cosine, by one edit each (docs/formats.md)"
-	@echo "make generate  write the generated Verilog anew from cmodel/"
+	@echo "make generate  write the generated Verilog (from cmodel/) and drawings anew"
 	@echo "make install PREFIX=DIR    command, library, headers, Verilog, docs ($(PREFIX)); or DESTDIR="
 	@echo "make uninstall PREFIX=DIR  remove what make install put there"
 	@echo "make clean     remove $(BUILD)/"

@@ -17,6 +17,7 @@ view='gtkwave xvfb xauth imagemagick'
 meshes='assimp-testmodels glmark2-data'
 plots='gnuplot-nox'
 solver='z3'
+drawing='graphviz librsvg2-bin fonts-dejavu-core'
 foreign='gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user-static'
 
 # The one table: what each goal needs.
@@ -30,8 +31,9 @@ packages_of() {
     formal) echo "yosys $solver make" ;;
     coverage) echo "$checks gcovr $view $meshes $plots" ;;
     fuzz) echo "$checks" ;;
+    draw) echo "$drawing" ;;
     report) echo "$build $plots" ;;
-    test) echo "$checks $view $meshes $plots $solver" ;;
+    test) echo "$checks $view $meshes $plots $solver $drawing" ;;
     portability) echo "$checks $foreign" ;;
     newest) echo "$build libcmocka-dev python3-venv python3-pip liblz4-dev" ;;
     gtkwave) echo "$view" ;;
@@ -61,7 +63,7 @@ installed $package
     done
 }
 
-[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build check demo bench wave report install \
+[ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build check demo bench wave draw report install \
 lint test gtkwave mutation netlist formal coverage fuzz portability formats newest)"
 
 needed=

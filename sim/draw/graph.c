@@ -322,8 +322,9 @@ static glint_status add_ports(making *m)
 static void place_in_stage(making *m, int index)
 {
     const glint_draw_node *node = &m->graph->node[index];
+    const bool is_register = node->symbol == GLINT_SYMBOL_REGISTER;
     int stage = 0, depth = 0;
-    if (node->input_count == 0 && m->graph->setting->circuit->clock_port != NULL)
+    if (node->input_count == 0 && !is_register && m->graph->setting->circuit->clock_port != NULL)
         stage = 1; /* a constant is there with the first registers */
     for (int i = 0; i < node->input_count; i++) {
         const int from = node->input[i];
@@ -336,7 +337,6 @@ static void place_in_stage(making *m, int index)
             depth = m->depth[from];
         }
     }
-    const bool is_register = node->symbol == GLINT_SYMBOL_REGISTER;
     m->stage[index] = stage + is_register;
     m->depth[index] = is_register ? 0 : depth + 1;
 }

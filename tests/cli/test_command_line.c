@@ -154,7 +154,7 @@ static void a_wrong_subcommand_is_refused(void **state)
     (void)state;
     static const refusal refusals[] = {
         {"", "glint: no subcommand (see glint --help)\n"},
-        {"draw", "glint: unknown subcommand \"draw\" (see glint --help)\n"},
+        {"paint", "glint: unknown subcommand \"paint\" (see glint --help)\n"},
         {"rende", "glint: unknown subcommand \"rende\" (did you mean render? see glint --help)\n"},
         {"help rnder",
          "glint: unknown subcommand \"rnder\" (did you mean render? see glint --help)\n"},
