@@ -1,6 +1,6 @@
 #!/bin/sh
-# Draws the committed drawings anew: docs/images/NAME.svg and NAME.png, of each line "NAME OPTIONS" in
-# docs/images/drawings.txt. What stays the same is not touched.
+# Draws the committed drawings anew: docs/images/NAME.svg and NAME.png, for each line "NAME OPTIONS"
+# of docs/images/drawings.txt. What stays the same is not touched.
 #
 #   sim/draw/drawings.sh GLINT     from the root of the tree
 set -eu
