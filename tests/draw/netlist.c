@@ -1,0 +1,243 @@
+/* Reads the JSON that Yosys writes of an elaborated circuit; see netlist.h. */
+#include "netlist.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cjson/cJSON.h>
+
+#include "lockstep/signals.h"
+
+enum { PATH = 1024, CELL_BITS_MAX = 1 << 20 };
+
+/* A cell's outputs are made of all its inputs. */
+typedef struct cell {
+    int input_count, *input;
+} cell;
+
+struct netlist {
+    cJSON *json;
+    const cJSON *names; /* of wires: {"bits": […]} */
+    int bit_count, cell_count;
+    int *driver; /* of each bit: its cell; −1: none, a port */
+    cell *cells;
+};
+
+/* ---- Yosys ----------------------------------------------------------------------------------- */
+
+static bool run_yosys(const glint_setting *setting, const char *directory, const char *work)
+{
+    char script[4 * PATH], command[8 * PATH];
+    const glint_circuit *circuit = setting->circuit;
+    const char *top = circuit->top(setting->values);
+    int length =
+        snprintf(script, sizeof script, "read_verilog -I%s %s/*.v; chparam", directory, directory);
+    for (int i = 0; i < circuit->parameter_count; i++)
+        if (circuit->parameters[i].verilog != NULL)
+            length += snprintf(script + length, sizeof script - (size_t)length, " -set %s %d",
+                               circuit->parameters[i].verilog, setting->values[i]);
+    (void)snprintf(script + length, sizeof script - (size_t)length,
+                   " %s; hierarchy -top %s; proc -noopt; flatten; write_json %s/netlist.json", top,
+                   top, work);
+    (void)snprintf(command, sizeof command, "yosys -q -p '%s' >%s/yosys.log 2>&1", script, work);
+    return system(command) == 0;
+}
+
+static char *read_text(const char *path)
+{
+    FILE *stream = fopen(path, "rb");
+    char *text = NULL;
+    long size;
+    if (stream == NULL)
+        return NULL;
+    if (fseek(stream, 0, SEEK_END) == 0 && (size = ftell(stream)) >= 0 &&
+        (text = malloc((size_t)size + 1)) != NULL) {
+        rewind(stream);
+        text[fread(text, 1, (size_t)size, stream)] = '\0';
+    }
+    (void)fclose(stream);
+    return text;
+}
+
+/* ---- The netlist ----------------------------------------------------------------------------- */
+
+/* A bit's number; −1: a constant, which is a string. */
+static int bit_of(const cJSON *bit)
+{
+    return cJSON_IsNumber(bit) ? bit->valueint : -1;
+}
+
+static void count_bits(netlist *circuit, const cJSON *bits)
+{
+    const cJSON *bit;
+    cJSON_ArrayForEach(bit, bits) if (bit_of(bit) >= circuit->bit_count) circuit->bit_count =
+        bit_of(bit) + 1;
+}
+
+static void read_cell(netlist *circuit, const cJSON *description)
+{
+    const cJSON *directions = cJSON_GetObjectItem(description, "port_directions");
+    const cJSON *connections = cJSON_GetObjectItem(description, "connections");
+    const cJSON *port, *bit;
+    cell *made = &circuit->cells[circuit->cell_count];
+    int inputs = 0;
+    cJSON_ArrayForEach(port, connections) inputs += cJSON_GetArraySize(port);
+    made->input = calloc((size_t)inputs + 1, sizeof *made->input);
+    cJSON_ArrayForEach(port, connections)
+    {
+        const cJSON *direction = cJSON_GetObjectItem(directions, port->string);
+        const bool is_output = strcmp(cJSON_GetStringValue(direction), "output") == 0;
+        cJSON_ArrayForEach(bit, port)
+        {
+            if (bit_of(bit) < 0)
+                continue;
+            if (is_output)
+                circuit->driver[bit_of(bit)] = circuit->cell_count;
+            else
+                made->input[made->input_count++] = bit_of(bit);
+        }
+    }
+    circuit->cell_count++;
+}
+
+static void read_module(netlist *circuit, const cJSON *module)
+{
+    const cJSON *cells = cJSON_GetObjectItem(module, "cells"), *wire, *description;
+    circuit->names = cJSON_GetObjectItem(module, "netnames");
+    cJSON_ArrayForEach(wire, circuit->names) count_bits(circuit, cJSON_GetObjectItem(wire, "bits"));
+    circuit->driver = malloc(sizeof *circuit->driver * (size_t)(circuit->bit_count + 1));
+    circuit->cells = calloc((size_t)cJSON_GetArraySize(cells) + 1, sizeof *circuit->cells);
+    for (int i = 0; i < circuit->bit_count; i++)
+        circuit->driver[i] = -1;
+    cJSON_ArrayForEach(description, cells) read_cell(circuit, description);
+}
+
+netlist *netlist_make(const glint_setting *setting, const char *directory, const char *work)
+{
+    char path[PATH];
+    netlist *circuit = calloc(1, sizeof *circuit);
+    (void)snprintf(path, sizeof path, "%s/netlist.json", work);
+    char *text = circuit != NULL && run_yosys(setting, directory, work) ? read_text(path) : NULL;
+    if (text != NULL)
+        circuit->json = cJSON_Parse(text);
+    free(text);
+    const cJSON *module,
+        *modules = circuit != NULL ? cJSON_GetObjectItem(circuit->json, "modules") : NULL;
+    cJSON_ArrayForEach(module, modules)
+    {
+        /* The top alone is left, under a name of Yosys's where it has parameters; the modules
+         * that it was flattened from have no attribute `top`. */
+        if (cJSON_GetObjectItem(cJSON_GetObjectItem(module, "attributes"), "top") == NULL)
+            continue;
+        read_module(circuit, module);
+        return circuit;
+    }
+    fprintf(stderr, "Yosys gives no netlist: see %s/yosys.log\n", work);
+    netlist_destroy(circuit);
+    return NULL;
+}
+
+void netlist_destroy(netlist *circuit)
+{
+    if (circuit == NULL)
+        return;
+    for (int i = 0; i < circuit->cell_count; i++)
+        free(circuit->cells[i].input);
+    free(circuit->cells);
+    free(circuit->driver);
+    cJSON_Delete(circuit->json);
+    free(circuit);
+}
+
+/* ---- Questions ------------------------------------------------------------------------------- */
+
+static const cJSON *bits_of(const netlist *circuit, const char *name)
+{
+    return cJSON_GetObjectItem(cJSON_GetObjectItemCaseSensitive(circuit->names, name), "bits");
+}
+
+bool netlist_has(const netlist *circuit, const char *name)
+{
+    return bits_of(circuit, name) != NULL;
+}
+
+bool netlist_is_constant(const netlist *circuit, const char *name)
+{
+    const cJSON *bit;
+    cJSON_ArrayForEach(bit, bits_of(circuit, name)) if (bit_of(bit) >= 0) return false;
+    return true;
+}
+
+typedef struct search {
+    const netlist *circuit;
+    char (*names)[NETLIST_NAME];
+    int count;
+    const bool *expected;
+    bool *reached;
+    bool (*owned)[NETLIST_NAMES_MAX]; /* by bit and name */
+    bool *seen;
+    int *waiting, waiting_count;
+} search;
+
+/* Whether the bit belongs to a name: those expected, else all the others that it has. */
+static bool stops_at(const search *s, int bit, bool is_start)
+{
+    bool is_expected = false, is_owned = false;
+    for (int i = 0; i < s->count; i++) {
+        if (!s->owned[bit][i])
+            continue;
+        is_owned = true;
+        if (s->expected[i])
+            s->reached[i] = is_expected = true;
+    }
+    if (is_expected || !is_owned || is_start)
+        return is_expected;
+    for (int i = 0; i < s->count; i++)
+        s->reached[i] |= s->owned[bit][i];
+    return true;
+}
+
+static void visit(search *s, int bit, bool is_start)
+{
+    if (s->seen[bit])
+        return;
+    s->seen[bit] = true;
+    if (!stops_at(s, bit, is_start))
+        s->waiting[s->waiting_count++] = bit;
+}
+
+static void own(const search *s)
+{
+    const cJSON *bit;
+    for (int i = 0; i < s->count; i++)
+        cJSON_ArrayForEach(bit, bits_of(s->circuit, s->names[i])) if (bit_of(bit) >= 0)
+            s->owned[bit_of(bit)][i] = true;
+}
+
+void netlist_sources(const netlist *circuit, const char *wire, char (*names)[NETLIST_NAME],
+                     int count, const bool *expected, bool *reached)
+{
+    const size_t bits = (size_t)circuit->bit_count + 1;
+    search s = {.circuit = circuit,
+                .names = names,
+                .count = count,
+                .expected = expected,
+                .reached = reached,
+                .owned = calloc(bits, sizeof *s.owned),
+                .seen = calloc(bits, sizeof *s.seen),
+                .waiting = calloc(bits, sizeof *s.waiting)};
+    const cJSON *bit;
+    memset(reached, 0, sizeof *reached * (size_t)count);
+    own(&s);
+    cJSON_ArrayForEach(bit, bits_of(circuit, wire)) if (bit_of(bit) >= 0)
+        visit(&s, bit_of(bit), true);
+    while (s.waiting_count > 0) {
+        const int driver = circuit->driver[s.waiting[--s.waiting_count]];
+        for (int i = 0; driver >= 0 && i < circuit->cells[driver].input_count; i++)
+            visit(&s, circuit->cells[driver].input[i], false);
+    }
+    free(s.owned);
+    free(s.seen);
+    free(s.waiting);
+}
