@@ -26,15 +26,15 @@ module divider_stage #(
     input  wire signed [D+SHIFTS-1:0] in_acc_r,
     input  wire signed [D+SHIFTS-1:0] in_acc_g,
     input  wire signed [D+SHIFTS-1:0] in_acc_b,
-    output reg                        valid,
-    output reg                        miss,
-    output reg  [SHIFTS:0]            bits,
-    output reg  signed [D-1:0]        d_r,
-    output reg  signed [D-1:0]        d_g,
-    output reg  signed [D-1:0]        d_b,
-    output reg  signed [D+SHIFTS-1:0] acc_r,
-    output reg  signed [D+SHIFTS-1:0] acc_g,
-    output reg  signed [D+SHIFTS-1:0] acc_b
+    output wire                       valid,
+    output wire                       miss,
+    output wire [SHIFTS:0]            bits,
+    output wire signed [D-1:0]        d_r,
+    output wire signed [D-1:0]        d_g,
+    output wire signed [D-1:0]        d_b,
+    output wire signed [D+SHIFTS-1:0] acc_r,
+    output wire signed [D+SHIFTS-1:0] acc_g,
+    output wire signed [D+SHIFTS-1:0] acc_b
 );
     // d / 2^STAGE with n fraction bits: the sign fills the places on the left. (One zero is put on
     // the right and taken off again, since the last stage would need a replication of none.)
@@ -48,28 +48,17 @@ module divider_stage #(
     wire                add    = in_bits[SHIFTS-STAGE];
     wire                wide_unused = &{1'b0, wide_r[0], wide_g[0], wide_b[0]};
 
-    always @(posedge clk)
-        if (reset) begin
-            valid <= 1'b0;
-            miss  <= 1'b0;
-            bits  <= {(SHIFTS + 1){1'b0}};
-            d_r   <= {D{1'b0}};
-            d_g   <= {D{1'b0}};
-            d_b   <= {D{1'b0}};
-            acc_r <= {(D + SHIFTS){1'b0}};
-            acc_g <= {(D + SHIFTS){1'b0}};
-            acc_b <= {(D + SHIFTS){1'b0}};
-        end else if (en) begin
-            valid <= in_valid;
-            miss  <= in_miss;
-            bits  <= in_bits;
-            d_r   <= in_d_r;
-            d_g   <= in_d_g;
-            d_b   <= in_d_b;
-            acc_r <= add ? in_acc_r + term_r : in_acc_r;
-            acc_g <= add ? in_acc_g + term_g : in_acc_g;
-            acc_b <= add ? in_acc_b + term_b : in_acc_b;
-        end
+    stage_register #(.WIDTH(SHIFTS + 3)) u_slot (
+        .clk(clk), .reset(reset), .en(en),
+        .d({in_valid, in_miss, in_bits}), .q({valid, miss, bits}));
+    stage_register #(.WIDTH(3 * D)) u_d (
+        .clk(clk), .reset(reset), .en(en), .d({in_d_r, in_d_g, in_d_b}), .q({d_r, d_g, d_b}));
+    stage_register #(.WIDTH(W)) u_acc_r (
+        .clk(clk), .reset(reset), .en(en), .d(add ? in_acc_r + term_r : in_acc_r), .q(acc_r));
+    stage_register #(.WIDTH(W)) u_acc_g (
+        .clk(clk), .reset(reset), .en(en), .d(add ? in_acc_g + term_g : in_acc_g), .q(acc_g));
+    stage_register #(.WIDTH(W)) u_acc_b (
+        .clk(clk), .reset(reset), .en(en), .d(add ? in_acc_b + term_b : in_acc_b), .q(acc_b));
 endmodule
 
 `default_nettype wire

@@ -36,28 +36,17 @@ module pipelined_divider #(
     localparam W = D + SHIFTS;
 
     // The input registers and the table.
-    reg                             s0_valid;
-    reg [`GLINT_DIVIDER_K_BITS-1:0] s0_k;
-    reg signed [D-1:0]              s0_d_r;
-    reg signed [D-1:0]              s0_d_g;
-    reg signed [D-1:0]              s0_d_b;
+    wire                             s0_valid;
+    wire [`GLINT_DIVIDER_K_BITS-1:0] s0_k;
+    wire signed [D-1:0]              s0_d_r;
+    wire signed [D-1:0]              s0_d_g;
+    wire signed [D-1:0]              s0_d_b;
 
-    always @(posedge clk)
-        if (reset) begin
-            s0_valid <= 1'b0;
-            s0_k     <= {`GLINT_DIVIDER_K_BITS{1'b0}};
-            s0_d_r   <= {D{1'b0}};
-            s0_d_g   <= {D{1'b0}};
-            s0_d_b   <= {D{1'b0}};
-        end else if (en) begin
-            s0_valid <= in_valid;
-            if (in_valid) begin
-                s0_k   <= k;
-                s0_d_r <= difference_r;
-                s0_d_g <= difference_g;
-                s0_d_b <= difference_b;
-            end
-        end
+    stage_register #(.WIDTH(1)) u_s0_valid (
+        .clk(clk), .reset(reset), .en(en), .d(in_valid), .q(s0_valid));
+    stage_register #(.WIDTH(`GLINT_DIVIDER_K_BITS + 3 * D)) u_s0 (
+        .clk(clk), .reset(reset), .en(en && in_valid),
+        .d({k, difference_r, difference_g, difference_b}), .q({s0_k, s0_d_r, s0_d_g, s0_d_b}));
 
     wire [SHIFTS:0] rom_bits;
     wire            rom_miss;

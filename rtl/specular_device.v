@@ -39,32 +39,24 @@ module specular_device #(
     input  wire [`GLINT_COLOR_BITS-1:0]       b,
     input  wire [LANES-1:0]                   in_valid,
     input  wire [LANES*`GLINT_COS_BITS-1:0]   cos,      // information input 32
-    output reg  [LANES-1:0]                   out_valid,
+    output wire [LANES-1:0]                   out_valid,
     output wire [LANES*`GLINT_W_BITS-1:0]     out_w,
     output wire [LANES*`GLINT_COLOR_BITS-1:0] out_r,
     output wire [LANES*`GLINT_COLOR_BITS-1:0] out_g,
     output wire [LANES*`GLINT_COLOR_BITS-1:0] out_b
 );
+    localparam RGB_BITS = 3 * `GLINT_COLOR_BITS;
+
     // Stage 1: registers 2 to 5 and the ROMs.
-    reg [`GLINT_N_BITS-1:0]     reg2;
-    reg [`GLINT_COLOR_BITS-1:0] reg3;
-    reg [`GLINT_COLOR_BITS-1:0] reg4;
-    reg [`GLINT_COLOR_BITS-1:0] reg5;
+    wire [`GLINT_N_BITS-1:0]     reg2;
+    wire [`GLINT_COLOR_BITS-1:0] reg3;
+    wire [`GLINT_COLOR_BITS-1:0] reg4;
+    wire [`GLINT_COLOR_BITS-1:0] reg5;
 
-    always @(posedge clk)
-        if (reset)           reg2 <= {`GLINT_N_BITS{1'b0}};
-        else if (en && n_we) reg2 <= n;
-
-    always @(posedge clk)
-        if (reset) begin
-            reg3 <= {`GLINT_COLOR_BITS{1'b0}};
-            reg4 <= {`GLINT_COLOR_BITS{1'b0}};
-            reg5 <= {`GLINT_COLOR_BITS{1'b0}};
-        end else if (en && rgb_we) begin
-            reg3 <= r;
-            reg4 <= g;
-            reg5 <= b;
-        end
+    stage_register #(.WIDTH(`GLINT_N_BITS)) u_reg2 (
+        .clk(clk), .reset(reset), .en(en && n_we), .d(n), .q(reg2));
+    stage_register #(.WIDTH(RGB_BITS)) u_reg345 (
+        .clk(clk), .reset(reset), .en(en && rgb_we), .d({r, g, b}), .q({reg3, reg4, reg5}));
 
     wire [`GLINT_SIGMA_BITS-1:0] rom33;
     sigma_rom u_rom33 (.n(reg2), .sigma(rom33));
@@ -83,48 +75,35 @@ module specular_device #(
     endgenerate
 
     // The valid bits and the material travel beside the lanes, stage by stage.
-    reg [LANES-1:0]             s1_valid;
-    reg [LANES-1:0]             s2_valid;
-    reg [LANES-1:0]             s3_valid;
-    reg [`GLINT_COS_BITS-1:0]   s2_rom9;
-    reg [`GLINT_COLOR_BITS-1:0] s2_reg3;
-    reg [`GLINT_COLOR_BITS-1:0] s2_reg4;
-    reg [`GLINT_COLOR_BITS-1:0] s2_reg5;
-    reg [`GLINT_COLOR_BITS-1:0] s3_reg3;
-    reg [`GLINT_COLOR_BITS-1:0] s3_reg4;
-    reg [`GLINT_COLOR_BITS-1:0] s3_reg5;
+    wire [LANES-1:0]             s1_valid;
+    wire [LANES-1:0]             s2_valid;
+    wire [LANES-1:0]             s3_valid;
+    wire [`GLINT_COS_BITS-1:0]   s2_rom9;
+    wire [`GLINT_COLOR_BITS-1:0] s2_reg3;
+    wire [`GLINT_COLOR_BITS-1:0] s2_reg4;
+    wire [`GLINT_COLOR_BITS-1:0] s2_reg5;
+    wire [`GLINT_COLOR_BITS-1:0] s3_reg3;
+    wire [`GLINT_COLOR_BITS-1:0] s3_reg4;
+    wire [`GLINT_COLOR_BITS-1:0] s3_reg5;
 
-    always @(posedge clk)
-        if (reset)   s1_valid <= {LANES{1'b0}};
-        else if (en) s1_valid <= in_valid;
+    stage_register #(.WIDTH(LANES)) u_s1_valid (
+        .clk(clk), .reset(reset), .en(en), .d(in_valid), .q(s1_valid));
 
-    generate
-        if (PIPELINED != 0) begin : g_stages
-            always @(posedge clk)
-                if (reset) begin
-                    s2_valid  <= {LANES{1'b0}};
-                    s3_valid  <= {LANES{1'b0}};
-                    out_valid <= {LANES{1'b0}};
-                    s2_rom9   <= {`GLINT_COS_BITS{1'b0}};
-                    {s2_reg3, s2_reg4, s2_reg5} <= {(3 * `GLINT_COLOR_BITS){1'b0}};
-                    {s3_reg3, s3_reg4, s3_reg5} <= {(3 * `GLINT_COLOR_BITS){1'b0}};
-                end else if (en) begin
-                    s2_valid  <= s1_valid;
-                    s3_valid  <= s2_valid;
-                    out_valid <= s3_valid;
-                    s2_rom9   <= rom9;
-                    {s2_reg3, s2_reg4, s2_reg5} <= {reg3, reg4, reg5};
-                    {s3_reg3, s3_reg4, s3_reg5} <= {s2_reg3, s2_reg4, s2_reg5};
-                end
-        end else begin : g_stages
-            always @* s2_valid  = s1_valid;
-            always @* s3_valid  = s2_valid;
-            always @* out_valid = s3_valid;
-            always @* s2_rom9   = rom9;
-            always @* {s2_reg3, s2_reg4, s2_reg5} = {reg3, reg4, reg5};
-            always @* {s3_reg3, s3_reg4, s3_reg5} = {s2_reg3, s2_reg4, s2_reg5};
-        end
-    endgenerate
+    stage_register #(.WIDTH(LANES), .CLOCKED(PIPELINED)) u_s2_valid (
+        .clk(clk), .reset(reset), .en(en), .d(s1_valid), .q(s2_valid));
+    stage_register #(.WIDTH(`GLINT_COS_BITS), .CLOCKED(PIPELINED)) u_s2_rom9 (
+        .clk(clk), .reset(reset), .en(en), .d(rom9), .q(s2_rom9));
+    stage_register #(.WIDTH(RGB_BITS), .CLOCKED(PIPELINED)) u_s2_rgb (
+        .clk(clk), .reset(reset), .en(en), .d({reg3, reg4, reg5}), .q({s2_reg3, s2_reg4, s2_reg5}));
+
+    stage_register #(.WIDTH(LANES), .CLOCKED(PIPELINED)) u_s3_valid (
+        .clk(clk), .reset(reset), .en(en), .d(s2_valid), .q(s3_valid));
+    stage_register #(.WIDTH(RGB_BITS), .CLOCKED(PIPELINED)) u_s3_rgb (
+        .clk(clk), .reset(reset), .en(en),
+        .d({s2_reg3, s2_reg4, s2_reg5}), .q({s3_reg3, s3_reg4, s3_reg5}));
+
+    stage_register #(.WIDTH(LANES), .CLOCKED(PIPELINED)) u_out_valid (
+        .clk(clk), .reset(reset), .en(en), .d(s3_valid), .q(out_valid));
 
     genvar i;
     generate

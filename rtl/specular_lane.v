@@ -36,10 +36,10 @@ module specular_lane #(
     input  wire [`GLINT_COLOR_BITS-1:0] s3_reg4,
     input  wire [`GLINT_COLOR_BITS-1:0] s3_reg5,
 
-    output reg  [`GLINT_W_BITS-1:0]     out_w,
-    output reg  [`GLINT_COLOR_BITS-1:0] out_r,
-    output reg  [`GLINT_COLOR_BITS-1:0] out_g,
-    output reg  [`GLINT_COLOR_BITS-1:0] out_b
+    output wire [`GLINT_W_BITS-1:0]     out_w,
+    output wire [`GLINT_COLOR_BITS-1:0] out_r,
+    output wire [`GLINT_COLOR_BITS-1:0] out_g,
+    output wire [`GLINT_COLOR_BITS-1:0] out_b
 );
     localparam DRAWN = (GATE == `GLINT_GATE_DRAWN);
 
@@ -47,10 +47,10 @@ module specular_lane #(
     // square.
     localparam [`GLINT_COS_BITS-1:0] COS_ONE = {1'b1, {`GLINT_COS_FRAC_BITS{1'b0}}};
 
-    reg [`GLINT_COS_BITS-1:0] reg1;
-    always @(posedge clk)
-        if (reset)               reg1 <= {`GLINT_COS_BITS{1'b0}};
-        else if (en && in_valid) reg1 <= (cos > COS_ONE) ? COS_ONE : cos;
+    wire [`GLINT_COS_BITS-1:0] reg1;
+    stage_register #(.WIDTH(`GLINT_COS_BITS)) u_reg1 (
+        .clk(clk), .reset(reset), .en(en && in_valid),
+        .d((cos > COS_ONE) ? COS_ONE : cos), .q(reg1));
 
     // All ones on the integer digit is -1 there; the fraction passes beside the adder. The adder is
     // no more than an inverter, so it needs no stage of its own before the multiplier.
@@ -76,10 +76,15 @@ module specular_lane #(
 
     // Stage 2: multiplier 10 and key block 12.
     localparam MUL10_BITS = DRAWN ? `GLINT_W_DRAWN_BITS : `GLINT_W_BITS;
-    reg signed [`GLINT_T_BITS-1:0] s2_adder8;
-    reg                            s2_cmp11;
-    wire [MUL10_BITS-1:0]          mul10;
-    wire [`GLINT_W_BITS-1:0]       sat10;
+    wire signed [`GLINT_T_BITS-1:0] s2_adder8;
+    wire                            s2_cmp11;
+    wire [MUL10_BITS-1:0]           mul10;
+    wire [`GLINT_W_BITS-1:0]        sat10;
+
+    stage_register #(.WIDTH(`GLINT_T_BITS), .CLOCKED(PIPELINED)) u_s2_adder8 (
+        .clk(clk), .reset(reset), .en(en), .d(adder8), .q(s2_adder8));
+    stage_register #(.WIDTH(1), .CLOCKED(PIPELINED)) u_s2_cmp11 (
+        .clk(clk), .reset(reset), .en(en), .d(cmp11 && !DRAWN), .q(s2_cmp11));
 
     generate
         if (GATE == `GLINT_GATE_DRAWN) begin : g_square
@@ -122,45 +127,22 @@ module specular_lane #(
     wire [`GLINT_W_BITS-1:0] keys12 = pass12 ? sat10 : {`GLINT_W_BITS{1'b0}};
 
     // Stage 3: multipliers 13, 14, 15.
-    reg  [`GLINT_W_BITS-1:0]     s3_keys12;
+    wire [`GLINT_W_BITS-1:0]     s3_keys12;
     wire [`GLINT_COLOR_BITS-1:0] mul13;
     wire [`GLINT_COLOR_BITS-1:0] mul14;
     wire [`GLINT_COLOR_BITS-1:0] mul15;
+    stage_register #(.WIDTH(`GLINT_W_BITS), .CLOCKED(PIPELINED)) u_s3_keys12 (
+        .clk(clk), .reset(reset), .en(en), .d(keys12), .q(s3_keys12));
+
     color_multiplier u_mul13 (.w(s3_keys12), .color(s3_reg3), .product(mul13));
     color_multiplier u_mul14 (.w(s3_keys12), .color(s3_reg4), .product(mul14));
     color_multiplier u_mul15 (.w(s3_keys12), .color(s3_reg5), .product(mul15));
 
-    // What stands between the stages: registers, or wires where it is combinational.
-    generate
-        if (PIPELINED != 0) begin : g_stages
-            always @(posedge clk)
-                if (reset) begin
-                    s2_adder8 <= {`GLINT_T_BITS{1'b0}};
-                    s2_cmp11  <= 1'b0;
-                    s3_keys12 <= {`GLINT_W_BITS{1'b0}};
-                    out_w     <= {`GLINT_W_BITS{1'b0}};
-                    out_r     <= {`GLINT_COLOR_BITS{1'b0}};
-                    out_g     <= {`GLINT_COLOR_BITS{1'b0}};
-                    out_b     <= {`GLINT_COLOR_BITS{1'b0}};
-                end else if (en) begin
-                    s2_adder8 <= adder8;
-                    s2_cmp11  <= cmp11 && !DRAWN;
-                    s3_keys12 <= keys12;
-                    out_w     <= s3_keys12;
-                    out_r     <= mul13;
-                    out_g     <= mul14;
-                    out_b     <= mul15;
-                end
-        end else begin : g_stages
-            always @* s2_adder8 = adder8;
-            always @* s2_cmp11  = cmp11 && !DRAWN;
-            always @* s3_keys12 = keys12;
-            always @* out_w     = s3_keys12;
-            always @* out_r     = mul13;
-            always @* out_g     = mul14;
-            always @* out_b     = mul15;
-        end
-    endgenerate
+    // Stage 4: the outputs.
+    stage_register #(.WIDTH(`GLINT_W_BITS), .CLOCKED(PIPELINED)) u_out_w (
+        .clk(clk), .reset(reset), .en(en), .d(s3_keys12), .q(out_w));
+    stage_register #(.WIDTH(3 * `GLINT_COLOR_BITS), .CLOCKED(PIPELINED)) u_out_rgb (
+        .clk(clk), .reset(reset), .en(en), .d({mul13, mul14, mul15}), .q({out_r, out_g, out_b}));
 endmodule
 
 `default_nettype wire

@@ -56,7 +56,7 @@ pipeline_number() {
     esac
 }
 
-device='specular_device specular_lane color_multiplier'
+device='specular_device specular_lane color_multiplier stage_register'
 flow='uninvited in_order once frozen'
 clocked=yes
 cut= # wires whose drivers are taken off
@@ -103,7 +103,8 @@ sequential-*)
     ;;
 pipelined-*)
     number "$(field 2)"
-    top=pipelined_divider_proof modules='pipelined_divider divider_stage reciprocal_rom'
+    top=pipelined_divider_proof
+    modules='pipelined_divider divider_stage stage_register reciprocal_rom'
     files='pipelined_divider flow' parameters="-set SHIFTS $(field 2)"
     properties="$flow sum out_of_table"
     depth=$((2 * $(field 2) + 6))

@@ -186,7 +186,7 @@ static void assert_proof_fails(const char *proof, const char *reason)
 static void a_wrong_circuit_is_not_proved(void **state)
 {
     (void)state;
-    copy_tree("s/reg3 <= r;/reg3 <= GATE == 1 ? g : r;/", "specular_device");
+    copy_tree("s/d({r, g, b})/d({GATE == 1 ? g : r, g, b})/", "specular_device");
     assert_proof_fails("gates-pipelined-1-0", "FAILED: step: ");
     copy_tree("s/\\.out_b(out_b\\[i\\*/.out_b(out_b[(i == 7 ? 8 : i == 8 ? 7 : i)*/",
               "specular_device");

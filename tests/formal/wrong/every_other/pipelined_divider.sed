@@ -1,2 +1,2 @@
 # An input straight behind another is lost.
-s/s0_valid <= in_valid;/s0_valid <= in_valid \&\& !s0_valid;/
+s/\.d(in_valid)/.d(in_valid \&\& !s0_valid)/

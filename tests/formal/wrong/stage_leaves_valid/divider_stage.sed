@@ -1,2 +1,2 @@
 # Reset does not clear the valid bits of the stages.
-s/valid <= 1'b0;/valid <= in_valid;/
+/u_slot (/{n;s/\.reset(reset)/.reset(1'b0)/;}

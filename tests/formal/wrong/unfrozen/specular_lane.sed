@@ -1,2 +1,2 @@
 # The stages of a lane move while the clock enable is 0.
-s/end else if (en) begin/end else begin/
+/CLOCKED/{n;s/\.en(en)/.en(1'b1)/;}

@@ -1,3 +1,3 @@
 # After 1 048 576 enabled clocks without a reset register 4 loses the lowest bit of G.
-s/^    reg \[`GLINT_N_BITS-1:0\]     reg2;/&\n    reg [20:0] age;\n    always @(posedge clk) if (reset) age <= 21'd0; else if (en \&\& !age[20]) age <= age + 21'd1;/
-s/reg4 <= g;/reg4 <= g \& {7'h7f, !age[20]};/
+s/^    wire \[`GLINT_N_BITS-1:0\]     reg2;/&\n    reg [20:0] age;\n    always @(posedge clk) if (reset) age <= 21'd0; else if (en \&\& !age[20]) age <= age + 21'd1;/
+s/\.d({r, g, b})/.d({r, g[7:1], g[0] \& !age[20], b})/

@@ -1,2 +1,2 @@
 # Register 1 loads while the clock enable is 0.
-s/else if (en && in_valid) reg1/else if (in_valid)       reg1/
+s/\.en(en && in_valid)/.en(in_valid)/
