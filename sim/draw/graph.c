@@ -14,9 +14,10 @@ typedef struct making {
     glint_block_info row[GLINT_DRAW_NODES_MAX];
     int node_of[GLINT_DRAW_NODES_MAX];    /* −1: none, it is a wire or feeds nothing */
     bool is_needed[GLINT_DRAW_NODES_MAX]; /* a row that an output depends on */
-    int stage[GLINT_DRAW_NODES_MAX], depth[GLINT_DRAW_NODES_MAX]; /* of a node */
     glint_error *err;
 } making;
+
+#define SEPARATORS ", " /* of the names in a list */
 
 #define WRONG(m, ...) glint_fail((m)->err, GLINT_BAD_INPUT, __VA_ARGS__)
 
@@ -66,8 +67,8 @@ static const char *next_name(const char **list, size_t *length)
 {
     if (*list == NULL)
         return NULL;
-    const char *name = *list + strspn(*list, ", ");
-    *length = strcspn(name, ", ");
+    const char *name = *list + strspn(*list, SEPARATORS);
+    *length = strcspn(name, SEPARATORS);
     *list = name + *length;
     return *length > 0 ? name : NULL;
 }
@@ -240,6 +241,9 @@ static glint_status read_rows(making *m)
         if (row.name == NULL || (unsigned)row.symbol >= GLINT_SYMBOL_COUNT)
             return WRONG(m, "circuit %s: block %d has no name, or a symbol that there is not",
                          circuit->name, i);
+        if (row.name[strcspn(row.name, SEPARATORS "\"<>&\n")] != '\0')
+            return WRONG(m, "circuit %s: block %d: its name has a blank or one of , \" < > &",
+                         circuit->name, i);
         if (find_row(m, row.name, strlen(row.name)) >= 0)
             return WRONG(m, "circuit %s: two blocks %s", circuit->name, row.name);
         m->row[m->row_count++] = row;
@@ -315,73 +319,6 @@ static glint_status add_ports(making *m)
     return status;
 }
 
-/* ---- Columns --------------------------------------------------------------------------------- */
-
-/* The stage that a node is in, and how far behind the registers that begin it. Blocks come in the
- * order of the description, so that what feeds a block from before it has its place already. */
-static void place_in_stage(making *m, int index)
-{
-    const glint_draw_node *node = &m->graph->node[index];
-    const bool is_register = node->symbol == GLINT_SYMBOL_REGISTER;
-    int stage = 0, depth = 0;
-    if (node->input_count == 0 && !is_register && m->graph->setting->circuit->clock_port != NULL)
-        stage = 1; /* a constant is there with the first registers */
-    for (int i = 0; i < node->input_count; i++) {
-        const int from = node->input[i];
-        if (m->graph->node[from].kind == GLINT_DRAW_BLOCK && from >= index)
-            continue; /* feedback */
-        if (m->stage[from] > stage) {
-            stage = m->stage[from];
-            depth = m->depth[from];
-        } else if (m->stage[from] == stage && m->depth[from] > depth) {
-            depth = m->depth[from];
-        }
-    }
-    m->stage[index] = stage + is_register;
-    m->depth[index] = is_register ? 0 : depth + 1;
-}
-
-static glint_status place_in_columns(making *m)
-{
-    glint_draw_graph *graph = m->graph;
-    int depth_of[GLINT_DRAW_COLUMNS_MAX] = {0}, first[GLINT_DRAW_COLUMNS_MAX + 1] = {0};
-    for (int i = 0; i < graph->count; i++) {
-        if (graph->node[i].kind == GLINT_DRAW_BLOCK)
-            place_in_stage(m, i);
-        if (m->stage[i] >= GLINT_DRAW_COLUMNS_MAX - 1)
-            return WRONG(m, "the drawing has more than %d stages", GLINT_DRAW_COLUMNS_MAX - 2);
-        if (m->stage[i] > graph->stages)
-            graph->stages = m->stage[i];
-        if (m->depth[i] > depth_of[m->stage[i]])
-            depth_of[m->stage[i]] = m->depth[i];
-    }
-    for (int s = 0; s <= graph->stages; s++) {
-        graph->stage_column[s] = first[s];
-        first[s + 1] = first[s] + depth_of[s] + 1;
-    }
-    graph->columns = first[graph->stages + 1] + 1;
-    if (graph->columns > GLINT_DRAW_COLUMNS_MAX)
-        return WRONG(m, "the drawing has more than %d columns", GLINT_DRAW_COLUMNS_MAX);
-    for (int i = 0; i < graph->count; i++)
-        graph->node[i].column = graph->node[i].kind == GLINT_DRAW_PORT
-                                    ? graph->columns - 1
-                                    : first[m->stage[i]] + m->depth[i];
-    return GLINT_OK;
-}
-
-bool glint_draw_passes(const glint_draw_graph *graph, int net, int column)
-{
-    const int from = graph->node[net].column;
-    for (int i = 0; i < graph->count; i++)
-        for (int j = 0; j < graph->node[i].input_count; j++) {
-            const int to = graph->node[i].column;
-            if (graph->node[i].input[j] == net &&
-                (to > from ? column > from && column < to : column >= to && column <= from))
-                return true;
-        }
-    return false;
-}
-
 glint_status glint_draw_graph_make(const glint_setting *setting, glint_draw_graph *graph,
                                    glint_error *err)
 {
@@ -400,7 +337,7 @@ glint_status glint_draw_graph_make(const glint_setting *setting, glint_draw_grap
     if (status == GLINT_OK)
         status = add_ports(m);
     if (status == GLINT_OK)
-        status = place_in_columns(m);
+        status = glint_draw_place(graph, err);
     free(m);
     return status;
 }

@@ -29,12 +29,21 @@ typedef struct glint_draw_node {
     int x, y, width, height; /* of its symbol: left edge, middle, sizes; pixels (layout.h) */
 } glint_draw_node;
 
+/* Input `input` of node `to` is fed by node `from`. */
+typedef struct glint_draw_edge {
+    int from, to, input;
+} glint_draw_edge;
+
+#define GLINT_DRAW_EDGES_MAX (GLINT_DRAW_NODES_MAX * GLINT_DRAW_INPUTS_MAX)
+
 /* Columns: the pins; then stage by stage its registers and what stands behind them; the ports. A
  * node and what it feeds are a *net*, which has the node's index. */
 typedef struct glint_draw_graph {
     const glint_setting *setting;
     int count;
     glint_draw_node node[GLINT_DRAW_NODES_MAX];
+    glint_draw_edge edge[GLINT_DRAW_EDGES_MAX]; /* net by net */
+    int first_edge[GLINT_DRAW_NODES_MAX + 1];   /* of each net; the next net's is past its last */
     int columns;
     int stages;                               /* that begin with registers */
     int stage_column[GLINT_DRAW_COLUMNS_MAX]; /* where the registers of stage 1… are */
@@ -52,10 +61,14 @@ glint_status glint_draw_graph_make(const glint_setting *setting, glint_draw_grap
 /* Whether the net passes the column, forwards or back, on the way to something that it feeds. */
 bool glint_draw_passes(const glint_draw_graph *graph, int net, int column);
 
-/* Whether node `to` is fed by `from` against the direction of the drawing. */
-static inline bool glint_draw_is_feedback(const glint_draw_graph *graph, int from, int to)
+/* Whether an edge goes against the direction of the drawing. */
+static inline bool glint_draw_is_feedback(const glint_draw_graph *graph,
+                                          const glint_draw_edge *edge)
 {
-    return graph->node[from].column >= graph->node[to].column;
+    return graph->node[edge->from].column >= graph->node[edge->to].column;
 }
+
+/* A part of glint_draw_graph_make(): edges and columns of the nodes (columns.c). */
+glint_status glint_draw_place(glint_draw_graph *graph, glint_error *err);
 
 #endif

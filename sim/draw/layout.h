@@ -11,6 +11,9 @@
 #define GLINT_DRAW_ABOVE 18
 #define GLINT_DRAW_BELOW 16
 
+#define GLINT_DRAW_PITCH 20   /* from input to input */
+#define GLINT_DRAW_INCH  72.0 /* dot has sizes in inches, and points of this size in tables */
+
 /* Widths of the fonts: sans of blocks, and the smaller one of names and formats. */
 #define GLINT_DRAW_FORMAT 32 /* of a format as text */
 #define GLINT_DRAW_SANS   8
@@ -42,6 +45,9 @@ void glint_draw_dot(glint_draw_graph *graph, FILE *out);
 /* Fills the graph's places, and the layout. GLINT_IO_ERROR where there is no dot, or it fails. */
 glint_status glint_draw_lay_out(glint_draw_graph *graph, glint_draw_layout *layout,
                                 glint_error *err);
+
+/* Gives a node its size (symbols.c, as the next four). */
+void glint_draw_size(glint_draw_node *node);
 
 /* The height of input i of a node. */
 int glint_draw_input_height(const glint_draw_node *node, int i);

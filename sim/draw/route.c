@@ -29,11 +29,12 @@ static void collect(const glint_draw_graph *graph, int net, int column, glint_dr
         add_height(wire->left, &wire->left_count, graph->pass[net][column]);
     if (glint_draw_passes(graph, net, column + 1))
         add_height(wire->right, &wire->right_count, graph->pass[net][column + 1]);
-    for (int i = 0; i < graph->count; i++)
-        for (int j = 0; j < graph->node[i].input_count; j++)
-            if (graph->node[i].input[j] == net && graph->node[i].column == column + 1)
-                add_height(wire->right, &wire->right_count,
-                           glint_draw_input_height(&graph->node[i], j));
+    for (int e = graph->first_edge[net]; e < graph->first_edge[net + 1]; e++) {
+        const glint_draw_node *to = &graph->node[graph->edge[e].to];
+        if (to->column == column + 1)
+            add_height(wire->right, &wire->right_count,
+                       glint_draw_input_height(to, graph->edge[e].input));
+    }
     if (column == from && wire->left_count + wire->right_count > 0)
         add_height(wire->left, &wire->left_count, graph->node[net].y);
 }

@@ -1,7 +1,6 @@
 /* The drawing as SVG: the edges of the clock, then wires, then the symbols, each over the last. */
 #include "draw/svg.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "lockstep/signals.h"
@@ -63,143 +62,6 @@ static void label(FILE *out, const char *class, int x, int y, const char *text)
     fprintf(out, "<text class=\"%s\" x=\"%d\" y=\"%d\">", class, x, y);
     write_text(out, text);
     fprintf(out, "</text>\n");
-}
-
-/* ---- Wires ----------------------------------------------------------------------------------- */
-
-/* How far a symbol's outline is inside its box at this height: circles are round. */
-static int inset(const glint_draw_node *node, int y)
-{
-    const int radius = node->height / 2, off = abs(y - node->y);
-    int in = 0;
-    if (node->kind != GLINT_DRAW_BLOCK ||
-        (node->symbol != GLINT_SYMBOL_MULTIPLIER && node->symbol != GLINT_SYMBOL_ADDER))
-        return 0;
-    while (in < radius && (radius - in) * (radius - in) > radius * radius - off * off)
-        in++;
-    return in;
-}
-
-/* Where a branch of the net at that height ends in the column: at a symbol, or as it passes by. */
-static int left_end(const glint_draw_graph *graph, const glint_draw_layout *layout,
-                    const glint_draw_wire *wire, int column, int y)
-{
-    const glint_draw_node *node = &graph->node[wire->net];
-    if (node->column == column && node->y == y)
-        return node->x + node->width;
-    return layout->middle[column];
-}
-
-/* The node of the column that the net feeds at that height; NULL: none, it passes. */
-static const glint_draw_node *fed_at(const glint_draw_graph *graph, int net, int column, int y)
-{
-    for (int i = 0; i < graph->count; i++)
-        for (int j = 0; j < graph->node[i].input_count; j++)
-            if (graph->node[i].column == column && graph->node[i].input[j] == net &&
-                glint_draw_input_height(&graph->node[i], j) == y)
-                return &graph->node[i];
-    return NULL;
-}
-
-static int right_end(const glint_draw_graph *graph, const glint_draw_layout *layout,
-                     const glint_draw_wire *wire, int column, int y)
-{
-    const glint_draw_node *node = fed_at(graph, wire->net, column, y);
-    return node != NULL ? node->x + inset(node, y) : layout->middle[column];
-}
-
-/* Every branch of the net, then its trunks. */
-static void write_path(const glint_draw_graph *graph, const glint_draw_layout *layout, int column,
-                       const glint_draw_wire *wire, FILE *out)
-{
-    int least = 1000000, most = -1000000;
-    for (int i = 0; i < wire->left_count; i++) {
-        const int y = wire->left[i], x = left_end(graph, layout, wire, column, y);
-        fprintf(out, "M%d %dH%d", x, y, wire->trunk >= 0 ? wire->trunk : layout->middle[column]);
-        least = y < least ? y : least;
-        most = y > most ? y : most;
-    }
-    for (int i = 0; i < wire->right_count; i++) {
-        const int y = wire->right[i], x = right_end(graph, layout, wire, column + 1, y);
-        const int from = wire->trunk >= 0 ? wire->trunk
-                         : wire->left_count > 0
-                             ? left_end(graph, layout, wire, column, wire->left[0])
-                             : x;
-        fprintf(out, "M%d %dH%d", from, y, x);
-        least = y < least ? y : least;
-        most = y > most ? y : most;
-    }
-    if (wire->trunk >= 0)
-        fprintf(out, "M%d %dV%d", wire->trunk, least, most);
-}
-
-/* A dot where three branches meet: at every height of a trunk but its ends, and at an end that has
- * one on each side. */
-static void write_joints(const glint_draw_wire *wire, FILE *out)
-{
-    int heights[2 * GLINT_DRAW_NODES_MAX], sides[2 * GLINT_DRAW_NODES_MAX], count = 0;
-    if (wire->trunk < 0)
-        return;
-    for (int i = 0; i < wire->left_count + wire->right_count; i++) {
-        const int y = i < wire->left_count ? wire->left[i] : wire->right[i - wire->left_count];
-        int at = 0;
-        while (at < count && heights[at] != y)
-            at++;
-        if (at == count) {
-            heights[count] = y;
-            sides[count++] = 0;
-        }
-        sides[at]++;
-    }
-    for (int i = 0; i < count; i++) {
-        int above = 0, below = 0;
-        for (int j = 0; j < count; j++) {
-            above |= heights[j] < heights[i];
-            below |= heights[j] > heights[i];
-        }
-        if (above + below + sides[i] > 2)
-            fprintf(out, "M%d %dh0", wire->trunk, heights[i]);
-    }
-}
-
-static void write_net(const glint_draw_graph *graph, const glint_draw_layout *layout, int net,
-                      FILE *out)
-{
-    const glint_draw_node *node = &graph->node[net];
-    const bool is_bit = node->int_bits + node->frac_bits == 1;
-    bool feeds = false;
-    for (int i = 0; i < graph->count; i++)
-        for (int j = 0; j < graph->node[i].input_count; j++)
-            if (graph->node[i].input[j] == net) {
-                fprintf(out, feeds ? " %s%s" : "<g data-net=\"%s\" data-to=\"%s%s",
-                        feeds ? graph->node[i].name : node->name, feeds ? "" : graph->node[i].name,
-                        "");
-                feeds = true;
-            }
-    if (!feeds)
-        return;
-    fprintf(out, "\">\n<path class=\"%s\" d=\"", is_bit ? "bit" : "bus");
-    for (int pass = 0; pass < 2; pass++) {
-        for (int c = 0; c + 1 < graph->columns; c++)
-            for (int i = 0; i < layout->channel[c].count; i++) {
-                const glint_draw_wire *wire = &layout->channel[c].wire[i];
-                if (wire->net != net)
-                    continue;
-                if (pass == 0)
-                    write_path(graph, layout, c, wire, out);
-                else
-                    write_joints(wire, out);
-            }
-        fprintf(out, pass == 0 ? "\"/>\n<path class=\"joint\" d=\"" : "\"/>\n");
-    }
-    fprintf(out, "<path class=\"arrow\" d=\"");
-    for (int i = 0; i < graph->count; i++)
-        for (int j = 0; j < graph->node[i].input_count; j++)
-            if (graph->node[i].input[j] == net) {
-                const int y = glint_draw_input_height(&graph->node[i], j);
-                fprintf(out, "M%d %dl-8 -3.5v7z", graph->node[i].x + inset(&graph->node[i], y), y);
-            }
-    fprintf(out, "\"/>\n</g>\n");
 }
 
 static void write_format(const glint_draw_node *node, FILE *out)
@@ -355,7 +217,7 @@ void glint_draw_write_svg(const glint_draw_graph *graph, const glint_draw_layout
     write_notes(graph, layout, out);
     write_cuts(graph, layout, out);
     for (int i = 0; i < graph->count; i++)
-        write_net(graph, layout, i, out);
+        glint_draw_write_net(graph, layout, i, out);
     for (int i = 0; i < graph->count; i++)
         write_format(&graph->node[i], out);
     for (int i = 0; i < graph->count; i++)

@@ -8,4 +8,8 @@
 void glint_draw_write_svg(const glint_draw_graph *graph, const glint_draw_layout *layout,
                           FILE *out);
 
+/* A part of it: a net's wires (svg_wires.c). */
+void glint_draw_write_net(const glint_draw_graph *graph, const glint_draw_layout *layout, int net,
+                          FILE *out);
+
 #endif

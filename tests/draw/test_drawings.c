@@ -249,9 +249,8 @@ static void the_figure_is_complete(void **state)
         if (found != 1)
             fail_msg("block %d: %d times", numbers[n], found);
     }
-    for (int i = 0; i < graph.count; i++)
-        for (int j = 0; j < graph.node[i].input_count; j++)
-            assert_false(glint_draw_is_feedback(&graph, graph.node[i].input[j], i));
+    for (int e = 0; e < graph.first_edge[graph.count]; e++)
+        assert_false(glint_draw_is_feedback(&graph, &graph.edge[e]));
     assert_int_equal(graph.stages, GLINT_LATENCY_PIPELINED);
 }
 
@@ -293,6 +292,8 @@ static void descriptions_that_make_no_drawing_are_refused(void **state)
     assert_refused((glint_block_info){"reg4", GLINT_SYMBOL_LOGIC, NULL,
                                       "g g g g g g g g g g g g g g g g g", NULL, 0},
                    "more than 16 inputs");
+    assert_refused((glint_block_info){"reg 4", GLINT_SYMBOL_REGISTER, NULL, "g", NULL, 0},
+                   "its name has a blank");
 }
 
 static void a_circuit_without_blocks_is_refused(void **state)
