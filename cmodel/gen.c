@@ -82,23 +82,24 @@ static void write_rom(FILE *out, const rom *rom)
 
 static void write_sigma_rom(FILE *out)
 {
-    char what[256];
+    char what[320];
     (void)snprintf(what, sizeof what,
                    "sigma_rom: ROM 33 of figure 3.1, n -> sigma = (n+1)/3 as U%d.%d, rounded half "
-                   "up;\n// combinational.",
-                   GLINT_SIGMA_INT_BITS, GLINT_SIGMA_FRAC_BITS);
+                   "up;\n// combinational.\n//\n// Example     n = 80: sigma = %u, which is 27",
+                   GLINT_SIGMA_INT_BITS, GLINT_SIGMA_FRAC_BITS, glint_rom33(80));
     write_rom(
         out, &(rom){"sigma_rom", what, "sigma", "GLINT_SIGMA_BITS", GLINT_SIGMA_BITS, glint_rom33});
 }
 
 static void write_limit_rom(FILE *out)
 {
-    char what[256];
+    char what[320];
     (void)snprintf(what, sizeof what,
                    "limit_rom: ROM 9 of figure 3.1 for gate cosine, n -> the smallest cosine, "
                    "U1.%d, for which\n"
-                   "// t, computed from the quantised sigma, is not negative; combinational.",
-                   GLINT_COS_FRAC_BITS);
+                   "// t, computed from the quantised sigma, is not negative; combinational.\n//\n"
+                   "// Example     n = 80: limit = %u, just above (n-2)/(n+1) = 0.96296",
+                   GLINT_COS_FRAC_BITS, cosine_limit(80));
     write_rom(out,
               &(rom){"limit_rom", what, "limit", "GLINT_COS_BITS", GLINT_COS_BITS, cosine_limit});
 }
@@ -118,12 +119,14 @@ static void write_reciprocals(FILE *out, int shifts)
 
 static void write_reciprocal_rom(FILE *out)
 {
-    char what[256];
+    char what[320];
     (void)snprintf(what, sizeof what,
                    "reciprocal_rom: the table of figure 2.13, k -> the bits i0 i1 ... in of 1/k "
                    "(i0 highest),\n// 2^n/k rounded to nearest, n = SHIFTS (%d..%d); miss: k is "
-                   "0 or beyond the table;\n// combinational.",
-                   GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX);
+                   "0 or beyond the table;\n// combinational.\n//\n"
+                   "// Example     SHIFTS = 12, k = 7: bits = %u, as 4096/7 = 585.14; miss = %d",
+                   GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX, glint_divider_bits(12, 7),
+                   !glint_divider_in_table(7));
     write_header(out, what);
     fprintf(out, "`default_nettype none\n`include \"glint_formats.vh\"\n\n"
                  "module reciprocal_rom #(\n"

@@ -4,6 +4,7 @@
 // Formats     w U1.18, at most 1.0;  color, product U8.0
 // Rounding    half up, at the binary point of the product
 // Latency     combinational; no reset, no handshake
+// Example     w = 139714 (0.533), color = 255: product = 136
 `default_nettype none
 `include "glint_formats.vh"
 

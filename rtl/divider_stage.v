@@ -6,6 +6,8 @@
 // Latency     1 clock. Throughput: one division a clock.
 // Reset       synchronous, active high, clears everything, whatever en says. en = 0 freezes all.
 // Handshake   valid travels beside the data.
+// Example     SHIFTS = 12, STAGE = 6, k = 7, in_d_r = 255: in_bits = 585 (0.001001001001),
+//             in_acc_r = 130560 (255/8); i6 is 1, so acc_r = 146880 (255/8 + 255/64), d_r = 255
 `default_nettype none
 `include "glint_formats.vh"
 

@@ -1,6 +1,8 @@
 // limit_rom: ROM 9 of figure 3.1 for gate cosine, n -> the smallest cosine, U1.18, for which
 // t, computed from the quantised sigma, is not negative; combinational.
 //
+// Example     n = 80: limit = 252435, just above (n-2)/(n+1) = 0.96296
+//
 // Made by glint-gen from cmodel/; `make generate` makes it anew.
 `default_nettype none
 `include "glint_formats.vh"

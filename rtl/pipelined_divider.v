@@ -12,6 +12,9 @@
 //             the quotients: k was 0 or beyond GLINT_DIVIDER_K_MAX, and they are 0.
 // Reset       synchronous, active high, clears everything, whatever en says.
 // Parameters  SHIFTS 6..16
+// Example     SHIFTS = 12, k = 7, difference_r = 255, difference_g = -255,
+//             difference_b = 14: rom_bits = 585 (0.001001001001), and 13 clocks on
+//             quotient_r = 149175 (36.42), quotient_g = -149175, quotient_b = 8190 (1.9995)
 `default_nettype none
 `include "glint_formats.vh"
 

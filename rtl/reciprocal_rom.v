@@ -2,6 +2,8 @@
 // 2^n/k rounded to nearest, n = SHIFTS (6..16); miss: k is 0 or beyond the table;
 // combinational.
 //
+// Example     SHIFTS = 12, k = 7: bits = 585, as 4096/7 = 585.14; miss = 0
+//
 // Made by glint-gen from cmodel/; `make generate` makes it anew.
 `default_nettype none
 `include "glint_formats.vh"

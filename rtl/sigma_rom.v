@@ -1,6 +1,8 @@
 // sigma_rom: ROM 33 of figure 3.1, n -> sigma = (n+1)/3 as U9.13, rounded half up;
 // combinational.
 //
+// Example     n = 80: sigma = 221184, which is 27
+//
 // Made by glint-gen from cmodel/; `make generate` makes it anew.
 `default_nettype none
 `include "glint_formats.vh"

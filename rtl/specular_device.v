@@ -20,6 +20,9 @@
 // Parameters  GATE      0 cosine (default), 1 sign, 2 drawn: see specular_lane
 //             PIPELINED 1 (default) or 0
 //             LANES     1 or more; tried are 1 to 32
+// Example     n = 80, r = 255, g = 190, b = 110, cos = 259523 (0.99): rom33 = 221184 (27),
+//             rom9 = 252435 (0.963), and 4 clocks after the cosine out_w = 139714 (0.533),
+//             out_r = 136, out_g = 101, out_b = 59
 `default_nettype none
 `include "glint_formats.vh"
 

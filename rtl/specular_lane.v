@@ -15,6 +15,10 @@
 // Parameters  GATE 0 cosine: comparator 11 compares register 1 with ROM 9, a limit of the cosine
 //                  1 sign:   the sign of adder 8 decides, ROM 9 is not looked at
 //                  2 drawn:  comparator 11 compares the square with ROM 9, a limit of W
+// Example     n = 80, r = 255, g = 190, b = 110, cos = 259523 (0.99): reg1 = 259523,
+//             rom33 = 221184 (27), rom9 = 252435 (0.963), adder6 = -2621 (-0.01),
+//             mul7 = -70767 (-0.27), adder8 = 191377 (0.73), cmp11 = 1, mul10 = 139714 (0.533),
+//             keys12 = 139714, mul13 = 136, mul14 = 101, mul15 = 59
 `default_nettype none
 `include "glint_formats.vh"
 

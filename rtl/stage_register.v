@@ -1,6 +1,6 @@
 // stage_register: the register at the front of a pipeline stage.
 //
-// Function    q = d of the last enabled clock; CLOCKED = 0: q = d, a wire, for the form without stages
+// Function    q = d of the last enabled clock; CLOCKED = 0: q = d, a wire, for forms without stages
 // Latency     1 clock; CLOCKED = 0: none
 // Reset       synchronous, active high; clears q, whatever en says.
 // Handshake   none: en = 0 holds q.
