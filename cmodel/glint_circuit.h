@@ -40,12 +40,13 @@ typedef struct glint_parameter {
 
 /* What a pin is for. */
 typedef enum glint_pin_role {
-    GLINT_PIN_RESET,     /* 1 resets, at the clock's edge or at once */
-    GLINT_PIN_RESET_LOW, /* 0 resets */
-    GLINT_PIN_ENABLE,    /* 0 freezes everything but reset */
-    GLINT_PIN_VALID,     /* 1 (of several bits: any): something is taken */
-    GLINT_PIN_STROBE,    /* a one-bit control that random pins draw 1 or 0 */
-    GLINT_PIN_DATA,      /* numbers: what `eval` reads, in this order */
+    GLINT_PIN_RESET,      /* 1 resets, at the clock's edge or at once */
+    GLINT_PIN_RESET_LOW,  /* 0 resets */
+    GLINT_PIN_ENABLE,     /* 0 freezes everything but reset */
+    GLINT_PIN_ENABLE_LOW, /* 1 does */
+    GLINT_PIN_VALID,      /* 1 (of several bits: any): something is taken */
+    GLINT_PIN_STROBE,     /* a one-bit control that random pins draw 1 or 0 */
+    GLINT_PIN_DATA,       /* numbers: what `eval` reads, in this order */
 } glint_pin_role;
 
 /* An input pin; the clock is none of them. The port `name` of the Verilog has this pin alone (lane
@@ -107,7 +108,8 @@ typedef struct glint_circuit {
     const char *name;       /* of --circuit, of files and in JSON: a C identifier */
     const char *title;      /* for people: "Specular-colour device" */
     const char *clock_port; /* the clock's port, rising edge; NULL: a circuit without one */
-    const char *(*top)(const int *values); /* the Verilog's top module, in the file of that name */
+    /* The Verilog's top module, in the file of that name; NULL: `name`. */
+    const char *(*top)(const int *values);
 
     const glint_parameter *parameters;
     int parameter_count; /* 0…GLINT_PARAMETERS_MAX */
@@ -127,21 +129,29 @@ typedef struct glint_circuit {
     const char *lane_name;  /* "lane", "stage": what signal.lane counts; NULL: none does */
     const char *lane_scope; /* "lane[%d].u": %d is signal.lane */
 
-    const glint_heading *headings; /* in the order of waveforms; signal.heading is one of these */
+    /* In the order of waveforms; signal.heading is one of these. NULL: the signals', as they come.
+     */
+    const glint_heading *headings;
     int heading_count;
 
     /* Clocks from the edge that takes something to the one after which its result is out, both
-     * counted; 0: the outputs are those of the pins, with no register between. */
+     * counted; 0: the outputs are those of the pins, with no register between. NULL: 1, without a
+     * clock 0. */
     int (*latency)(const int *values);
-    /* Clocks that one thing keeps the circuit busy, during which it takes nothing; NULL: 1. */
+    /* Clocks from an edge that takes something to the next edge that can, that one counted; NULL:
+     * 1, at every edge. */
     int (*pace)(const int *values);
 
-    /* The C model: created in reset state; clock() is one rising edge with these pins, after which
-     * signals() is what the Verilog's have with these pins still there. */
+    /* The C model. Either its size, and what makes the reset state of so many zeros (NULL: they are
+     * it); or functions that allocate and free it. */
+    size_t model_size;
+    void (*begin)(const int *values, void *model);
     glint_status (*create)(const int *values, void **model);
     void (*destroy)(void *model);
+    /* One rising edge with these pins, after which signals() is what the Verilog's have with these
+     * pins still there: the struct that signal.offset counts in. NULL: the model begins with it. */
     void (*clock)(void *model, const void *pins);
-    const void *(*signals)(const void *model); /* the struct that signal.offset counts in */
+    const void *(*signals)(const void *model);
 
     /* Random pins of one's own, from a state of stimulus_size bytes, at most
      * GLINT_STIMULUS_SIZE_MAX; NULL: every pin by its role, data anywhere and at the ends of its

@@ -1,18 +1,28 @@
-/* Shorthand for the tables of a circuit's description: rows that name a member of a struct once,
- * and the two functions that a table of rows is to glint_circuit.h.
+/* Shorthand for a circuit's description: rows that name a member of a struct once, the two
+ * functions that a table of rows is to glint_circuit.h, and what stands of them in the circuit.
  *
  *     typedef struct mac_pins {
  *         uint8_t reset;
  *         int32_t a;
  *     } mac_pins;
  *
- *     GLINT_PIN_TABLE(pin_count, pin,
+ *     GLINT_PIN_TABLE(pin,
  *         GLINT_PIN(mac_pins, reset, RESET, 1, 0, 0, "clears the sum"),
  *         GLINT_PIN(mac_pins, a, DATA, values[WIDTH], 0, 1, "a factor"))
  *
- * defines pin_count(values) and pin(values, index) as the description wants them. A width may be
+ * defines pin(values, index) and pin_count(values) as the description wants them. A width may be
  * any expression of `values`. How many rows there are must not depend on it: a circuit with lanes
- * or stages writes the two functions itself, of the same rows. */
+ * or stages writes the two functions itself, of the same rows.
+ *
+ *     const glint_circuit glint_my_circuit = {
+ *         .name = "mac",
+ *         .title = "Multiply-accumulate",
+ *         .clock_port = "clk",
+ *         GLINT_PARAMETERS(parameters),
+ *         GLINT_PINS(mac_pins, pin),
+ *         GLINT_SIGNALS(signal),
+ *         GLINT_MODEL(mac, begin, clock_edge),
+ *     }; */
 #ifndef GLINT_CMODEL_DESCRIBE_H
 #define GLINT_CMODEL_DESCRIBE_H
 
@@ -42,7 +52,7 @@
     {                                                                                              \
         .name = called, .kind = GLINT_SIGNAL_##sort, .int_bits = ints, .frac_bits = fracs,         \
         .is_signed = sign, .lane = lane_of, .meaning = text, .offset = offsetof(type, member),     \
-        .path = at, .heading = title                                                               \
+        .size = sizeof(((const type *)0)->member), .path = at, .heading = title                    \
     }
 
 /* A block of the drawing, named after the signal at its output; inputs "a b", control "en_a", each
@@ -61,23 +71,41 @@
         return answer;                                                                             \
     }
 
-#define GLINT_PIN_TABLE(count, row, ...)    GLINT_TABLE(glint_pin_info, count, row, __VA_ARGS__)
-#define GLINT_SIGNAL_TABLE(count, row, ...) GLINT_TABLE(glint_signal_info, count, row, __VA_ARGS__)
+#define GLINT_PIN_TABLE(row, ...)    GLINT_TABLE(glint_pin_info, row, __VA_ARGS__)
+#define GLINT_SIGNAL_TABLE(row, ...) GLINT_TABLE(glint_signal_info, row, __VA_ARGS__)
+#define GLINT_BLOCK_TABLE(row, ...)  GLINT_TABLE(glint_block_info, row, __VA_ARGS__)
 
-#define GLINT_BLOCK_TABLE(count, row, ...) GLINT_TABLE(glint_block_info, count, row, __VA_ARGS__)
-
-#define GLINT_TABLE(type, count, row, ...)                                                         \
+#define GLINT_TABLE(type, row, ...)                                                                \
     static type row(const int *values, int index)                                                  \
     {                                                                                              \
         (void)values;                                                                              \
         const type rows[] = {__VA_ARGS__};                                                         \
         return rows[index];                                                                        \
     }                                                                                              \
-    static int count(const int *values)                                                            \
+    static int row##_count(const int *values)                                                      \
     {                                                                                              \
         (void)values;                                                                              \
         const type rows[] = {__VA_ARGS__};                                                         \
         return (int)(sizeof rows / sizeof rows[0]);                                                \
     }
+
+/* The values of a parameter that `verify` tries unasked. */
+#define GLINT_LISTED(...)                                                                          \
+    .listed = (const int[]){__VA_ARGS__},                                                          \
+    .listed_count = sizeof(const int[]){__VA_ARGS__} / sizeof(int)
+
+/* What a table is to the circuit: of parameters, of headings; the two functions pin() and
+ * pin_count(), and the struct of pins; signal() and signal_count(); block() and block_count(). */
+#define GLINT_PARAMETERS(table)                                                                    \
+    .parameters = table, .parameter_count = sizeof table / sizeof table[0]
+#define GLINT_HEADINGS(table) .headings = table, .heading_count = sizeof table / sizeof table[0]
+#define GLINT_PINS(type, row) .pins_size = sizeof(type), .pin = row, .pin_count = row##_count
+#define GLINT_SIGNALS(row)    .signal = row, .signal_count = row##_count
+#define GLINT_BLOCKS(row)     .block = row, .block_count = row##_count
+
+/* A C model that is one struct, its signals first in it: begin(values, model) makes the reset state
+ * of zeros, NULL where they are it. */
+#define GLINT_MODEL(type, begun_by, edge)                                                          \
+    .model_size = sizeof(type), .begin = begun_by, .clock = edge
 
 #endif

@@ -26,6 +26,7 @@ typedef struct glint_signal_info {
     int lane; /* that of a device with lanes, or the stage of a pipeline; −1: of all of it */
     const char *meaning;
     size_t offset;       /* of its int64_t, or its uint64_t words, in the model's signals */
+    size_t size;         /* of those, bytes; 0: enough, as the circuit's own tables have it */
     const char *path;    /* below the top, or the lane's scope: "u.acc"; NULL: its name */
     const char *heading; /* that it stands under in a waveform; NULL: none, or its lane's alone */
     int is_copy;         /* repeats another signal in this setting: waveforms leave it out */

@@ -135,6 +135,9 @@ static void random_pin(by_roles *r, const glint_pin_info *pin, bool reset, bool 
     case GLINT_PIN_ENABLE:
         words[0] = en;
         break;
+    case GLINT_PIN_ENABLE_LOW:
+        words[0] = !en;
+        break;
     case GLINT_PIN_VALID:
         random_valid(r, pin, words);
         break;

@@ -78,6 +78,19 @@ int glint_setting_value(const glint_setting *setting, const char *name, int othe
     return otherwise;
 }
 
+const char *glint_setting_top(const glint_setting *setting)
+{
+    const glint_circuit *circuit = setting->circuit;
+    return circuit->top != NULL ? circuit->top(setting->values) : circuit->name;
+}
+
+int glint_setting_latency(const glint_setting *setting)
+{
+    const glint_circuit *circuit = setting->circuit;
+    return circuit->latency != NULL ? circuit->latency(setting->values)
+                                    : circuit->clock_port != NULL;
+}
+
 static int listed_count(const glint_parameter *parameter)
 {
     return parameter->listed != NULL ? parameter->listed_count

@@ -24,6 +24,12 @@ bool glint_setting_equal(const glint_setting *a, const glint_setting *b);
 /* The value of the parameter of that name; `otherwise` when the circuit has none. */
 int glint_setting_value(const glint_setting *setting, const char *name, int otherwise);
 
+/* The Verilog's top module. */
+const char *glint_setting_top(const glint_setting *setting);
+
+/* Clocks until a result is out. */
+int glint_setting_latency(const glint_setting *setting);
+
 /* Every setting of the listed values, in the order of the parameters, the last one turning fastest:
  * the index-th; false past the last. */
 bool glint_setting_listed(const glint_circuit *circuit, int index, glint_setting *setting);

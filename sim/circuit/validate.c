@@ -61,16 +61,36 @@ static glint_status check_functions(const glint_circuit *circuit, glint_error *e
         const char *name;
         bool there;
     } functions[] = {
-        {"top", circuit->top != NULL},       {"pin_count", circuit->pin_count != NULL},
-        {"pin", circuit->pin != NULL},       {"signal_count", circuit->signal_count != NULL},
-        {"signal", circuit->signal != NULL}, {"latency", circuit->latency != NULL},
-        {"create", circuit->create != NULL}, {"destroy", circuit->destroy != NULL},
-        {"clock", circuit->clock != NULL},   {"signals", circuit->signals != NULL},
+        {"pin_count", circuit->pin_count != NULL},
+        {"pin", circuit->pin != NULL},
+        {"signal_count", circuit->signal_count != NULL},
+        {"signal", circuit->signal != NULL},
+        {"clock", circuit->clock != NULL},
     };
     for (size_t i = 0; i < sizeof functions / sizeof functions[0]; i++)
         if (!functions[i].there)
             return glint_fail(err, GLINT_BAD_INPUT, "circuit %s: it has no function %s",
                               circuit->name, functions[i].name);
+    return GLINT_OK;
+}
+
+/* A size, or functions of its own; what it allocates itself it says how to free. */
+static glint_status check_model(const glint_circuit *circuit, glint_error *err)
+{
+    if (circuit->create == NULL && circuit->model_size == 0)
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "circuit %s: its C model has neither a model_size nor create()",
+                          circuit->name);
+    if (circuit->create != NULL && (circuit->model_size != 0 || circuit->begin != NULL))
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "circuit %s: its C model has create(), and model_size or begin() as well",
+                          circuit->name);
+    if ((circuit->create == NULL) != (circuit->destroy == NULL))
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "circuit %s: of create() and destroy() it has but one", circuit->name);
+    if (circuit->create != NULL && circuit->signals == NULL)
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "circuit %s: its C model has create(), and no signals()", circuit->name);
     return GLINT_OK;
 }
 
@@ -249,7 +269,7 @@ static glint_status check_settings(const glint_circuit *circuit, glint_error *er
 glint_status glint_circuit_check(const glint_circuit *circuit, glint_error *err)
 {
     static glint_status (*const checks[])(const glint_circuit *, glint_error *) = {
-        check_names,  check_lane_scope, check_functions,  check_stimulus,
+        check_names,  check_lane_scope, check_functions,  check_model,    check_stimulus,
         check_domain, check_headings,   check_parameters, check_settings,
     };
     glint_status status = GLINT_OK;

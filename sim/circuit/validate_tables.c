@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "circuit/model.h"
 #include "circuit/words.h"
 
 #define WIDTH_MAX (64 * GLINT_VALUE_WORDS)
@@ -40,13 +41,15 @@ typedef struct number {
     const char *sort; /* "pin" */
     const char *name, *meaning;
     int int_bits, frac_bits, is_signed, lane;
+    bool has_path;
 } number;
 
 static glint_status check_number(const described *d, const number *n, int index)
 {
     const int64_t width = (int64_t)n->int_bits + n->frac_bits;
     if (!glint_is_identifier(n->name))
-        return wrong(d, "the name of %s %d is no C identifier", n->sort, index);
+        return wrong(d, "the name of %s %d, \"%.40s\", is no C identifier%s", n->sort, index,
+                     n->name != NULL ? n->name : "", n->has_path ? ": it may be its path" : "");
     if (n->meaning == NULL)
         return wrong(d, "%s %s has no meaning", n->sort, n->name);
     if (n->int_bits < 0 || n->frac_bits < 0 || width < 1 || width > WIDTH_MAX)
@@ -67,6 +70,7 @@ static glint_status check_role(const described *d, const glint_pin_info *pin)
     case GLINT_PIN_RESET:
     case GLINT_PIN_RESET_LOW:
     case GLINT_PIN_ENABLE:
+    case GLINT_PIN_ENABLE_LOW:
     case GLINT_PIN_STROBE:
         return glint_pin_width(pin) == 1
                    ? GLINT_OK
@@ -126,7 +130,7 @@ static glint_status check_pin(const described *d, int index)
 {
     const glint_pin_info *pin = &d->pins[index];
     const number n = {"pin",          pin->name,      pin->meaning, pin->int_bits,
-                      pin->frac_bits, pin->is_signed, pin->lane};
+                      pin->frac_bits, pin->is_signed, pin->lane,    false};
     glint_status status = check_number(d, &n, index);
     if (status == GLINT_OK)
         status = check_role(d, pin);
@@ -160,8 +164,11 @@ static glint_status check_pins(const described *d)
 
 /* ---- Signals --------------------------------------------------------------------------------- */
 
+/* Without a table any is. */
 static bool has_heading(const glint_circuit *circuit, const char *title)
 {
+    if (circuit->heading_count == 0)
+        return true;
     for (int i = 0; i < circuit->heading_count; i++)
         if (strcmp(circuit->headings[i].title, title) == 0)
             return true;
@@ -229,19 +236,46 @@ static glint_status check_output(const described *d, int index)
     return GLINT_OK;
 }
 
+/* Its words lie in the member that the row names, and that in the model where it begins with them.
+ */
+static glint_status check_room(const described *d, const glint_signal_info *signal)
+{
+    const glint_circuit *circuit = d->setting->circuit;
+    const int width = glint_signal_width(signal);
+    const size_t needed = sizeof(uint64_t) * (size_t)glint_words_of(width);
+    if (signal->offset % sizeof(int64_t) != 0)
+        return wrong(d, "signal %s: offset %zu is not that of an int64_t", signal->name,
+                     signal->offset);
+    if (signal->size != 0 && signal->size < needed)
+        return wrong(d, "signal %s: its %d bits want %s, not %zu bytes", signal->name, width,
+                     width > 64 ? "an array of uint64_t" : "an int64_t", signal->size);
+    if (circuit->signals == NULL && signal->offset + needed > circuit->model_size)
+        return wrong(d, "signal %s: offset %zu is not in a model of %zu bytes", signal->name,
+                     signal->offset, circuit->model_size);
+    return GLINT_OK;
+}
+
+static glint_status check_name_once(const described *d, int index)
+{
+    const glint_signal_info *signal = &d->signals[index];
+    if (find_signal(d, index, signal->name, signal->lane) < 0)
+        return GLINT_OK;
+    return signal->lane < 0 ? wrong(d, "two signals %s", signal->name)
+                            : wrong(d, "two signals %s of lane %d", signal->name, signal->lane);
+}
+
 static glint_status check_signal(const described *d, int index)
 {
     const glint_signal_info *signal = &d->signals[index];
     const number n = {"signal",          signal->name,      signal->meaning, signal->int_bits,
-                      signal->frac_bits, signal->is_signed, signal->lane};
+                      signal->frac_bits, signal->is_signed, signal->lane,    true};
     glint_status status = check_number(d, &n, index);
     if (status == GLINT_OK && (unsigned)signal->kind > GLINT_SIGNAL_OUTPUT)
         status = wrong(d, "signal %s: there is no kind number %d", signal->name, (int)signal->kind);
-    if (status == GLINT_OK && signal->offset % sizeof(int64_t) != 0)
-        status = wrong(d, "signal %s: offset %zu is not that of an int64_t", signal->name,
-                       signal->offset);
-    if (status == GLINT_OK && find_signal(d, index, signal->name, signal->lane) >= 0)
-        status = wrong(d, "two signals %s of lane %d", signal->name, signal->lane);
+    if (status == GLINT_OK)
+        status = check_room(d, signal);
+    if (status == GLINT_OK)
+        status = check_name_once(d, index);
     if (status == GLINT_OK)
         status = check_heading(d, signal);
     if (status == GLINT_OK)
@@ -271,8 +305,8 @@ static glint_status check_clocks(const described *d)
 {
     const glint_circuit *circuit = d->setting->circuit;
     const int *values = d->setting->values;
-    const int latency = circuit->latency(values);
-    if (!glint_is_identifier(circuit->top(values)))
+    const int latency = glint_setting_latency(d->setting);
+    if (!glint_is_identifier(glint_setting_top(d->setting)))
         return wrong(d, "the name of its top is no C identifier");
     if (latency < 0)
         return wrong(d, "a latency of %d clocks is below 0", latency);
@@ -285,16 +319,16 @@ static glint_status check_clocks(const described *d)
 
 static glint_status check_model(const described *d)
 {
-    const glint_circuit *circuit = d->setting->circuit;
-    void *model = NULL;
-    const glint_status created = circuit->create(d->setting->values, &model);
+    void *model;
+    glint_error why;
+    const glint_status created = glint_model_create(d->setting, &model, &why);
     if (created == GLINT_NO_MEMORY)
-        return glint_fail(d->err, created, "no memory for a C model");
-    if (created != GLINT_OK || model == NULL)
-        return wrong(d, "its C model cannot be created");
-    const bool readable = circuit->signals(model) != NULL;
-    circuit->destroy(model);
-    return readable ? GLINT_OK : wrong(d, "its C model has no signals");
+        return glint_fail(d->err, created, "%s", why.text);
+    if (created != GLINT_OK)
+        return wrong(d, "%s", why.text);
+    const bool readable = glint_model_signals(d->setting, model) != NULL;
+    glint_model_destroy(d->setting, model);
+    return readable ? GLINT_OK : wrong(d, "signals() of the C model returns NULL");
 }
 
 static glint_status check_counts(const described *d)

@@ -362,7 +362,7 @@ int glint_rtl_option_check(const char *command, const glint_setting *setting)
 {
     struct stat found;
     char path[4096];
-    const char *top = setting->circuit->top(setting->values);
+    const char *top = glint_setting_top(setting);
     if (setting->verilog == NULL)
         return GLINT_OPTIONS_RUN;
     if (stat(setting->verilog, &found) != 0)

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "circuit/model.h"
 #include "circuit/words.h"
 #include "cli/input.h"
 #include "cli/output.h"
@@ -158,15 +159,13 @@ static glint_status create(evaluation *e, bool is_rtl, glint_error *err)
     make_pins(e);
     if (is_rtl)
         return glint_rtl_open(e->setting, GLINT_RTL_OBSERVED, &e->rtl, err);
-    status = e->setting->circuit->create(e->setting->values, &e->model);
-    return status == GLINT_OK ? status : glint_fail(err, status, "the C model cannot be created");
+    return glint_model_create(e->setting, &e->model, err);
 }
 
 static void destroy(evaluation *e)
 {
     glint_rtl_destroy(e->rtl);
-    if (e->model != NULL)
-        e->setting->circuit->destroy(e->model);
+    glint_model_destroy(e->setting, e->model);
 }
 
 static void clock_with(evaluation *e, const glint_pins *pins)
@@ -174,7 +173,7 @@ static void clock_with(evaluation *e, const glint_pins *pins)
     if (e->rtl != NULL)
         glint_rtl_clock(e->rtl, pins);
     else
-        e->setting->circuit->clock(e->model, pins);
+        glint_model_clock(e->setting, e->model, pins);
 }
 
 static void read_signals(evaluation *e)
@@ -182,7 +181,7 @@ static void read_signals(evaluation *e)
     if (e->rtl != NULL)
         glint_rtl_read(e->rtl, e->words);
     else
-        glint_signals_read(&e->signals, e->setting->circuit->signals(e->model), e->words);
+        glint_signals_read(&e->signals, glint_model_signals(e->setting, e->model), e->words);
 }
 
 /* The line's clock and those until its result is out; then those until the next may come. */

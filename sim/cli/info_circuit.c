@@ -8,8 +8,10 @@
 #include "lockstep/signals.h"
 
 static const char *const roles[] = {
-    [GLINT_PIN_RESET] = "reset", [GLINT_PIN_RESET_LOW] = "reset_low", [GLINT_PIN_ENABLE] = "enable",
-    [GLINT_PIN_VALID] = "valid", [GLINT_PIN_STROBE] = "strobe",       [GLINT_PIN_DATA] = "data",
+    [GLINT_PIN_RESET] = "reset",   [GLINT_PIN_RESET_LOW] = "reset_low",
+    [GLINT_PIN_ENABLE] = "enable", [GLINT_PIN_ENABLE_LOW] = "enable_low",
+    [GLINT_PIN_VALID] = "valid",   [GLINT_PIN_STROBE] = "strobe",
+    [GLINT_PIN_DATA] = "data",
 };
 static const char *const kinds[] = {
     [GLINT_SIGNAL_REGISTER] = "register",
@@ -85,7 +87,7 @@ void glint_info_print_setting(const glint_setting *setting)
     char text[GLINT_SETTING_TEXT];
     glint_info_print_circuit(circuit);
     glint_setting_describe(setting, text);
-    printf("setting    %s; top module %s, clock %s\n", text, circuit->top(setting->values),
+    printf("setting    %s; top module %s, clock %s\n", text, glint_setting_top(setting),
            circuit->clock_port != NULL ? circuit->clock_port : "none");
     printf("latency    %d clocks; takes something every %d\n", glint_setting_latency(setting),
            glint_setting_pace(setting));
@@ -172,7 +174,7 @@ cJSON *glint_info_json(const glint_setting *setting)
         cJSON_AddItemToArray(parameters, parameter_json(&circuit->parameters[i]));
     glint_info_add_values(cJSON_AddObjectToObject(json, "setting"), setting);
     cJSON_AddNumberToObject(json, "settings_listed", listed_count(circuit));
-    cJSON_AddStringToObject(json, "top", circuit->top(setting->values));
+    cJSON_AddStringToObject(json, "top", glint_setting_top(setting));
     if (circuit->clock_port != NULL)
         cJSON_AddStringToObject(json, "clock", circuit->clock_port);
     cJSON_AddNumberToObject(json, "latency", glint_setting_latency(setting));

@@ -74,6 +74,9 @@ static controls read_controls(const glint_reach_count *count, const glint_pins *
         case GLINT_PIN_ENABLE:
             now.enabled &= value != 0;
             break;
+        case GLINT_PIN_ENABLE_LOW:
+            now.enabled &= value == 0;
+            break;
         case GLINT_PIN_VALID:
             now.valid |= value;
             break;

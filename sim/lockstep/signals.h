@@ -38,10 +38,6 @@ static inline glint_pin_info glint_setting_pin(const glint_setting *setting, int
 {
     return setting->circuit->pin(setting->values, index);
 }
-static inline int glint_setting_latency(const glint_setting *setting)
-{
-    return setting->circuit->latency(setting->values);
-}
 
 /* Clocks that one thing keeps the circuit busy: 1 when it takes one a clock. */
 static inline int glint_setting_pace(const glint_setting *setting)

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "circuit/model.h"
 #include "rtl/rtl.h"
 
 struct glint_twin {
@@ -11,15 +12,6 @@ struct glint_twin {
     void *model;
     glint_rtl *rtl; /* NULL: the C model alone */
 };
-
-static glint_status create_model(glint_twin *twin, glint_error *err)
-{
-    const glint_setting *setting = &twin->setting;
-    const glint_status status = setting->circuit->create(setting->values, &twin->model);
-    if (status != GLINT_OK)
-        return glint_fail(err, status, "cannot create the C model of these settings");
-    return GLINT_OK;
-}
 
 static glint_status create(const glint_setting *setting, bool with_rtl, glint_twin **twin,
                            glint_error *err)
@@ -34,7 +26,7 @@ static glint_status create(const glint_setting *setting, bool with_rtl, glint_tw
     created->setting = *setting;
     status = glint_signals_find(setting, &created->signals, err);
     if (status == GLINT_OK)
-        status = create_model(created, err);
+        status = glint_model_create(setting, &created->model, err);
     if (status == GLINT_OK && with_rtl)
         status = glint_rtl_open(setting, GLINT_RTL_OBSERVED, &created->rtl, err);
     if (status != GLINT_OK) {
@@ -60,8 +52,7 @@ void glint_twin_destroy(glint_twin *twin)
 {
     if (twin == NULL)
         return;
-    if (twin->model != NULL)
-        twin->setting.circuit->destroy(twin->model);
+    glint_model_destroy(&twin->setting, twin->model);
     glint_rtl_destroy(twin->rtl);
     free(twin);
 }
@@ -73,14 +64,14 @@ const glint_signals *glint_twin_signals(const glint_twin *twin)
 
 void glint_twin_clock(glint_twin *twin, const glint_pins *pins)
 {
-    twin->setting.circuit->clock(twin->model, pins);
+    glint_model_clock(&twin->setting, twin->model, pins);
     if (twin->rtl != NULL)
         glint_rtl_clock(twin->rtl, pins);
 }
 
 void glint_twin_read(const glint_twin *twin, uint64_t *model, uint64_t *rtl)
 {
-    glint_signals_read(&twin->signals, twin->setting.circuit->signals(twin->model), model);
+    glint_signals_read(&twin->signals, glint_model_signals(&twin->setting, twin->model), model);
     if (rtl != NULL)
         glint_rtl_read(twin->rtl, rtl);
 }

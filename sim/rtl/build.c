@@ -95,7 +95,7 @@ static glint_status check_other_ports(const build *b, const char *said, glint_er
         if (status == GLINT_OK && !output)
             status = glint_fail(err, GLINT_DEVICE_FAULT,
                                 "%s has an input %s that the description has not",
-                                p->setting->circuit->top(p->setting->values), port);
+                                glint_setting_top(p->setting), port);
     }
     return status;
 }
@@ -168,7 +168,7 @@ static void add_parameters(top_call *call, const glint_setting *setting)
 static glint_status verilate_top(const build *b, glint_error *err)
 {
     const glint_setting *setting = b->product->setting;
-    const char *top = setting->circuit->top(setting->values);
+    const char *top = glint_setting_top(setting);
     top_call call = {.argument = {b->product->tools.verilator, "--cc", "--prefix", CLASS, "--Mdir",
                                   ".", VERILATOR_OPTIONS, "--top", top}};
     while (call.argument[call.count] != NULL)

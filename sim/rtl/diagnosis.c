@@ -214,7 +214,7 @@ glint_status glint_diagnose_verilator(const char *said, const glint_setting *set
                                       const glint_ports *ports, const glint_probe *probe,
                                       const char *directory, glint_error *err)
 {
-    const subject s = {setting, ports, probe, directory, setting->circuit->top(setting->values)};
+    const subject s = {setting, ports, probe, directory, glint_setting_top(setting)};
     glint_status status = find_error(&s, said, err);
     if (status == GLINT_OK)
         status = find_difference(&s, said, true, err);

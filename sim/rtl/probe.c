@@ -86,7 +86,7 @@ static void write_instance(writer *w)
 {
     const glint_circuit *circuit = w->setting->circuit;
     const char *comma = "";
-    line(w, GLINT_PROBE_TOP, 0, "    %s", circuit->top(w->setting->values));
+    line(w, GLINT_PROBE_TOP, 0, "    %s", glint_setting_top(w->setting));
     write_parameters(w);
     if (circuit->clock_port != NULL) {
         line(w, GLINT_PROBE_CLOCK_PIN, 0, "        .%s(" GLINT_PROBE_CLOCK ")",

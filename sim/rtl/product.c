@@ -96,7 +96,7 @@ static glint_status add_verilog(glint_product *product, glint_error *err)
 {
     static const char *const endings[] = {".v", ".vh", NULL};
     const glint_setting *setting = product->setting;
-    const char *top = setting->circuit->top(setting->values);
+    const char *top = glint_setting_top(setting);
     glint_status status = GLINT_OK;
     if (setting->verilog == NULL)
         status = glint_place_rtl(&product->verilog, err);

@@ -65,7 +65,7 @@ static const device *device_of(glint_rtl *rtl, int lanes)
     if (d->latency == 0) {
         if (setting->circuit != &glint_circuit_specular || !find_ports(rtl, lanes, d))
             return NULL;
-        d->latency = setting->circuit->latency(setting->values);
+        d->latency = glint_setting_latency(setting);
     }
     return d;
 }

@@ -45,7 +45,7 @@ static void append_lane(scope *to, const char *lane_scope, int lane)
 static const char *place_in(const glint_setting *setting, int lane, const char *path, scope *where)
 {
     const glint_circuit *circuit = setting->circuit;
-    const char *top = circuit->top(setting->values);
+    const char *top = glint_setting_top(setting);
     const char *last = strrchr(path, '.');
     const char *name = last != NULL ? last + 1 : path;
     where->used = 0;
@@ -96,6 +96,7 @@ static int rank_of(const glint_pin_info *pin)
     case GLINT_PIN_RESET_LOW:
         return 0;
     case GLINT_PIN_ENABLE:
+    case GLINT_PIN_ENABLE_LOW:
         return 1;
     case GLINT_PIN_VALID:
         return 2;
@@ -186,16 +187,43 @@ static int last_lane(const glint_setting *setting)
     return last;
 }
 
+static void add_heading(glint_gtkw *rows, const glint_setting *setting,
+                        const glint_heading *heading)
+{
+    const selection of = {.heading = heading};
+    (heading->folded ? add_folded : add_open)(rows, setting, &of, heading->title);
+}
+
+static bool comes_earlier(const glint_setting *setting, int index, const char *heading)
+{
+    for (int i = 0; i < index; i++) {
+        const char *other = setting->circuit->signal(setting->values, i).heading;
+        if (other != NULL && strcmp(other, heading) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* Of a circuit without a table of them: each where a signal first has it. */
+static void add_headings_of_signals(glint_gtkw *rows, const glint_setting *setting)
+{
+    for (int i = 0; i < setting->circuit->signal_count(setting->values); i++) {
+        const glint_heading heading = {.title =
+                                           setting->circuit->signal(setting->values, i).heading};
+        if (heading.title != NULL && !comes_earlier(setting, i, heading.title))
+            add_heading(rows, setting, &heading);
+    }
+}
+
 static void fill(glint_gtkw *rows, const void *context)
 {
     const glint_setting *setting = context;
     const glint_circuit *circuit = setting->circuit;
     add_inputs(rows, setting);
-    for (int i = 0; i < circuit->heading_count; i++) {
-        const glint_heading *heading = &circuit->headings[i];
-        const selection of = {.heading = heading};
-        (heading->folded ? add_folded : add_open)(rows, setting, &of, heading->title);
-    }
+    for (int i = 0; i < circuit->heading_count; i++)
+        add_heading(rows, setting, &circuit->headings[i]);
+    if (circuit->heading_count == 0)
+        add_headings_of_signals(rows, setting);
     add_open(rows, setting, &(selection){.lane = -1}, GLINT_SHOW_SIGNALS);
     for (int lane = 0; lane <= last_lane(setting); lane++) {
         char title[GLINT_SHOW_LABEL];

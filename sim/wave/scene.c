@@ -8,6 +8,7 @@
 #include "circuit/circuits.h"
 #include "circuit/random_pins.h"
 #include "circuit/words.h"
+#include "lockstep/signals.h"
 #include "wave/divider_scene.h"
 #include "wave/specular_scene.h"
 
@@ -31,7 +32,7 @@ static int run_clocks(const glint_setting *setting)
 
 static int random_clocks(const glint_setting *setting)
 {
-    return FIRST_CLOCK + run_clocks(setting) + setting->circuit->latency(setting->values) +
+    return FIRST_CLOCK + run_clocks(setting) + glint_setting_latency(setting) +
            STALL_CLOCKS;
 }
 
@@ -59,6 +60,8 @@ static void control(const glint_setting *setting, int clock, glint_pins *pins)
             put(&pin, pins, !is_reset);
         else if (pin.role == GLINT_PIN_ENABLE)
             put(&pin, pins, !is_stalled);
+        else if (pin.role == GLINT_PIN_ENABLE_LOW)
+            put(&pin, pins, is_stalled);
         else if (pin.role == GLINT_PIN_VALID && is_quiet)
             put(&pin, pins, 0);
     }

@@ -42,12 +42,10 @@ static const char *parameter_name = "WIDTH";
 static const char *pin_name = "step", *signal_path = "next";
 static int signal_wider, pin_wider;
 
-GLINT_ALWAYS(const char *, top, "counter")
-GLINT_ALWAYS(int, latency, 1)
-GLINT_PIN_TABLE(pin_count, pin, GLINT_PIN(counter_pins, reset, RESET, 1, 0, 0, ""),
+GLINT_PIN_TABLE(pin, GLINT_PIN(counter_pins, reset, RESET, 1, 0, 0, ""),
                 GLINT_PIN(counter_pins, en, ENABLE, 1, 0, 0, ""),
                 GLINT_PIN_OF(counter_pins, step, pin_name, DATA, 4 + pin_wider, 0, 0, -1, ""))
-GLINT_SIGNAL_TABLE(signal_count, signal_at,
+GLINT_SIGNAL_TABLE(signal_at,
                    GLINT_SIGNAL_OF(counter_signals, next, "next", signal_path, BLOCK,
                                    values[WIDTH] + signal_wider, 0, 0, -1, NULL, ""),
                    GLINT_SIGNAL(counter_signals, count, OUTPUT, values[WIDTH], 0, 0, NULL, ""))
@@ -60,15 +58,10 @@ static glint_circuit counter = {
     .name = "counter",
     .title = "Counter",
     .clock_port = "clk",
-    .top = top,
     .parameters = parameters,
     .parameter_count = 1,
-    .pin_count = pin_count,
-    .pin = pin,
-    .pins_size = sizeof(counter_pins),
-    .signal_count = signal_count,
-    .signal = signal_at,
-    .latency = latency,
+    GLINT_PINS(counter_pins, pin),
+    GLINT_SIGNALS(signal_at),
 };
 
 static const char verilog[] = "module counter #(parameter WIDTH = 4) (\n"

@@ -229,16 +229,16 @@ static void make_toy(void)
     X(scope_twice, toy.lane_scope = "l[%d].m[%d]",                                                 \
       ": lane_scope \"l[%d].m[%d]\" has not one %d for the lane")                                  \
     X(scope_text, toy.lane_scope = "l[%s]", ": lane_scope \"l[%s]\" has not one %d for the lane")  \
-    X(no_top, toy.top = NULL, ": it has no function top")                                          \
     X(no_pin_count, toy.pin_count = NULL, ": it has no function pin_count")                        \
     X(no_pin, toy.pin = NULL, ": it has no function pin")                                          \
     X(no_signal_count, toy.signal_count = NULL, ": it has no function signal_count")               \
     X(no_signal, toy.signal = NULL, ": it has no function signal")                                 \
-    X(no_latency, toy.latency = NULL, ": it has no function latency")                              \
-    X(no_create, toy.create = NULL, ": it has no function create")                                 \
-    X(no_destroy, toy.destroy = NULL, ": it has no function destroy")                              \
+    X(no_create, toy.create = NULL, ": its C model has neither a model_size nor create()")         \
+    X(both_models, toy.model_size = 8,                                                             \
+      ": its C model has create(), and model_size or begin() as well")                             \
+    X(no_destroy, toy.destroy = NULL, ": of create() and destroy() it has but one")                \
     X(no_clock, toy.clock = NULL, ": it has no function clock")                                    \
-    X(no_signals, toy.signals = NULL, ": it has no function signals")                              \
+    X(no_signals, toy.signals = NULL, ": its C model has create(), and no signals()")              \
     X(half_a_stimulus, toy.stimulus_begin = begin,                                                 \
       ": of stimulus_begin and stimulus_next it has but one")                                      \
     X(other_half, toy.stimulus_next = next,                                                        \
@@ -275,7 +275,7 @@ static void make_toy(void)
     X(large_pins, toy.pins_size = 1025, IN "pins_size is 1025, at most 1024 are held")             \
     X(negative_pins, pin_count_of_toy = -1, IN "-1 pins are not 0 to 1024")                        \
     X(nothing_signalled, signal_count_of_toy = 0, IN "0 signals are not 1 to 2048")                \
-    X(pin_name, pins[1].name = "a[0]", IN "the name of pin 1 is no C identifier")                  \
+    X(pin_name, pins[1].name = "a[0]", IN "the name of pin 1, \"a[0]\", is no C identifier")       \
     X(pin_meaning, pins[1].meaning = NULL, IN "pin take has no meaning")                           \
     X(no_bits, pins[1].int_bits = 0, IN "pin take: 0 + 0 bits are not 1 to 4096")                  \
     X(many_bits, pins[1].int_bits = 4097, IN "pin take: 4097 + 0 bits are not 1 to 4096")          \
@@ -305,7 +305,12 @@ static void make_toy(void)
     X(two_pins, pins[5].name = "take", IN "two pins take")                                         \
     X(pin_is_clock, pins[5].name = "clk", IN "pin clk is the clock, which is none of the pins")    \
     X(overlap, pins[5].offset = 1, IN "pins take and more lie in the same bytes")                  \
-    X(signal_name, signals[2].name = "u.wide", IN "the name of signal 2 is no C identifier")       \
+    X(signal_name, signals[2].name = "u.wide",                                                     \
+      IN "the name of signal 2, \"u.wide\", is no C identifier: it may be its path")               \
+    X(signal_size, signals[2].size = 8,                                                            \
+      IN "signal wide: its 100 bits want an array of uint64_t, not 8 bytes")                       \
+    X(signal_not_in_model, toy.create = NULL; toy.destroy = NULL; toy.signals = NULL;              \
+      toy.model_size = 8, IN "signal sum: offset 8 is not in a model of 8 bytes")                  \
     X(signal_meaning, signals[2].meaning = NULL, IN "signal wide has no meaning")                  \
     X(signal_bits, signals[2].int_bits = 5000, IN "signal wide: 5000 + 0 bits are not 1 to 4096")  \
     X(kind, signals[2].kind = (glint_signal_kind)9, IN "signal wide: there is no kind number 9")   \
@@ -325,8 +330,9 @@ static void make_toy(void)
     X(latency_below, latency_of_toy = -1, IN "a latency of -1 clocks is below 0")                  \
     X(latency_of_wires, toy.clock_port = NULL, IN "it has no clock, and a latency of 1")           \
     X(pace_below, pace_of_toy = 0, IN "a pace of 0 clocks is below 1")                             \
-    X(refused, status_of_toy = GLINT_BAD_ARGUMENT, IN "its C model cannot be created")             \
-    X(model_signals, toy.signals = no_signals, IN "its C model has no signals")
+    X(refused, status_of_toy = GLINT_BAD_ARGUMENT,                                                 \
+      IN "create() of the C model returns the error 1")                                            \
+    X(model_signals, toy.signals = no_signals, IN "signals() of the C model returns NULL")
 
 #define DEFINE(name, edit, said)                                                                   \
     static void break_##name(void)                                                                 \

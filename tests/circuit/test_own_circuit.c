@@ -199,9 +199,9 @@ static void what_is_wrong_is_said(void **state)
          "rotate_xor has an input more that the description has not"},
         {"clock", "rotate_xor", "rotate_xor.c", "\"clk\"", "\"clock\"",
          "rotate_xor has no clock clock"},
-        {"top", "rotate_xor", "rotate_xor.c", "top, \"rotate_xor\"", "top, \"turn\"",
+        {"top", "rotate_xor", "rotate_xor.c", ".name = \"rotate_xor\"", ".name = \"turn\"",
          "has no turn.v"},
-        {"compiler", "rotate_xor", "rotate_xor.c", "glint_status create", "glint_stats create",
+        {"compiler", "rotate_xor", "rotate_xor.c", "typedef struct pins", "typedef strct pins",
          "its C does not compile: rotate_xor.c:"},
         {"verilog", "rotate_xor", "rotate_xor.v", "endmodule", "endmodul", "rotate_xor.v:"},
         {"name", "rotate_xor", "rotate_xor.c", "glint_circuit glint_my_circuit",
@@ -209,8 +209,8 @@ static void what_is_wrong_is_said(void **state)
          "none of its *.c defines the circuit, const glint_circuit glint_my_circuit"},
         {"no-title", "rotate_xor", "rotate_xor.c", ".title = \"Turned and mixed\",", "",
          "circuit rotate_xor: it has no title"},
-        {"heading", "rotate_xor", "rotate_xor.c", "{.title = \"State\"}", "{.title = \"Stat\"}",
-         "its heading \"State\" is none of the circuit's"},
+        {"heading", "clip_lanes", "clip_lanes.c", "{.title = VALID}", "{.title = \"Valid\"}",
+         "its heading \"Valid bits\" is none of the circuit's"},
         {"submodule", "ring", "ring.c", "\"u_sum.acc\"", "\"u_sum.sum\"",
          "ring has no signal sum (u_sum.sum)"},
         {"memory", "ring", "ring.c", "\"mem[\" #i", "\"mem[1\" #i",
@@ -252,8 +252,8 @@ static void several_files_make_one_circuit(void **state)
     (void)state;
     char directory[OWN_PATH], path[OWN_PATH + 100];
     own_copy(OWN "rotate_xor", "several", directory);
-    own_edit(directory, "rotate_xor.c", "static glint_status create(",
-             "glint_status create(const int *values, void **model);\nglint_status create(");
+    own_edit(directory, "rotate_xor.c", "static void settle(",
+             "void settle(signals_now *s);\nvoid settle(");
     (void)snprintf(path, sizeof path, "%s/more.c", directory);
     scratch_write(path, "int more(void);\nint more(void) { return 1; }\n", 44);
     outcome done = own_run(directory, "", "verify --clocks 100");

@@ -91,7 +91,7 @@ typedef struct pins_of_all {
     uint32_t plain;
 } pins_of_all;
 
-GLINT_PIN_TABLE(pin_count, pin, GLINT_PIN(pins_of_all, reset, RESET, 1, 0, 0, ""),
+GLINT_PIN_TABLE(pin, GLINT_PIN(pins_of_all, reset, RESET, 1, 0, 0, ""),
                 GLINT_PIN(pins_of_all, reset_n, RESET_LOW, 1, 0, 0, ""),
                 GLINT_PIN(pins_of_all, en, ENABLE, 1, 0, 0, ""),
                 GLINT_PIN(pins_of_all, in_valid, VALID, 1, 0, 0, ""),
@@ -102,8 +102,7 @@ GLINT_PIN_TABLE(pin_count, pin, GLINT_PIN(pins_of_all, reset, RESET, 1, 0, 0, ""
                 GLINT_PIN(pins_of_all, wide, DATA, WIDE, 0, 1, ""),
                 GLINT_PIN(pins_of_all, plain, DATA, 20, 0, 0, ""))
 
-static const glint_circuit circuit = {
-    .name = "all", .pin_count = pin_count, .pin = pin, .pins_size = sizeof(pins_of_all)};
+static const glint_circuit circuit = {.name = "all", GLINT_PINS(pins_of_all, pin)};
 static const glint_setting setting = {.circuit = &circuit};
 
 static void each_seed_has_its_pins(void **state)

@@ -20,7 +20,7 @@ static void print_setting(const glint_setting *setting)
     const glint_circuit *circuit = setting->circuit;
     char name[GLINT_SETTING_TEXT];
     glint_setting_name(setting, name);
-    printf("%s %s %s %d", circuit->name, name, circuit->top(setting->values),
+    printf("%s %s %s %d", circuit->name, name, glint_setting_top(setting),
            circuit->signal_count(setting->values));
     for (int i = 0; i < circuit->parameter_count; i++)
         if (circuit->parameters[i].verilog != NULL)

@@ -14,6 +14,7 @@
 #include "../seed.h"
 #include "../wrong.h"
 #include "circuit/circuits.h"
+#include "circuit/model.h"
 #include "circuit/random_pins.h"
 #include "lockstep/lockstep.h"
 #include "lockstep/reach.h"
@@ -139,7 +140,7 @@ static void note_all(recount *all, const glint_setting *setting)
     glint_random_pins source;
     void *model;
     memset(all, 0, sizeof *all);
-    assert_int_equal(setting->circuit->create(setting->values, &model), GLINT_OK);
+    assert_int_equal(glint_model_create(setting, &model, NULL), GLINT_OK);
     glint_random_pins_begin(&source, setting, seed);
     for (int clock = 0; clock < RECOUNTED; clock++) {
         glint_pins pins;
@@ -156,9 +157,9 @@ static void note_all(recount *all, const glint_setting *setting)
                 device_holds_points(setting, glint_specular_device_signals(model));
             note_specular(all, clock, &specular);
         }
-        setting->circuit->clock(model, &pins);
+        glint_model_clock(setting, model, &pins);
     }
-    setting->circuit->destroy(model);
+    glint_model_destroy(setting, model);
 }
 
 static uint64_t sum(const bool *what, const bool *and)

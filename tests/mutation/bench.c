@@ -5,6 +5,7 @@
 
 #include "../circuits/find.h"
 #include "../netlist/pins.h"
+#include "circuit/model.h"
 #include "circuit/random_pins.h"
 #include "lockstep/signals.h"
 #include "sweep.h"
@@ -72,17 +73,14 @@ static glint_status create_pair(const mutation_netlist_table *netlist, const cir
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for the netlist of %s",
                           netlist->circuit);
     glint_random_pins_begin(&pair->random, whole, effort->seed);
-    const glint_status status = whole->circuit->create(whole->values, &pair->model);
-    return status == GLINT_OK ? status
-                              : glint_fail(err, status, "no C model of %s", netlist->circuit);
+    return glint_model_create(whole, &pair->model, err);
 }
 
 static void destroy_pair(pair *pair)
 {
     if (pair->instance != NULL)
         pair->netlist->destroy(pair->instance);
-    if (pair->model != NULL)
-        pair->circuit->whole.circuit->destroy(pair->model);
+    glint_model_destroy(&pair->circuit->whole, pair->model);
 }
 
 static void random_inputs(pair *pair, uint64_t clock, glint_pins *inputs)
@@ -106,12 +104,11 @@ static void point_inputs(pair *pair, uint64_t clock, glint_pins *inputs)
 static bool clock_pair(pair *pair, const glint_pins *inputs, mutation_verdict *verdict)
 {
     const circuit *circuit = pair->circuit;
-    const glint_circuit *described = circuit->whole.circuit;
     uint64_t in[MUTATION_PINS_MAX], model[MUTATION_PINS_MAX], netlist[MUTATION_PINS_MAX];
     for (int i = 0; i < circuit->inputs; i++)
         glint_pin_get(&circuit->input[i], inputs, &in[i]);
-    described->clock(pair->model, inputs);
-    glint_signals_read(&circuit->output, described->signals(pair->model), model);
+    glint_model_clock(&circuit->whole, pair->model, inputs);
+    glint_signals_read(&circuit->output, glint_model_signals(&circuit->whole, pair->model), model);
     pair->netlist->clock(pair->instance, in, netlist);
     verdict->clocks++;
     for (int i = 0; i < circuit->outputs; i++) {

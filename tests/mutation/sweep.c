@@ -116,7 +116,7 @@ static uint64_t domain_clocks(const glint_setting *setting)
     const uint64_t pace = circuit->pace != NULL ? (uint64_t)circuit->pace(values) : 1;
     return circuit->domain == NULL
                ? 0
-               : circuit->domain->points(values) * pace + (uint64_t)circuit->latency(values);
+               : circuit->domain->points(values) * pace + (uint64_t)glint_setting_latency(setting);
 }
 
 /* A point every `pace` clocks, and nothing behind the last. */

@@ -1,15 +1,10 @@
 /* saturating_mac: the C model of saturating_mac.v, and the description by which Glint knows both.
  * docs/your-circuit.md goes through it. */
-#include <stdlib.h>
-
 #include "glint_describe.h"
 
 /* ---- What the circuit has: parameters, pins, signals ---- */
 
 enum { WIDTH }; /* where the parameter stands in `values` */
-
-/* The widths that `verify` tries unasked. */
-static const int listed[] = {2, 8, 16};
 
 static const glint_parameter parameters[] = {
     {.name = "width",
@@ -18,8 +13,7 @@ static const glint_parameter parameters[] = {
      .min = 2,
      .max = 16,
      .standard = 8,
-     .listed = listed,
-     .listed_count = sizeof listed / sizeof listed[0]},
+     GLINT_LISTED(2, 8, 16)}, /* what `verify` tries unasked */
 };
 
 typedef struct mac_pins {
@@ -27,7 +21,7 @@ typedef struct mac_pins {
     int16_t a, b;
 } mac_pins;
 
-GLINT_PIN_TABLE(pin_count, pin, GLINT_PIN(mac_pins, reset, RESET, 1, 0, 0, "clears everything"),
+GLINT_PIN_TABLE(pin, GLINT_PIN(mac_pins, reset, RESET, 1, 0, 0, "clears everything"),
                 GLINT_PIN(mac_pins, en, ENABLE, 1, 0, 0, "0 freezes everything"),
                 GLINT_PIN(mac_pins, in_valid, VALID, 1, 0, 0, "a and b are taken"),
                 GLINT_PIN(mac_pins, first, STROBE, 1, 0, 0,
@@ -46,11 +40,8 @@ typedef struct mac_signals {
 #define SUM     "Stage 2: the sum"
 #define OUTPUTS "Outputs"
 
-static const glint_heading headings[] = {{.title = PRODUCT}, {.title = SUM}, {.title = OUTPUTS}};
-
 GLINT_SIGNAL_TABLE(
-    signal_count, signal,
-    GLINT_SIGNAL(mac_signals, s1_valid, STAGE, 1, 0, 0, PRODUCT, "there is a product"),
+    signal, GLINT_SIGNAL(mac_signals, s1_valid, STAGE, 1, 0, 0, PRODUCT, "there is a product"),
     GLINT_SIGNAL(mac_signals, s1_first, STAGE, 1, 0, 0, PRODUCT, "the sum begins with it"),
     GLINT_SIGNAL(mac_signals, product, REGISTER, 2 * values[WIDTH], 0, 1, PRODUCT, "a*b"),
     GLINT_SIGNAL(mac_signals, added, BLOCK, 2 * values[WIDTH] + 1, 0, 1, SUM, "with a bit more"),
@@ -61,7 +52,7 @@ GLINT_SIGNAL_TABLE(
     GLINT_SIGNAL(mac_signals, out_sum, OUTPUT, 2 * values[WIDTH], 0, 1, OUTPUTS, "the sum"))
 
 /* For the drawing (`glint draw`): what each value is made of. */
-GLINT_BLOCK_TABLE(block_count, block, GLINT_BLOCK("factors", MULTIPLIER, NULL, "a b", NULL),
+GLINT_BLOCK_TABLE(block, GLINT_BLOCK("factors", MULTIPLIER, NULL, "a b", NULL),
                   GLINT_BLOCK("product", REGISTER, "a\u00b7b", "factors", "in_valid"),
                   GLINT_BLOCK("s1_first", REGISTER, NULL, "first", "in_valid"),
                   GLINT_BLOCK("s1_valid", REGISTER, NULL, "in_valid", NULL),
@@ -73,14 +64,13 @@ GLINT_BLOCK_TABLE(block_count, block, GLINT_BLOCK("factors", MULTIPLIER, NULL, "
                   GLINT_BLOCK("out_saturated", REGISTER, NULL, "beyond", "s1_valid"),
                   GLINT_BLOCK("out_valid", REGISTER, NULL, "s1_valid", NULL))
 
-GLINT_ALWAYS(const char *, top, "saturating_mac")
 GLINT_ALWAYS(int, latency, 2)
 
 /* ---- What it does: the C model ---- */
 
 typedef struct mac {
-    int64_t most; /* that the sum may be */
     mac_signals s;
+    int64_t most; /* that the sum may be */
 } mac;
 
 /* What stands behind the registers, which the edge has just written. */
@@ -117,19 +107,10 @@ static void clock_edge(void *model, const void *pins_now)
     settle(m);
 }
 
-static glint_status create(const int *values, void **model)
+static void begin(const int *values, void *model)
 {
-    mac *m = calloc(1, sizeof *m);
-    *model = m;
-    if (m == NULL)
-        return GLINT_NO_MEMORY;
+    mac *m = model;
     m->most = (INT64_C(1) << (2 * values[WIDTH] - 1)) - 1;
-    return GLINT_OK;
-}
-
-static const void *signals(const void *model)
-{
-    return &((const mac *)model)->s;
 }
 
 /* ---- Every input: each pair of factors, four times in a row so that the sum meets its ends ----
@@ -161,22 +142,11 @@ const glint_circuit glint_my_circuit = {
     .name = "saturating_mac",
     .title = "Saturating multiply-accumulate",
     .clock_port = "clk",
-    .top = top,
-    .parameters = parameters,
-    .parameter_count = sizeof parameters / sizeof parameters[0],
-    .pin_count = pin_count,
-    .pin = pin,
-    .pins_size = sizeof(mac_pins),
-    .signal_count = signal_count,
-    .signal = signal,
-    .headings = headings,
-    .heading_count = sizeof headings / sizeof headings[0],
+    GLINT_PARAMETERS(parameters),
+    GLINT_PINS(mac_pins, pin),
+    GLINT_SIGNALS(signal),
     .latency = latency,
-    .create = create,
-    .destroy = free,
-    .clock = clock_edge,
-    .signals = signals,
+    GLINT_MODEL(mac, begin, clock_edge),
     .domain = &domain,
-    .block_count = block_count,
-    .block = block,
+    GLINT_BLOCKS(block),
 };

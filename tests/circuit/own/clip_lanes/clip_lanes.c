@@ -1,6 +1,5 @@
 /* clip_lanes: lanes in a generate loop, whose ports stand side by side: 1 to 32 of them, up to 384
  * bits in a port of which each lane has 12. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "glint_describe.h"
@@ -8,7 +7,6 @@
 enum { LANES };
 enum { LANES_MAX = 32 };
 
-static const int listed[] = {1, 3, 8};
 static const glint_parameter parameters[] = {
     {.name = "lanes",
      .verilog = "LANES",
@@ -16,8 +14,7 @@ static const glint_parameter parameters[] = {
      .min = 1,
      .max = LANES_MAX,
      .standard = 1,
-     .listed = listed,
-     .listed_count = 3},
+     GLINT_LISTED(1, 3, 8)},
 };
 
 typedef struct pins {
@@ -92,12 +89,11 @@ static glint_signal_info signal(const int *values, int index)
                        (index - SHARED_SIGNALS) % LANE_SIGNALS);
 }
 
-GLINT_ALWAYS(const char *, top, "clip_lanes")
 GLINT_ALWAYS(int, latency, 2)
 
 typedef struct clip {
-    int lanes;
     signals_now s;
+    int lanes;
 } clip;
 
 static int64_t clamp(int64_t x)
@@ -128,40 +124,22 @@ static void clock_edge(void *model, const void *pins_now)
         edge(m, in);
 }
 
-static glint_status create(const int *values, void **model)
+static void begin(const int *values, void *model)
 {
-    clip *m = calloc(1, sizeof *m);
-    *model = m;
-    if (m == NULL)
-        return GLINT_NO_MEMORY;
+    clip *m = model;
     m->lanes = values[LANES];
-    return GLINT_OK;
-}
-
-static const void *signals(const void *model)
-{
-    return &((const clip *)model)->s;
 }
 
 const glint_circuit glint_my_circuit = {
     .name = "clip_lanes",
     .title = "Numbers brought into range",
     .clock_port = "clk",
-    .top = top,
-    .parameters = parameters,
-    .parameter_count = 1,
-    .pin_count = pin_count,
-    .pin = pin,
-    .pins_size = sizeof(pins),
-    .signal_count = signal_count,
-    .signal = signal,
+    GLINT_PARAMETERS(parameters),
+    GLINT_PINS(pins, pin),
+    GLINT_SIGNALS(signal),
     .lane_name = "lane",
     .lane_scope = "lane[%d].u",
-    .headings = headings,
-    .heading_count = sizeof headings / sizeof headings[0],
+    GLINT_HEADINGS(headings),
     .latency = latency,
-    .create = create,
-    .destroy = free,
-    .clock = clock_edge,
-    .signals = signals,
+    GLINT_MODEL(clip, begin, clock_edge),
 };

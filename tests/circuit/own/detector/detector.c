@@ -1,7 +1,5 @@
 /* detector: a Mealy machine, its output combinational of state and pin; no number at its pins. The
  * top module depends on a parameter that the Verilog does not have. */
-#include <stdlib.h>
-
 #include "glint_describe.h"
 
 enum { FORM };
@@ -16,16 +14,14 @@ typedef struct pins {
     uint8_t reset, bit_in;
 } pins;
 
-GLINT_PIN_TABLE(pin_count, pin, GLINT_PIN(pins, reset, RESET, 1, 0, 0, "nothing fits"),
+GLINT_PIN_TABLE(pin, GLINT_PIN(pins, reset, RESET, 1, 0, 0, "nothing fits"),
                 GLINT_PIN(pins, bit_in, STROBE, 1, 0, 0, "the next bit"))
 
 typedef struct signals_now {
     int64_t state, found, count;
 } signals_now;
 
-static const glint_heading headings[] = {{.title = "Detector"}};
-
-GLINT_SIGNAL_TABLE(signal_count, signal,
+GLINT_SIGNAL_TABLE(signal,
                    GLINT_SIGNAL(signals_now, state, REGISTER, values[FORM] == FORM_ONEHOT ? 4 : 2,
                                 0, 0, "Detector", "how many bits fit"),
                    GLINT_SIGNAL(signals_now, found, OUTPUT, 1, 0, 0, "Detector", "they end here"),
@@ -39,9 +35,9 @@ static const char *top(const int *values)
 GLINT_ALWAYS(int, latency, 0)
 
 typedef struct detector {
+    signals_now s;
     int form;
     int fit; /* bits that fit so far; −1: after reset */
-    signals_now s;
 } detector;
 
 static void settle(detector *m, const pins *in)
@@ -67,20 +63,11 @@ static void clock_edge(void *model, const void *pins_now)
     settle(m, in);
 }
 
-static glint_status create(const int *values, void **model)
+static void begin(const int *values, void *model)
 {
-    detector *m = calloc(1, sizeof *m);
-    *model = m;
-    if (m == NULL)
-        return GLINT_NO_MEMORY;
+    detector *m = model;
     m->form = values[FORM];
     m->fit = -1;
-    return GLINT_OK;
-}
-
-static const void *signals(const void *model)
-{
-    return &((const detector *)model)->s;
 }
 
 const glint_circuit glint_my_circuit = {
@@ -88,18 +75,9 @@ const glint_circuit glint_my_circuit = {
     .title = "Finds 1 0 1 1",
     .clock_port = "clk",
     .top = top,
-    .parameters = parameters,
-    .parameter_count = 1,
-    .pin_count = pin_count,
-    .pin = pin,
-    .pins_size = sizeof(pins),
-    .signal_count = signal_count,
-    .signal = signal,
-    .headings = headings,
-    .heading_count = 1,
+    GLINT_PARAMETERS(parameters),
+    GLINT_PINS(pins, pin),
+    GLINT_SIGNALS(signal),
     .latency = latency,
-    .create = create,
-    .destroy = free,
-    .clock = clock_edge,
-    .signals = signals,
+    GLINT_MODEL(detector, begin, clock_edge),
 };

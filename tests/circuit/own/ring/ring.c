@@ -12,7 +12,7 @@ typedef struct pins {
     int8_t data;
 } pins;
 
-GLINT_PIN_TABLE(pin_count, pin, GLINT_PIN(pins, rst_n, RESET_LOW, 1, 0, 0, "0 empties it at once"),
+GLINT_PIN_TABLE(pin, GLINT_PIN(pins, rst_n, RESET_LOW, 1, 0, 0, "0 empties it at once"),
                 GLINT_PIN(pins, push, VALID, 1, 0, 0, "data goes in"),
                 GLINT_PIN(pins, pop, STROBE, 1, 0, 0, "the front goes away"),
                 GLINT_PIN(pins, data, DATA, 8, 0, 1, "what goes in"))
@@ -25,14 +25,11 @@ typedef struct signals_now {
 #define QUEUE "The queue"
 #define SUM   "The sum"
 
-static const glint_heading headings[] = {{.title = QUEUE}, {.title = SUM}};
-
 #define PLACE(i, name)                                                                             \
     GLINT_SIGNAL_OF(signals_now, mem[i], name, "mem[" #i "]", REGISTER, 8, 0, 1, -1, QUEUE,        \
                     "a place")
 
-GLINT_SIGNAL_TABLE(signal_count, signal, PLACE(0, "mem0"), PLACE(1, "mem1"), PLACE(2, "mem2"),
-                   PLACE(3, "mem3"),
+GLINT_SIGNAL_TABLE(signal, PLACE(0, "mem0"), PLACE(1, "mem1"), PLACE(2, "mem2"), PLACE(3, "mem3"),
                    GLINT_SIGNAL(signals_now, head, REGISTER, 2, 0, 0, QUEUE, "where the front is"),
                    GLINT_SIGNAL(signals_now, tail, BLOCK, 2, 0, 0, QUEUE, "the first free place"),
                    GLINT_SIGNAL(signals_now, gone, BLOCK, 1, 0, 0, QUEUE, "the front goes"),
@@ -42,9 +39,6 @@ GLINT_SIGNAL_TABLE(signal_count, signal, PLACE(0, "mem0"), PLACE(1, "mem1"), PLA
                    GLINT_SIGNAL(signals_now, level, OUTPUT, 3, 0, 0, QUEUE, "how many there are"),
                    GLINT_SIGNAL_OF(signals_now, sum, "sum", "u_sum.acc", REGISTER, 16, 0, 1, -1,
                                    SUM, "of all that were taken"))
-
-GLINT_ALWAYS(const char *, top, "ring")
-GLINT_ALWAYS(int, latency, 1)
 
 /* What the outputs are with these pins. */
 static void settle(signals_now *s, const pins *in)
@@ -80,33 +74,11 @@ static void clock_edge(void *model, const void *pins_now)
     settle(s, in);
 }
 
-static glint_status create(const int *values, void **model)
-{
-    (void)values;
-    *model = calloc(1, sizeof(signals_now));
-    return *model != NULL ? GLINT_OK : GLINT_NO_MEMORY;
-}
-
-static const void *signals(const void *model)
-{
-    return model;
-}
-
 const glint_circuit glint_my_circuit = {
     .name = "ring",
     .title = "A queue of four",
     .clock_port = "clock",
-    .top = top,
-    .pin_count = pin_count,
-    .pin = pin,
-    .pins_size = sizeof(pins),
-    .signal_count = signal_count,
-    .signal = signal,
-    .headings = headings,
-    .heading_count = sizeof headings / sizeof headings[0],
-    .latency = latency,
-    .create = create,
-    .destroy = free,
-    .clock = clock_edge,
-    .signals = signals,
+    GLINT_PINS(pins, pin),
+    GLINT_SIGNALS(signal),
+    GLINT_MODEL(signals_now, NULL, clock_edge),
 };

@@ -1,6 +1,4 @@
 /* rotate_xor: ports of 100 bits, no parameter, no enable. */
-#include <stdlib.h>
-
 #include "glint_describe.h"
 
 enum { HIGH_BITS = 100 - 64, TURN = 13 };
@@ -11,7 +9,7 @@ typedef struct pins {
     uint64_t word[2];
 } pins;
 
-GLINT_PIN_TABLE(pin_count, pin, GLINT_PIN(pins, reset, RESET, 1, 0, 0, "clears the state"),
+GLINT_PIN_TABLE(pin, GLINT_PIN(pins, reset, RESET, 1, 0, 0, "clears the state"),
                 GLINT_PIN(pins, in_valid, VALID, 1, 0, 0, "the word is taken"),
                 GLINT_PIN(pins, word, DATA, 100, 0, 0, "what is mixed in"))
 
@@ -20,16 +18,11 @@ typedef struct signals_now {
     int64_t out_valid, parity;
 } signals_now;
 
-static const glint_heading headings[] = {{.title = "State"}};
-
-GLINT_SIGNAL_TABLE(signal_count, signal,
+GLINT_SIGNAL_TABLE(signal,
                    GLINT_SIGNAL(signals_now, out_valid, OUTPUT, 1, 0, 0, "State", "it is new"),
                    GLINT_SIGNAL(signals_now, state, OUTPUT, 100, 0, 0, "State", "the word kept"),
                    GLINT_SIGNAL(signals_now, turned, BLOCK, 100, 0, 0, "State", "13 to the left"),
                    GLINT_SIGNAL(signals_now, parity, OUTPUT, 1, 0, 0, "State", "of its bits"))
-
-GLINT_ALWAYS(const char *, top, "rotate_xor")
-GLINT_ALWAYS(int, latency, 1)
 
 static void settle(signals_now *s)
 {
@@ -55,33 +48,11 @@ static void clock_edge(void *model, const void *pins_now)
     settle(s);
 }
 
-static glint_status create(const int *values, void **model)
-{
-    (void)values;
-    *model = calloc(1, sizeof(signals_now));
-    return *model != NULL ? GLINT_OK : GLINT_NO_MEMORY;
-}
-
-static const void *signals(const void *model)
-{
-    return model;
-}
-
 const glint_circuit glint_my_circuit = {
     .name = "rotate_xor",
     .title = "Turned and mixed",
     .clock_port = "clk",
-    .top = top,
-    .pin_count = pin_count,
-    .pin = pin,
-    .pins_size = sizeof(pins),
-    .signal_count = signal_count,
-    .signal = signal,
-    .headings = headings,
-    .heading_count = 1,
-    .latency = latency,
-    .create = create,
-    .destroy = free,
-    .clock = clock_edge,
-    .signals = signals,
+    GLINT_PINS(pins, pin),
+    GLINT_SIGNALS(signal),
+    GLINT_MODEL(signals_now, NULL, clock_edge),
 };

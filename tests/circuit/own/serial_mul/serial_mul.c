@@ -4,7 +4,6 @@
 
 #include "glint_describe.h"
 
-static const int listed[] = {3, 6};
 static const glint_parameter parameters[] = {
     {.name = "width",
      .verilog = "WIDTH",
@@ -12,31 +11,25 @@ static const glint_parameter parameters[] = {
      .min = 2,
      .max = 16,
      .standard = 6,
-     .listed = listed,
-     .listed_count = 2},
+     GLINT_LISTED(3, 6)},
 };
 
-GLINT_PIN_TABLE(pin_count, pin,
-                GLINT_PIN(serial_pins, arst, RESET, 1, 0, 0, "clears everything at once"),
+GLINT_PIN_TABLE(pin, GLINT_PIN(serial_pins, arst, RESET, 1, 0, 0, "clears everything at once"),
                 GLINT_PIN(serial_pins, en, ENABLE, 1, 0, 0, "0 freezes everything"),
                 GLINT_PIN(serial_pins, start, VALID, 1, 0, 0, "a and b are taken"),
                 GLINT_PIN(serial_pins, a, DATA, values[0], 0, 0, "a factor"),
                 GLINT_PIN(serial_pins, b, DATA, values[0], 0, 0, "the other"))
 
-static const glint_heading headings[] = {{.title = "Bit by bit"}};
 #define BITS "Bit by bit"
 
 GLINT_SIGNAL_TABLE(
-    signal_count, signal,
-    GLINT_SIGNAL(serial_signals, busy, OUTPUT, 1, 0, 0, BITS, "it takes nothing"),
+    signal, GLINT_SIGNAL(serial_signals, busy, OUTPUT, 1, 0, 0, BITS, "it takes nothing"),
     GLINT_SIGNAL(serial_signals, left, REGISTER, 5, 0, 0, BITS, "bits still to come"),
     GLINT_SIGNAL(serial_signals, bits, REGISTER, values[0], 0, 0, BITS, "of b"),
     GLINT_SIGNAL(serial_signals, addend, REGISTER, 2 * values[0], 0, 0, BITS, "a, moved"),
     GLINT_SIGNAL(serial_signals, sum, BLOCK, 2 * values[0], 0, 0, BITS, "the next acc"),
     GLINT_SIGNAL(serial_signals, done, OUTPUT, 1, 0, 0, BITS, "the product is whole"),
     GLINT_SIGNAL(serial_signals, product, OUTPUT, 2 * values[0], 0, 0, BITS, "so far"))
-
-GLINT_ALWAYS(const char *, top, "serial_mul")
 
 static int busy_clocks(const int *values)
 {
@@ -91,16 +84,9 @@ const glint_circuit glint_my_circuit = {
     .name = "serial_mul",
     .title = "A product bit by bit",
     .clock_port = "clk",
-    .top = top,
-    .parameters = parameters,
-    .parameter_count = 1,
-    .pin_count = pin_count,
-    .pin = pin,
-    .pins_size = sizeof(serial_pins),
-    .signal_count = signal_count,
-    .signal = signal,
-    .headings = headings,
-    .heading_count = 1,
+    GLINT_PARAMETERS(parameters),
+    GLINT_PINS(serial_pins, pin),
+    GLINT_SIGNALS(signal),
     .latency = busy_clocks,
     .pace = busy_clocks,
     .create = serial_create,

@@ -1,7 +1,5 @@
 /* staged_alu: three parameters, of choices and of ranges; stages in a generate loop, as many as one
  * of them says; a second Verilog file. */
-#include <stdlib.h>
-
 #include "glint_describe.h"
 
 enum { OP, WIDTH, STAGES };
@@ -9,8 +7,6 @@ enum { OP_ADD, OP_SUBTRACT, OP_XOR };
 enum { STAGES_MAX = 6 };
 
 static const char *const op_names[] = {"add", "subtract", "xor"};
-static const int listed_widths[] = {8};
-static const int listed_stages[] = {1, 3};
 static const glint_parameter parameters[] = {
     {.name = "op",
      .verilog = "OP",
@@ -23,16 +19,14 @@ static const glint_parameter parameters[] = {
      .min = 2,
      .max = 32,
      .standard = 8,
-     .listed = listed_widths,
-     .listed_count = 1},
+     GLINT_LISTED(8)},
     {.name = "stages",
      .verilog = "STAGES",
      .meaning = "how often it is done",
      .min = 1,
      .max = STAGES_MAX,
      .standard = 2,
-     .listed = listed_stages,
-     .listed_count = 2},
+     GLINT_LISTED(1, 3)},
 };
 
 typedef struct pins {
@@ -40,7 +34,7 @@ typedef struct pins {
     uint32_t a, b;
 } pins;
 
-GLINT_PIN_TABLE(pin_count, pin, GLINT_PIN(pins, reset, RESET, 1, 0, 0, "clears everything"),
+GLINT_PIN_TABLE(pin, GLINT_PIN(pins, reset, RESET, 1, 0, 0, "clears everything"),
                 GLINT_PIN(pins, en, ENABLE, 1, 0, 0, "0 freezes everything"),
                 GLINT_PIN(pins, in_valid, VALID, 1, 0, 0, "a and b are taken"),
                 GLINT_PIN(pins, a, DATA, values[WIDTH], 0, 0, "the beginning"),
@@ -54,8 +48,6 @@ typedef struct signals_now {
     stage_signals stage[STAGES_MAX + 1]; /* 0: what stage 1 takes */
     int64_t out_valid, result;
 } signals_now;
-
-static const glint_heading headings[] = {{.title = "Outputs"}};
 
 enum { OUTPUTS = 2, STAGE_ROWS = 3 };
 
@@ -88,17 +80,15 @@ static glint_signal_info signal(const int *values, int index)
                           : outputs[index - behind];
 }
 
-GLINT_ALWAYS(const char *, top, "staged_alu")
-
 static int latency(const int *values)
 {
     return values[STAGES];
 }
 
 typedef struct alu {
+    signals_now s;
     int op, stages;
     uint32_t mask;
-    signals_now s;
 } alu;
 
 static stage_signals done_by(const alu *m, const stage_signals *before)
@@ -130,42 +120,23 @@ static void clock_edge(void *model, const void *pins_now)
     s->result = s->stage[m->stages].value;
 }
 
-static glint_status create(const int *values, void **model)
+static void begin(const int *values, void *model)
 {
-    alu *m = calloc(1, sizeof *m);
-    *model = m;
-    if (m == NULL)
-        return GLINT_NO_MEMORY;
+    alu *m = model;
     m->op = values[OP];
     m->stages = values[STAGES];
     m->mask = UINT32_MAX >> (32 - values[WIDTH]);
-    return GLINT_OK;
-}
-
-static const void *signals(const void *model)
-{
-    return &((const alu *)model)->s;
 }
 
 const glint_circuit glint_my_circuit = {
     .name = "staged_alu",
     .title = "One operation, several times",
     .clock_port = "clk",
-    .top = top,
-    .parameters = parameters,
-    .parameter_count = 3,
-    .pin_count = pin_count,
-    .pin = pin,
-    .pins_size = sizeof(pins),
-    .signal_count = signal_count,
-    .signal = signal,
+    GLINT_PARAMETERS(parameters),
+    GLINT_PINS(pins, pin),
+    GLINT_SIGNALS(signal),
     .lane_name = "stage",
     .lane_scope = "stage[%d].u",
-    .headings = headings,
-    .heading_count = 1,
     .latency = latency,
-    .create = create,
-    .destroy = free,
-    .clock = clock_edge,
-    .signals = signals,
+    GLINT_MODEL(alu, begin, clock_edge),
 };

@@ -1,5 +1,4 @@
 /* wide_sum: signed ports of 33 to 511 bits, by a parameter: one word or eight. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "glint_describe.h"
@@ -7,7 +6,6 @@
 enum { WIDTH };
 enum { WORDS = 8 };
 
-static const int listed[] = {65, 256};
 static const glint_parameter parameters[] = {
     {.name = "width",
      .verilog = "WIDTH",
@@ -15,8 +13,7 @@ static const glint_parameter parameters[] = {
      .min = 33,
      .max = 511,
      .standard = 256,
-     .listed = listed,
-     .listed_count = 2},
+     GLINT_LISTED(65, 256)},
 };
 
 typedef struct pins {
@@ -24,7 +21,7 @@ typedef struct pins {
     uint64_t a[WORDS], b[WORDS];
 } pins;
 
-GLINT_PIN_TABLE(pin_count, pin, GLINT_PIN(pins, reset, RESET, 1, 0, 0, "clears everything"),
+GLINT_PIN_TABLE(pin, GLINT_PIN(pins, reset, RESET, 1, 0, 0, "clears everything"),
                 GLINT_PIN(pins, en, ENABLE, 1, 0, 0, "0 freezes everything"),
                 GLINT_PIN(pins, in_valid, VALID, 1, 0, 0, "a and b are taken"),
                 GLINT_PIN(pins, a, DATA, values[WIDTH], 0, 1, "a summand"),
@@ -35,19 +32,14 @@ typedef struct signals_now {
     uint64_t sum[WORDS];
 } signals_now;
 
-static const glint_heading headings[] = {{.title = "Outputs"}};
-
-GLINT_SIGNAL_TABLE(signal_count, signal,
+GLINT_SIGNAL_TABLE(signal,
                    GLINT_SIGNAL(signals_now, out_valid, OUTPUT, 1, 0, 0, "Outputs", "a sum is out"),
                    GLINT_SIGNAL(signals_now, sum, OUTPUT, values[WIDTH] + 1, 0, 1, "Outputs",
                                 "a + b"))
 
-GLINT_ALWAYS(const char *, top, "wide_sum")
-GLINT_ALWAYS(int, latency, 1)
-
 typedef struct wide {
-    int width;
     signals_now s;
+    int width;
 } wide;
 
 /* Word i of a number of so many bits, whose sign goes on above them. */
@@ -86,38 +78,18 @@ static void clock_edge(void *model, const void *pins_now)
     }
 }
 
-static glint_status create(const int *values, void **model)
+static void begin(const int *values, void *model)
 {
-    wide *m = calloc(1, sizeof *m);
-    *model = m;
-    if (m == NULL)
-        return GLINT_NO_MEMORY;
+    wide *m = model;
     m->width = values[WIDTH];
-    return GLINT_OK;
-}
-
-static const void *signals(const void *model)
-{
-    return &((const wide *)model)->s;
 }
 
 const glint_circuit glint_my_circuit = {
     .name = "wide_sum",
     .title = "Wide sum",
     .clock_port = "clk",
-    .top = top,
-    .parameters = parameters,
-    .parameter_count = 1,
-    .pin_count = pin_count,
-    .pin = pin,
-    .pins_size = sizeof(pins),
-    .signal_count = signal_count,
-    .signal = signal,
-    .headings = headings,
-    .heading_count = 1,
-    .latency = latency,
-    .create = create,
-    .destroy = free,
-    .clock = clock_edge,
-    .signals = signals,
+    GLINT_PARAMETERS(parameters),
+    GLINT_PINS(pins, pin),
+    GLINT_SIGNALS(signal),
+    GLINT_MODEL(wide, begin, clock_edge),
 };
