@@ -322,6 +322,5 @@ const glint_circuit glint_circuit_divider = {
     .stimulus_begin = stimulus_begin,
     .stimulus_next = stimulus_next,
     .domain = &domain,
-    .block_count = block_count,
-    .block = block,
+    GLINT_BLOCKS(block),
 };

@@ -206,7 +206,7 @@ static int latency(const int *values)
                                                       : (drawn))
 
 /* Registers 2 to 5 and the ROMs first, as they are at the top of the figure. */
-GLINT_BLOCK_TABLE(block_count, block, GLINT_BLOCK("n", PIN, "17", NULL, NULL),
+GLINT_BLOCK_TABLE(block, GLINT_BLOCK("n", PIN, "17", NULL, NULL),
                   GLINT_BLOCK("cos", PIN, "32", NULL, NULL),
                   GLINT_BLOCK("reg2", REGISTER, "n", "n", "n_we"),
                   GLINT_BLOCK("reg1", REGISTER, "cos \u03b3", "cos", "in_valid"),
@@ -296,6 +296,5 @@ const glint_circuit glint_circuit_specular = {
     .stimulus_size = sizeof(glint_stimulus),
     .stimulus_begin = stimulus_begin,
     .stimulus_next = stimulus_next,
-    .block_count = block_count,
-    .block = block,
+    GLINT_BLOCKS(block),
 };

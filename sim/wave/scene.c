@@ -32,8 +32,7 @@ static int run_clocks(const glint_setting *setting)
 
 static int random_clocks(const glint_setting *setting)
 {
-    return FIRST_CLOCK + run_clocks(setting) + glint_setting_latency(setting) +
-           STALL_CLOCKS;
+    return FIRST_CLOCK + run_clocks(setting) + glint_setting_latency(setting) + STALL_CLOCKS;
 }
 
 static void put(const glint_pin_info *pin, glint_pins *pins, uint64_t value)
