@@ -223,9 +223,14 @@ lint:
 	        { echo "lint has changed the mode of /dev/null from $$mode" >&2; exit 1; }; }
 
 # Every listed setting of every circuit; make lint-NAME for one of them, as $(BUILD)/settings has
-# it.
+# it. By Yosys, which takes longest, all settings of a top together: make lint-gates-TOP.
 lint-verilog: $(BUILD)/settings
-	+@$(MAKE) $$(cut -d ' ' -f 2 $< | sed 's/^/lint-/')
+	+@$(MAKE) $$(cut -d ' ' -f 3 $< | sort -u | sed 's/^/lint-gates-/') \
+	    $$(cut -d ' ' -f 2 $< | sed 's/^/lint-/')
+
+lint-gates-%: $(BUILD)/settings FORCE
+	$(call say,LINT,'$* as gates')
+	$Qtests/circuits/lint_gates.sh $* $< $(BUILD)/lint
 
 lint-%: $(BUILD)/settings FORCE
 	$(call say,LINT,$*)

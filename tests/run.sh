@@ -1,18 +1,15 @@
 #!/bin/sh
-# Runs test programs (cmocka), one after the other, and adds up what they report.
+# Runs test programs (cmocka), as many at once as there are processors, and adds up what they report.
 #
 #   tests/run.sh LOGDIR PROGRAM...
 #
-# A line for each program; the whole log of one that fails, and of each skipped test why. The last
-# line counts the tests of all; exit status 1 when one failed or when no test ran at all.
+# Programs start in the order in which they are named: those that take longest should come first.
+# JOBS=1 runs them one after the other.
+#
+# A line for each program as it ends; the whole log of one that fails, and of each skipped test why.
+# Then, of more than ten, the ten that took longest. The last line counts the tests of all. Exit
+# status 1 when one failed or when no test ran at all.
 set -u
-
-logs=$1
-shift
-mkdir -p "$logs"
-passed=0
-failed=0
-skipped=0
 
 # The number in cmocka's closing line "[  PASSED  ] N test(s).", "[  FAILED  ] N test(s)…" or
 # "[  SKIPPED ] N test(s)…".
@@ -28,27 +25,48 @@ reasons() {
          { said = $0 }' "$1"
 }
 
-for program in "$@"; do
+# Runs one program and leaves its counts beside its log: PASSED FAILED SKIPPED SECONDS NAME.
+run() {
+    logs=$1 program=$2
     name=${program##*/}
     log=$logs/$name.log
     begin=$(date +%s)
     "$program" >"$log" 2>&1
     status=$?
+    seconds=$(($(date +%s) - begin))
     good=$(count_of PASSED "$log")
     bad=$(count_of FAILED "$log")
     left=$(count_of SKIPPED "$log")
     if [ "$status" -ne 0 ] || [ "$bad" -ne 0 ] || [ "$((good + left))" -eq 0 ]; then
         [ "$bad" -ne 0 ] || bad=1 # it crashed, or ran no test
-        cat "$log"
-        echo "FAILED  $name (exit status $status); run it again: $program"
+        said=$(cat "$log" && echo "FAILED  $name (exit status $status); run it again: $program")
     else
-        printf 'ok      %-28s %3d tests, %d s\n' "$name" "$good" "$(($(date +%s) - begin))"
-        reasons "$log"
+        said=$(printf 'ok      %-28s %3d tests, %d s\n' "$name" "$good" "$seconds" && reasons "$log")
     fi
-    passed=$((passed + good))
-    failed=$((failed + bad))
-    skipped=$((skipped + left))
-done
+    echo "$good $bad $left $seconds $name" >"$logs/$name.count"
+    printf '%s\n' "$said" # at once, so that two do not mix
+}
 
-echo "$passed passed, $failed failed, $skipped skipped"
-[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
+if [ "$1" = --one ]; then
+    run "$2" "$3"
+    exit 0
+fi
+
+logs=$1
+shift
+mkdir -p "$logs"
+rm -f "$logs"/*.count
+printf '%s\n' "$@" | xargs -d '\n' -n 1 -P "${JOBS:-$(nproc)}" "$0" --one "$logs"
+
+if [ $# -gt 10 ]; then
+    echo 'the longest:'
+    cat "$logs"/*.count | sort -k4,4nr | head -n 10 | awk '{ printf "%5d s  %s\n", $4, $5 }'
+fi
+# A program that left no count was ended from outside, with the script about it.
+cat "$logs"/*.count | awk -v programs=$# '
+    { passed += $1; failed += $2; skipped += $3 }
+    END {
+        failed += programs - NR
+        printf "%d passed, %d failed, %d skipped\n", passed, failed, skipped
+        exit failed != 0 || passed == 0
+    }'

@@ -1,12 +1,11 @@
 #!/bin/sh
-# Lint of one setting's Verilog: Verilator, Icarus, and Yosys down to gates, where a warning, a
-# latch or a problem found by its checks is an error.
+# Lint of one setting's Verilog by Verilator and Icarus, where a warning is an error; Yosys looks at
+# all settings together (lint_gates.sh).
 #
 #   tests/circuits/lint.sh SETTING TABLE DIR
 #
-# SETTING is one of TABLE (build/settings); DIR is for what Icarus makes. Yosys takes long over wide
-# circuits: it is asked about those of at most 160 signals. To be called from the directory that
-# holds rtl/. Exit status 1 when something is found.
+# SETTING is one of TABLE (build/settings); DIR is for what Icarus makes. To be called from the
+# directory that holds rtl/. Exit status 1 when something is found.
 set -eu
 
 setting=$1 table=$2 dir=$3
@@ -16,30 +15,19 @@ line=$(awk -v setting="$setting" '$2 == setting' "$table")
     exit 2
 }
 top=$(echo "$line" | cut -d ' ' -f 3)
-signals=$(echo "$line" | cut -d ' ' -f 4)
-verilator= icarus= yosys=
+verilator= icarus=
 for parameter in $(echo "$line" | cut -s -d ' ' -f 5-); do
     verilator="$verilator -G$parameter"
     icarus="$icarus -P$top.$parameter"
-    yosys="$yosys -set ${parameter%=*} ${parameter#*=}"
 done
 mkdir -p "$dir"
 
 # shellcheck disable=SC2086  # lists of words
 "${VERILATOR:-verilator}" --lint-only -Wall $verilator -Irtl "rtl/$top.v"
 
-# What Icarus makes is not wanted, but goes to a file: it sets the mode of what it writes, and run
-# by root on /dev/null it would take that away from everyone else.
+# What Icarus makes is not wanted, but goes to a file: it sets the mode of what it writes, and run by
+# root on /dev/null it would take that away from everyone else.
 # shellcheck disable=SC2086
 warnings=$(iverilog -g2005 -Wall -Irtl -o "$dir/$setting.vvp" -s "$top" $icarus rtl/*.v 2>&1) &&
     [ -z "$warnings" ] || { echo "$warnings" && exit 1; }
 rm -f "$dir/$setting.vvp"
-
-[ "$signals" -gt 160 ] || yosys -q -e . -p "
-    read_verilog -Irtl rtl/*.v
-    ${yosys:+chparam $yosys $top}
-    hierarchy -check -top $top
-    proc
-    select -assert-none t:\$dlatch
-    synth
-    check -assert"

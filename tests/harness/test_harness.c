@@ -123,6 +123,31 @@ static void what_ran_is_counted(void **state)
     }
 }
 
+/* Several run at once, and each counts; one that takes its runner with it counts as failed. */
+static void programs_at_once_are_all_counted(void **state)
+{
+    (void)state;
+    enum { PROGRAMS = 12 };
+    static char path[PROGRAMS][1024], logs[1024];
+    const char *argv[PROGRAMS + 3] = {"tests/run.sh", logs};
+    (void)snprintf(logs, sizeof logs, "%s", scratch_path("logs"));
+    for (int i = 0; i < PROGRAMS; i++) {
+        char name[32];
+        (void)snprintf(name, sizeof name, "program-%d", i);
+        write_program(name, "[  PASSED  ] 2 test(s).\\n", 0);
+        (void)snprintf(path[i], sizeof path[i], "%s", scratch_path(name));
+        argv[i + 2] = path[i];
+    }
+    assert_int_equal(child_run(argv, 60.0), 0);
+    assert_said("child.out", "the longest:\n");
+    assert_said("child.out", "24 passed, 0 failed, 0 skipped\n");
+
+    static const char *const ends_its_runner = "#!/bin/sh\nkill -9 $PPID\n";
+    scratch_write(scratch_path("program-3"), ends_its_runner, strlen(ends_its_runner));
+    assert_int_equal(child_run(argv, 60.0), 1);
+    assert_said("child.out", " failed, 0 skipped\n");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -131,6 +156,7 @@ int main(void)
         cmocka_unit_test(patience_has_an_end),
         cmocka_unit_test(without_terminals_tests_are_skipped),
         cmocka_unit_test(what_ran_is_counted),
+        cmocka_unit_test(programs_at_once_are_all_counted),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
