@@ -170,11 +170,26 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/libtest.a $(LIBRARIES) | $(BUILD)/
 	$(call say,LD,$@)
 	$Q$(CC) $(LDFLAGS) -o $@ $< $(BUILD)/libtest.a $(LIBRARIES) -lcmocka $(LDLIBS)
 
-build-tests: $(TEST_PROGRAMS) $(BUILD)/glint $(BUILD)/glint-gen $(WRONG_CIRCUITS)
+# Those that take longest start first, so that in the end no processor waits for one of them.
+TESTS_LONG := formal/test_formal formats/test_formats lockstep/test_backends netlist/test_opinions \
+              cli/test_cmd_divide cli/test_wrong_circuit
+# What runs no C code of ours, but scripts, make, solvers and other simulators, or code that is
+# compiled anew without the sanitizers: not again under these. What C there is in the tests
+# themselves is a list of calls.
+TESTS_OF_TOOLS := coverage/test_coverage_report deps/test_deps formal/test_formal \
+                  formats/test_formats make/test_make portability/test_portability \
+                  verification/test_table verilog/test_icarus
+TESTS_RUN = $(if $(SANITIZE),$(filter-out $(TESTS_OF_TOOLS:%=$(BUILD)/tests/%),$(TEST_PROGRAMS)),\
+                             $(TEST_PROGRAMS))
+TESTS_IN_ORDER = $(filter $(TESTS_RUN),$(TESTS_LONG:%=$(BUILD)/tests/%)) \
+                 $(filter-out $(TESTS_LONG:%=$(BUILD)/tests/%),$(TESTS_RUN))
+
+build-tests: $(TESTS_RUN) $(BUILD)/glint $(BUILD)/glint-gen $(WRONG_CIRCUITS)
 .PHONY: build-tests run-tests test-full
 
 run-tests: build-tests
-	GLINT=$(BUILD)/glint GLINT_BUILD=$(BUILD) tests/run.sh $(BUILD)/test-logs $(TEST_PROGRAMS)
+	GLINT=$(BUILD)/glint GLINT_BUILD=$(BUILD) JOBS=$(JOBS) \
+	    tests/run.sh $(BUILD)/test-logs $(TESTS_IN_ORDER)
 
 # For the edit loop: the C model, the descriptions, and one setting of each circuit in lockstep. No
 # GTKWave, clang or valgrind. One test alone: make build/tests/model/test_device &&
@@ -188,7 +203,8 @@ check:
 	@$(BUILD)/glint verify --clocks 20000 --lanes 1 --gate cosine --pipeline pipelined \
 	    --seed 1 --out $(BUILD)/check
 	@$(BUILD)/glint verify --clocks 20000 --circuit divider --shifts 12 --seed 1 --out $(BUILD)/check
-	@GLINT=$(BUILD)/glint GLINT_BUILD=$(BUILD) tests/run.sh $(BUILD)/check-logs $(CHECKS)
+	@GLINT=$(BUILD)/glint GLINT_BUILD=$(BUILD) JOBS=$(JOBS) \
+	    tests/run.sh $(BUILD)/check-logs $(CHECKS)
 
 # The circuits that most tests need are built first, together.
 test:
@@ -202,7 +218,8 @@ test:
 test-full: test
 	$(BUILD)/glint verify --exhaustive --gate all --pipeline all
 
-# The C code under AddressSanitizer and UBSan; the circuits are those of the plain build.
+# The C code under AddressSanitizer and UBSan, but for TESTS_OF_TOOLS; the circuits are those of the
+# plain build.
 sanitize: export GLINT_CACHE := $(abspath $(BUILD))/circuits
 sanitize:
 	sim/deps.sh test

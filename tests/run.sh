@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs test programs (cmocka), as many at once as there are processors, and adds up what they report.
+# Runs test programs (cmocka), one for each processor at once, and adds up what they report.
 #
 #   tests/run.sh LOGDIR PROGRAM...
 #
@@ -41,7 +41,8 @@ run() {
         [ "$bad" -ne 0 ] || bad=1 # it crashed, or ran no test
         said=$(cat "$log" && echo "FAILED  $name (exit status $status); run it again: $program")
     else
-        said=$(printf 'ok      %-28s %3d tests, %d s\n' "$name" "$good" "$seconds" && reasons "$log")
+        said=$(printf 'ok      %-28s %3d tests, %d s\n' "$name" "$good" "$seconds" &&
+            reasons "$log")
     fi
     echo "$good $bad $left $seconds $name" >"$logs/$name.count"
     printf '%s\n' "$said" # at once, so that two do not mix

@@ -25,8 +25,8 @@ mkdir -p "$dir"
 # shellcheck disable=SC2086  # lists of words
 "${VERILATOR:-verilator}" --lint-only -Wall $verilator -Irtl "rtl/$top.v"
 
-# What Icarus makes is not wanted, but goes to a file: it sets the mode of what it writes, and run by
-# root on /dev/null it would take that away from everyone else.
+# What Icarus makes is not wanted, but goes to a file: it sets the mode of what it writes, and run
+# by root on /dev/null it would take that away from everyone else.
 # shellcheck disable=SC2086
 warnings=$(iverilog -g2005 -Wall -Irtl -o "$dir/$setting.vvp" -s "$top" $icarus rtl/*.v 2>&1) &&
     [ -z "$warnings" ] || { echo "$warnings" && exit 1; }
