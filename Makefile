@@ -102,6 +102,14 @@ SIM_OBJECTS := $(SIM_SOURCES:%.c=$(BUILD)/%.o)
 CLI_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard sim/cli/*.c))
 
 
+# Text that a program prints: a file's lines as C strings, to be included in an array.
+$(BUILD)/%.inc: %
+	@mkdir -p $(@D)
+	$Qsed 's/[\\"]/\\&/g; s/.*/"&",/' $< > $@
+
+TEXTS := $(patsubst %,$(BUILD)/%.inc,$(wildcard sim/report/text/*))
+$(BUILD)/sim/report/texts.o: $(TEXTS)
+
 # Loops whose speed is measured; see the file.
 $(BUILD)/sim/bench/formulas.o: CFLAGS_ALL += -ffast-math
 
@@ -254,7 +262,7 @@ lint-%: $(BUILD)/settings FORCE
 	$Qtests/circuits/lint.sh $* $< $(BUILD)/lint
 
 # The other compiler: the build itself is with CC.
-lint-c:
+lint-c: $(TEXTS)
 	$(call say,LINT,'$(words $(C_SOURCES)) C files')
 	$Qclang -std=c17 -O3 -fsyntax-only $(WARNINGS) -Icmodel -Isim -I$(BUILD) \
 	    $(PACKAGE_CFLAGS) $(C_SOURCES)

@@ -1,4 +1,7 @@
+/* Writes the data and a script, and has gnuplot draw them. */
 #include "report/chart.h"
+
+#include "report/plot.h"
 
 /* Told apart in black and white too: each curve has its own dashes. */
 static const char *const colors[GLINT_CHART_CURVES_MAX] = {
@@ -44,9 +47,10 @@ static glint_status write_script(const glint_report *report, const glint_chart *
             chart->settings != NULL ? chart->settings : "");
     for (int i = 0; i < chart->curves; i++)
         fprintf(out,
-                "%s \\\n  '%s.dat' using 1:%d title \"%s\" with lines linewidth 2 dashtype %d "
+                "%s \\\n  '%s.dat' using 1:%d title \"%s\" with %s linewidth 2 dashtype %d "
                 "linecolor '%s'",
-                i > 0 ? "," : "", chart->name, i + 2, chart->curve[i], i % 5 + 1, colors[i]);
+                i > 0 ? "," : "", chart->name, i + 2, chart->curve[i],
+                chart->style != NULL ? chart->style : "lines", i % 5 + 1, colors[i]);
     fputc('\n', out);
     return glint_new_file_commit(file, err);
 }
@@ -54,9 +58,15 @@ static glint_status write_script(const glint_report *report, const glint_chart *
 glint_status glint_chart_draw(glint_report *report, const glint_chart *chart, const double *values,
                               int rows, glint_error *err)
 {
+    const glint_plot_limits limits = {report->stop, GLINT_PLOT_SECONDS};
+    bool plotted = false;
     glint_status status = write_data(report, chart, values, rows, err);
     if (status == GLINT_OK)
         status = write_script(report, chart, err);
-    return status == GLINT_OK ? glint_report_figure(report, chart->name, chart->caption, err)
-                              : status;
+    if (status == GLINT_OK)
+        status = glint_report_go_on(report, err);
+    if (status == GLINT_OK)
+        status = glint_plot(report->directory, chart->name, &limits, &plotted, err);
+    report->plotted = report->plotted && plotted;
+    return status;
 }

@@ -2,7 +2,7 @@
 #ifndef GLINT_SIM_REPORT_CHART_H
 #define GLINT_SIM_REPORT_CHART_H
 
-#include "report/section.h"
+#include "report/chapter.h"
 
 #define GLINT_CHART_CURVES_MAX 8
 
@@ -14,9 +14,9 @@ typedef struct glint_chart {
     const char *title;
     const char *x_label, *y_label;
     const char *settings; /* more lines for gnuplot, each with its newline; may be NULL */
+    const char *style;    /* "with …"; NULL: lines */
     int curves;           /* 1…GLINT_CHART_CURVES_MAX */
     const char *curve[GLINT_CHART_CURVES_MAX]; /* their titles */
-    const char *caption;
 } glint_chart;
 
 /* values: rows × (1 + curves), the variable first; NAN leaves a gap in a curve. */

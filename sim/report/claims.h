@@ -1,50 +1,72 @@
-/* Numbers of the thesis's section 2.4 beside the measured ones. */
+/* What the thesis claims, as one table (claim_table.c), and the verdicts that the measured numbers
+ * give. */
 #ifndef GLINT_SIM_REPORT_CLAIMS_H
 #define GLINT_SIM_REPORT_CLAIMS_H
 
-#include "report/divider_error.h"
-#include "report/divider_frames.h"
-#include "report/findings.h"
+#include <stdio.h>
 
-/* Clocks of an operation on the thesis's processor. The thesis gives none: these are inferred, as
- * the least whole ones with which both of its totals come out. */
-#define GLINT_CLOCKS_ADDITION           3
-#define GLINT_CLOCKS_DIVISION           41
-#define GLINT_CLOCKS_DIVISION_BY_SHIFTS 20
+#include "report/template.h"
+#include "report/verdict.h"
 
-/* Those totals. */
-#define GLINT_CLOCKS_STATED_DIVISION  2946
-#define GLINT_CLOCKS_STATED_BY_SHIFTS 2064
-
-/* What Table 2.1 has. */
-extern const glint_span_operations glint_table_21_stated;
-
-glint_operations glint_operations_total(const glint_span_operations *operations);
-uint64_t glint_operations_clocks(glint_operations operations, uint64_t clocks_of_a_division);
+/* What the stated number is, beside the measured one. */
+typedef enum glint_claim_kind {
+    GLINT_PLAIN,
+    GLINT_PER_CENT, /* the measured number is a share: times 100 */
+    GLINT_CIRCULAR, /* the measured number was computed from it: as in glint_judged */
+    GLINT_NO_NUMBER /* nothing is measured, and nothing can be decided; `measured` says why */
+} glint_claim_kind;
 
 typedef struct glint_claim {
-    char what[160];
-    glint_judged judged;
-    glint_verdict verdict; /* glint_judge() of it */
-    char note[160];        /* under what conditions, or why not */
+    const char *chapter; /* where in the report it is measured: a chapter's name (chapter.h) */
+    const char *where;   /* in the thesis: "2.3", "(2.26)", "Table 3.2" */
+    const char *words;   /* what it says, in English */
+    glint_rule rule;
+    double stated;
+    int decimals; /* that the thesis prints */
+    glint_claim_kind kind;
+    const char *number;   /* the measured number's name */
+    const char *measured; /* a line of template.h: the number, and what it is of if that is not
+                             what the chapter says of all its numbers */
 } glint_claim;
 
-#define GLINT_CLAIMS_MAX 32
+extern const glint_claim glint_claim_table[];
+extern const int glint_claim_count;
 
+typedef struct glint_judgement {
+    glint_judged judged;
+    glint_verdict verdict;
+    char measured[512];
+} glint_judgement;
+
+/* GLINT_BAD_ARGUMENT when nothing measured what it names. */
+glint_status glint_claim_judge(const glint_claim *claim, const glint_numbers *numbers,
+                               glint_judgement *judgement, glint_error *err);
+
+/* The claims of the chapters that were measured, each with its verdict. */
 typedef struct glint_claims {
     int count;
-    glint_claim claim[GLINT_CLAIMS_MAX];
+    struct {
+        const glint_claim *claim;
+        glint_judgement judgement;
+    } * entry;
 } glint_claims;
 
-/* What the claims are measured by. */
-typedef struct glint_claims_facts {
-    glint_divider_example example;
-    const glint_divider_error *error; /* bits rounded, from GLINT_DIVIDER_SHIFTS_MIN on */
-    const glint_table_21 *table;
-    const glint_divider_scene *scenes; /* GLINT_DIVIDER_SCENES */
-} glint_claims_facts;
+/* chapter: of that one alone; NULL: all. */
+glint_status glint_claims_make(const glint_numbers *numbers, const char *chapter,
+                               glint_claims *claims, glint_error *err);
+void glint_claims_free(glint_claims *claims);
 
-/* From the facts alone. */
-void glint_claims_check(const glint_claims_facts *facts, glint_claims *claims);
+int glint_claims_count(const glint_claims *claims, glint_verdict verdict);
+
+/* The numbers of a chapter's claims by verdict, each a link to its row in the table; one line. */
+void glint_claims_write_links(const glint_claims *claims, const char *chapter, FILE *markdown);
+
+/* The table: number, where, claim, verdict, what was measured. A chapter's claims stand together,
+ * after a row with a link back to it. title_of: of a chapter by its name. */
+void glint_claims_write_table(const glint_claims *claims, const char *(*title_of)(const char *name),
+                              FILE *markdown);
+
+/* One line each, as a terminal shows them. */
+void glint_claims_print(const glint_claims *claims, FILE *out);
 
 #endif

@@ -1,12 +1,13 @@
-/* The device's part of lobe_errors.h: every cosine code goes through the C model and through the
- * Verilog. */
+/* Every cosine code goes through the C model, with each gate, and through the Verilog; see
+ * device_errors.h. */
+#include "report/device_errors.h"
+
 #include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 
 #include "circuit/circuits.h"
 #include "render/pool.h"
-#include "report/lobe_errors.h"
 #include "rtl/batch.h"
 
 #define CODES (GLINT_COS_ONE + 1u)
@@ -17,7 +18,7 @@ static const glint_specular_config config = {GLINT_GATE_COSINE, GLINT_PIPELINE_P
 typedef struct worker {
     glint_rtl *rtl;
     uint32_t *code, *model, *verilog; /* CODES each: the cosine, W by C, W by Verilog */
-    uint8_t *rgb;                     /* 3·CODES, not looked at here */
+    uint8_t *rgb;                     /* 5·CODES: R, not looked at twice; R of gate sign, drawn */
     glint_device_errors errors;
     glint_status status;
     glint_error err;
@@ -71,7 +72,11 @@ static void measure_points(worker *own, double n, double level)
         const double exact = pow(cosine, n);
         const double w = (double)own->model[code] / GLINT_W_ONE;
         const double formula = glint_specular_real(GLINT_GATE_COSINE, (uint16_t)n, code);
+        const uint8_t *r = own->rgb + code;
         errors->differing += own->model[code] != own->verilog[code];
+        errors->sign_differing += r[3 * CODES] != *r;
+        errors->drawn_differing += r[4 * CODES] != *r;
+        keep(&errors->output, fabs(*r - GLINT_COLOR_MAX * formula), n, code);
         measure_point(&errors->model, own->model[code], exact, level, n, code);
         measure_point(&errors->verilog, own->verilog[code], exact, level, n, code);
         keep(&errors->rounding, fabs(w - formula), n, code);
@@ -91,8 +96,13 @@ static double largest_error(const uint32_t *w, double n)
 static glint_status measure_exponent(const sweep *sweep, worker *own, double n)
 {
     const glint_material white = {(uint16_t)n, GLINT_COLOR_MAX, GLINT_COLOR_MAX, GLINT_COLOR_MAX};
-    uint8_t *r = own->rgb, *g = r + CODES, *b = g + CODES;
+    uint8_t *r = own->rgb, *g = r + CODES, *b = g + CODES, *sign = b + CODES, *drawn = sign + CODES;
     glint_status status = glint_report_go_on(sweep->report, &own->err);
+    if (status == GLINT_OK)
+        status = glint_specular_batch(GLINT_GATE_SIGN, &white, own->code, CODES, NULL, sign, g, b);
+    if (status == GLINT_OK)
+        status =
+            glint_specular_batch(GLINT_GATE_DRAWN, &white, own->code, CODES, NULL, drawn, g, b);
     if (status == GLINT_OK)
         status = glint_specular_batch(config.gate, &white, own->code, CODES, own->model, r, g, b);
     if (status == GLINT_OK)
@@ -124,7 +134,7 @@ static glint_status create_worker(worker *own, glint_error *err)
     own->code = malloc(CODES * sizeof *own->code);
     own->model = malloc(CODES * sizeof *own->model);
     own->verilog = malloc(CODES * sizeof *own->verilog);
-    own->rgb = malloc(3 * (size_t)CODES);
+    own->rgb = malloc(5 * (size_t)CODES);
     if (own->code == NULL || own->model == NULL || own->verilog == NULL || own->rgb == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for %u cosine codes", CODES);
     for (uint32_t code = 0; code < CODES; code++)
@@ -158,6 +168,9 @@ static glint_status collect(const sweep *sweep, int threads, glint_device_errors
         keep_worst_of_lobe(&errors->model, &own->errors.model);
         keep_worst_of_lobe(&errors->verilog, &own->errors.verilog);
         keep_worse(&errors->rounding, &own->errors.rounding);
+        keep_worse(&errors->output, &own->errors.output);
+        errors->sign_differing += own->errors.sign_differing;
+        errors->drawn_differing += own->errors.drawn_differing;
     }
     return GLINT_OK;
 }
@@ -178,13 +191,12 @@ static glint_status run(sweep *sweep, int threads, glint_device_errors *errors, 
     return collect(sweep, threads, errors, err);
 }
 
-glint_status glint_device_errors_measure(const glint_report *report, double level,
-                                         const glint_exponents *exponents,
-                                         glint_device_errors *errors, glint_error *err)
+static glint_status measure(const glint_report *report, const glint_exponents *exponents,
+                            glint_device_errors *errors, glint_error *err)
 {
     const int threads = report->threads;
     sweep sweep = {.report = report,
-                   .level = level,
+                   .level = GLINT_EPICENTRE_LEVEL,
                    .exponents = exponents,
                    .workers = calloc((size_t)threads, sizeof *sweep.workers)};
     if (sweep.workers == NULL)
@@ -193,5 +205,21 @@ glint_status glint_device_errors_measure(const glint_report *report, double leve
     for (int i = 0; i < threads; i++)
         destroy_worker(&sweep.workers[i]);
     free(sweep.workers);
+    return status;
+}
+
+glint_status glint_device_errors_of(glint_report *report, const glint_device_errors **errors,
+                                    glint_error *err)
+{
+    glint_status status = GLINT_OK;
+    if (report->device == NULL) {
+        glint_exponents exponents;
+        glint_exponents_of(report->quick, &exponents);
+        report->device = calloc(1, sizeof *report->device);
+        status = report->device != NULL
+                     ? measure(report, &exponents, report->device, err)
+                     : glint_fail(err, GLINT_NO_MEMORY, "no memory for the device's errors");
+    }
+    *errors = report->device;
     return status;
 }

@@ -3,8 +3,8 @@
 #ifndef GLINT_SIM_REPORT_DIVIDER_FRAMES_H
 #define GLINT_SIM_REPORT_DIVIDER_FRAMES_H
 
-#include "image/image.h"
 #include "render/render.h"
+#include "report/chapter.h"
 
 #define GLINT_DIVIDER_FRAME_WIDTH  640
 #define GLINT_DIVIDER_FRAME_HEIGHT 480
@@ -20,23 +20,27 @@ typedef struct glint_divider_frame {
     int shifts;
     glint_image_difference difference; /* from the exact frame */
     uint64_t verilog_pixels;           /* of the frame by the Verilog that differ from it */
-    char picture[64];                  /* file names in the directory */
-    char difference_picture[64];
 } glint_divider_frame;
+
+/* Of the triangles of about 100 pixels, the thesis's average: the pixels of their rows. */
+typedef struct glint_divider_rows {
+    uint64_t triangles, with_longer; /* such; those with a row of more steps than the table has */
+    int longest;                     /* steps of the longest row */
+} glint_divider_rows;
 
 typedef struct glint_divider_scene {
     const char *model;
     int density;
     uint64_t drawn;     /* triangles */
     uint64_t divisions; /* of a frame, each of three components */
-    char exact_picture[64];
+    glint_divider_rows rows;
     glint_divider_frame frames[GLINT_DIVIDER_FRAMES];
 } glint_divider_scene;
 
 /* Renders all of it (640x480, the default scene, highlights and quotients by the C model, then by
- * the Verilog) and writes the pictures of the C model into the directory, which is there. */
-glint_status glint_divider_render_scenes(const char *directory, int threads,
-                                         const volatile bool *stop,
+ * the Verilog). Of the first scene by the fewest shifts it writes divider-exact.png,
+ * divider-frame.png and divider-difference.png. */
+glint_status glint_divider_render_scenes(const glint_report *report,
                                          glint_divider_scene scenes[GLINT_DIVIDER_SCENES],
                                          glint_error *err);
 

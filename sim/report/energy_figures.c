@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "report/chart.h"
-#include "report/energy_parts.h"
+#include "report/energy.h"
 
 static glint_status draw_by_exponent(glint_report *report, const glint_chart *chart,
                                      const double *const *curve, glint_error *err)
@@ -17,20 +17,9 @@ static glint_status draw_by_exponent(glint_report *report, const glint_chart *ch
     return glint_chart_draw(report, chart, values, GLINT_ENERGY_N_MAX, err);
 }
 
-/* Where the limit of (2.25) first is in front of the surface; 0: nowhere. */
-static int first_in_front(void)
-{
-    int n = 1;
-    while (n <= GLINT_ENERGY_N_MAX && glint_printed_limit(n) > acos(0.0))
-        n++;
-    return n <= GLINT_ENERGY_N_MAX ? n : 0;
-}
-
 static glint_status draw_limits(glint_report *report, const glint_energy_normal *normal,
                                 glint_error *err)
 {
-    char caption[512];
-    const int last = GLINT_ENERGY_N_MAX - 1;
     const glint_chart figure_15 = {
         .name = "figure-2.15",
         .title = "Albedo of the cosine-quadratic at normal incidence",
@@ -40,21 +29,14 @@ static glint_status draw_limits(glint_report *report, const glint_energy_normal 
             "set logscale x\nset yrange [0:3]\nset arrow from 1,1 to 1000,1 nohead dashtype 2\n",
         .curves = 3,
         .curve = {"(2.25) with dθ_0, to 5.8/√n", "(2.25) with dθ_0, to 5.8/√n, at most π/2",
-                  "W itself: to its zero, at most π/2"},
-        .caption = caption};
+                  "W itself: to its zero, at most π/2"}};
     const double *const curve[] = {normal->with_limit, normal->held, normal->w};
-    snprintf(caption, sizeof caption,
-             "Figure 2.15: (2.25) read with dθ₀ for its dω₀, to 5.8/√n. W is zero at %.2f/√n (n = "
-             "%d), and the parabola has a second branch beyond. From n = %d on the limit is in "
-             "front of the surface; behind it cos θ counts as negative.",
-             normal->zero[last], last + 1, first_in_front());
     return draw_by_exponent(report, &figure_15, curve, err);
 }
 
 static glint_status draw_normalized(glint_report *report, const glint_energy_results *results,
                                     glint_error *err)
 {
-    char caption[256];
     double smallest[GLINT_ENERGY_N_MAX], best[GLINT_ENERGY_N_MAX];
     const glint_chart figure_16 = {
         .name = "figure-2.16",
@@ -66,20 +48,15 @@ static glint_status draw_normalized(glint_report *report, const glint_energy_res
             "2\nset key bottom right\n",
         .curves = 4,
         .curve = {"(2.26): A = 6, B = 24.55", "Blinn, (n+6)/(8π)", "A = 6, smallest B",
-                  "A and B of least mean loss"},
-        .caption = caption};
+                  "A and B of least mean loss"}};
     for (int i = 0; i < GLINT_ENERGY_N_MAX; i++) {
         const double w = results->normal.w[i];
         smallest[i] = (i + 1 + results->claimed.a) / results->claimed.b * w;
         best[i] = (i + 1 + results->least_mean.a) / results->least_mean.b * w;
     }
     const double *const curve[] = {results->normal.claimed, results->normal.blinn, smallest, best};
-    snprintf(
-        caption, sizeof caption,
-        "Figure 2.16: of %d n, (2.26) is above 1 for %d, Blinn's with its factor for %d, W with "
-        "the smallest B for A = %g for %d, with the best A and B for %d.",
-        GLINT_ENERGY_N_MAX, glint_energy_count_above(curve[0]), glint_energy_count_above(curve[1]),
-        results->claimed.a, glint_energy_count_above(curve[2]), glint_energy_count_above(curve[3]));
+    glint_energy_put_curve(&report->numbers, "smallest", smallest);
+    glint_energy_put_curve(&report->numbers, "best", best);
     return draw_by_exponent(report, &figure_16, curve, err);
 }
 
@@ -92,19 +69,19 @@ static glint_status draw_by_angle(glint_report *report, const glint_energy_table
                                   glint_error *err)
 {
     enum { CURVES = 4 };
-    char title[128], caption[384];
+    char title[128];
     double values[90 * (1 + CURVES)], left[CURVES] = {0};
     const glint_energy_plan *plan = &grid->plan;
     const int last = plan->angle_count - 1;
-    const glint_chart chart = {
-        .name = "figure-energy-angle",
-        .title = title,
-        .x_label = "angle of incidence, degrees",
-        .y_label = "R",
-        .settings = "set xrange [0:90]\nset yrange [0:1.1]\nset key bottom left\n",
-        .curves = CURVES,
-        .curve = {"(2.26)", "Blinn, (n+6)/(8π)", "Cook–Torrance, F = 1", "Torrance–Sparrow, F = 1"},
-        .caption = caption};
+    const glint_chart chart = {.name = "figure-energy-angle",
+                               .title = title,
+                               .x_label = "angle of incidence, degrees",
+                               .y_label = "R",
+                               .settings =
+                                   "set xrange [0:90]\nset yrange [0:1.1]\nset key bottom left\n",
+                               .curves = CURVES,
+                               .curve = {"(2.26)", "Blinn, (n+6)/(8π)", "Cook–Torrance, F = 1",
+                                         "Torrance–Sparrow, F = 1"}};
     for (int i = 0; i <= last; i++) {
         values[i * (1 + CURVES)] = plan->angle[i];
         for (int j = 0; j < CURVES; j++) {
@@ -116,11 +93,9 @@ static glint_status draw_by_angle(glint_report *report, const glint_energy_table
     }
     snprintf(title, sizeof title, "Albedo against the incidence, n = %g",
              plan->n[plan->n_count - 1]);
-    snprintf(caption, sizeof caption,
-             "At %g° R is, of what it is at %g°: %.2g by (2.26), %.2g by Blinn's, %.2g by "
-             "Cook–Torrance's, %.2g by Torrance–Sparrow's. The first two are lobes without a "
-             "denominator (N·L)(N·V); microfacets lose only what they shadow.",
-             plan->angle[last], plan->angle[0], left[0], left[1], left[2], left[3]);
+    for (int j = 0; j < CURVES; j++)
+        glint_number_put(&report->numbers, left[j], "energy.angle.%s",
+                         glint_reflectance_names[by_angle_model[j]]);
     return glint_chart_draw(report, &chart, values, last + 1, err);
 }
 

@@ -1,8 +1,9 @@
-/* The Verilog's rows of the section on energy; see energy_parts.h. */
+/* The Verilog's rows of the chapter on energy; see energy.h. */
+#include "report/energy.h"
+
 #include <stdlib.h>
 
 #include "energy/reciprocity.h"
-#include "report/energy_parts.h"
 #include "report/verilog_lobe.h"
 
 static const glint_reflectance_model device = GLINT_REFLECTANCE_DEVICE;

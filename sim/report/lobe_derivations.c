@@ -1,18 +1,12 @@
-/* What sections 2.2 and 2.3 derive, computed without the derivation: by summing and searching. */
+/* What sections 2.2 and 2.3 derive, computed without the derivation: by summing and searching. The
+ * names of the numbers are those of the claims that need them. */
+#include "report/lobes.h"
+
 #include <math.h>
 
 #include "reflectance/search.h"
-#include "report/lobe_parts.h"
 
 #define TABLE_OF_A 1000
-
-static const glint_span_of_n nothing = {NAN, NAN};
-
-static void take(glint_span_of_n *span, double value)
-{
-    span->least = fmin(span->least, value); /* of NAN and a number it is the number */
-    span->largest = fmax(span->largest, value);
-}
 
 /* ---- (2.8) ----------------------------------------------------------------------------------- */
 
@@ -25,19 +19,23 @@ static bool printed_a(double n, double *a)
     return isfinite(tangent) && isfinite(*a);
 }
 
-static void measure_a(glint_derivations *derived)
+static void put_a(glint_numbers *numbers)
 {
-    derived->a_count = TABLE_OF_A;
-    derived->a_limit = glint_quadratic_a(1.0);
+    int undefined = 0, first = 0;
+    double lost = 0.0;
     for (int n = 1; n <= TABLE_OF_A; n++) {
         double a;
         if (printed_a(n, &a)) {
-            derived->a_lost = fmax(derived->a_lost, fabs(a / glint_quadratic_a(n) - 1.0));
+            lost = fmax(lost, fabs(a / glint_quadratic_a(n) - 1.0));
             continue;
         }
-        derived->a_first_undefined = derived->a_undefined == 0 ? n : derived->a_first_undefined;
-        derived->a_undefined++;
+        first = undefined++ == 0 ? n : first;
     }
+    glint_number_put(numbers, TABLE_OF_A, "lobes.a.count");
+    glint_number_put(numbers, undefined, "lobes.a.undefined");
+    glint_number_put(numbers, first > 0 ? (double)first : NAN, "lobes.a.undefined.first");
+    glint_number_put(numbers, lost, "lobes.a.lost");
+    glint_number_put(numbers, glint_quadratic_a(1.0), "lobes.a.limit");
 }
 
 /* ---- (2.13), (2.14) -------------------------------------------------------------------------- */
@@ -61,18 +59,22 @@ static double integral_of_w(double n, double to)
     return (n + 1.0) * sum * to / (3.0 * INTERVALS);
 }
 
-static void measure_integral(const glint_exponents *exponents, glint_derivations *derived)
+static void put_integral(const glint_exponents *exponents, glint_numbers *numbers)
 {
+    double apart = 0.0, in_front_short = 0.0, short_n = 0.0;
     for (int i = 0; i < exponents->count; i++) {
         const double n = exponents->n[i];
         const double zero = acos((n - 2.0) / (n + 1.0));
         const double lost = 1.0 - integral_of_w(n, fmin(zero, acos(0.0)));
-        derived->integral_apart = fmax(derived->integral_apart, fabs(integral_of_w(n, zero) - 1.0));
-        if (lost > derived->in_front_short) {
-            derived->in_front_short = lost;
-            derived->in_front_short_n = n;
+        apart = fmax(apart, fabs(integral_of_w(n, zero) - 1.0));
+        if (lost > in_front_short) {
+            in_front_short = lost;
+            short_n = n;
         }
     }
+    glint_number_put(numbers, apart, "lobes.integral.apart");
+    glint_number_put(numbers, in_front_short, "lobes.integral.in-front-short");
+    glint_number_put(numbers, short_n, "lobes.integral.in-front-short.n");
 }
 
 /* ---- The places of the largest errors -------------------------------------------------------- */
@@ -84,34 +86,54 @@ static double excess(const void *context, double cosine)
     return glint_formula_w(n, cosine) / pow(cosine, n) - 1.0;
 }
 
+/* Of n from GLINT_LOBE_ENDS_FROM on: for n = 1 and 2 the lobe has no end above the surface. */
+typedef struct places {
+    double apart[2];  /* of the place of the largest W/cosⁿ − 1, searched, from c = n/(n+1); in
+                         widths of the lobe, 1/(n+1) */
+    double level[2];  /* cosⁿ at c = n/(n+1) */
+    double there[2];  /* W/cosⁿ − 1 at the place searched */
+    double at_end[2]; /* 1 − W/cosⁿ where W is zero */
+    double end_level[2];       /* cosⁿ at c = (n−2)/(n+1), where W is zero */
+    double absolute_to_end[2]; /* the largest absolute error to the one there */
+} places;
+
 /* tan γ = √(1+2n)/n is c = n/(n+1); tan γ = √(6n−3)/(n−2) is c = (n−2)/(n+1). */
-static void measure_places(double n, double largest_absolute, glint_derivations *derived)
+static void measure_places(double n, double largest_absolute, places *found)
 {
     const double place = n / (n + 1.0), end = (n - 2.0) / (n + 1.0);
     double cosine;
-    take(&derived->relative_there, glint_search_maximum(excess, &n, end, 1.0, 512, &cosine));
-    take(&derived->relative_apart, (n + 1.0) * fabs(cosine - place));
-    take(&derived->relative_level, pow(place, n));
-    take(&derived->relative_at_end, -excess(&n, end));
-    take(&derived->level_at_end, pow(end, n));
-    take(&derived->absolute_to_end, largest_absolute / pow(end, n));
+    glint_number_widen(found->there, glint_search_maximum(excess, &n, end, 1.0, 512, &cosine));
+    glint_number_widen(found->apart, (n + 1.0) * fabs(cosine - place));
+    glint_number_widen(found->level, pow(place, n));
+    glint_number_widen(found->at_end, -excess(&n, end));
+    glint_number_widen(found->end_level, pow(end, n));
+    glint_number_widen(found->absolute_to_end, largest_absolute / pow(end, n));
 }
 
-void glint_derivations_measure(const glint_lobes *lobes, glint_derivations *derived)
+static void put_places(const glint_lobes *lobes, glint_numbers *numbers)
 {
     static const double one = 1.0;
     const glint_accuracy *own = lobes->by_n[GLINT_REFLECTANCE_COSINE_QUADRATIC];
-    *derived = (glint_derivations){.relative_apart = nothing,
-                                   .relative_level = nothing,
-                                   .relative_there = nothing,
-                                   .relative_at_end = nothing,
-                                   .level_at_end = nothing,
-                                   .absolute_to_end = nothing,
-                                   .relative_at_1 = excess(&one, one / (one + 1.0)),
-                                   .level_at_1 = pow(one / (one + 1.0), one)};
-    measure_a(derived);
-    measure_integral(&lobes->exponents, derived);
+    places found = {{NAN, NAN}, {NAN, NAN}, {NAN, NAN}, {NAN, NAN}, {NAN, NAN}, {NAN, NAN}};
     for (int i = 0; i < lobes->exponents.count; i++)
         if (lobes->exponents.n[i] >= GLINT_LOBE_ENDS_FROM)
-            measure_places(lobes->exponents.n[i], own[i].absolute.error, derived);
+            measure_places(lobes->exponents.n[i], own[i].absolute.error, &found);
+    glint_number_put(numbers, found.apart[1], "lobes.place.apart");
+    glint_number_put_range(numbers, found.level[0], found.level[1], "lobes.place.level");
+    glint_number_put(numbers, pow(one / (one + 1.0), one), "lobes.place.level-at-1");
+    glint_number_put(numbers, found.there[1], "lobes.place.there");
+    glint_number_put(numbers, excess(&one, one / (one + 1.0)), "lobes.place.there-at-1");
+    glint_number_put(numbers, found.at_end[1], "lobes.place.at-end");
+    glint_number_put(numbers, found.at_end[1] / found.there[1], "lobes.place.end-to-there");
+    glint_number_put_range(numbers, found.end_level[0], found.end_level[1],
+                           "lobes.place.end-level");
+    glint_number_put_range(numbers, found.absolute_to_end[0], found.absolute_to_end[1],
+                           "lobes.place.absolute-to-end");
+}
+
+void glint_derivations_put(const glint_lobes *lobes, glint_numbers *numbers)
+{
+    put_a(numbers);
+    put_integral(&lobes->exponents, numbers);
+    put_places(lobes, numbers);
 }

@@ -17,6 +17,13 @@ void glint_exponents_of(bool quick, glint_exponents *exponents)
         exponents->n[i] = quick ? few[i] : i + 1;
 }
 
+bool glint_lobe_is_measured(glint_reflectance_model model)
+{
+    return glint_reflectance_describe(model)->cosine == GLINT_REFLECTANCE_OF_NH &&
+           model != GLINT_REFLECTANCE_BLINN && model != GLINT_REFLECTANCE_BLINN_NORMALIZED &&
+           model != GLINT_REFLECTANCE_ENERGY_CONSERVING && model != GLINT_REFLECTANCE_DEVICE;
+}
+
 const glint_n_range glint_n_all = {0.0, INFINITY};
 
 static bool is_in(glint_n_range range, double n)

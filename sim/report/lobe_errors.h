@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #include "reflectance/accuracy.h"
-#include "report/section.h"
+#include "report/chapter.h"
 
 /* The exponents of a report: all of 1…1000, or some when it is to be quick. */
 typedef struct glint_exponents {
@@ -43,18 +43,7 @@ typedef struct glint_lobe_worst {
 glint_lobe_worst glint_lobe_worst_of(const glint_exponents *exponents, const glint_accuracy *by_n,
                                      glint_n_range range);
 
-/* The device at every cosine code of each exponent. */
-typedef struct glint_device_errors {
-    uint64_t points;
-    uint64_t differing;              /* W of the Verilog from W of the C model */
-    glint_lobe_worst model;          /* the C model, from exact cosⁿ */
-    glint_lobe_worst verilog;        /* the same of the Verilog under Verilator */
-    double model_last, verilog_last; /* the absolute errors at the last exponent */
-    glint_worst rounding;            /* of the C model, from (2.15) in double precision */
-} glint_device_errors;
-
-glint_status glint_device_errors_measure(const glint_report *report, double level,
-                                         const glint_exponents *exponents,
-                                         glint_device_errors *errors, glint_error *err);
+/* true for the lobes of N·H that stand for cosⁿ itself, scaled by nothing. */
+bool glint_lobe_is_measured(glint_reflectance_model model);
 
 #endif

@@ -25,12 +25,21 @@ static const char style[] =
     "table{border-collapse:collapse;display:block;overflow-x:auto;margin:1em 0;"
     "font-variant-numeric:tabular-nums}"
     "th,td{padding:.25em .7em;border-bottom:1px solid var(--line);vertical-align:top}"
-    "th{background:var(--soft)}img{max-width:100%;background:#fff}td+td+td img{width:12em}"
+    "th{background:var(--soft)}img{max-width:100%;background:#fff}"
     "td[align=right]{white-space:nowrap}"
+    /* A picture at the end of a row of numbers is as high as its text. */
+    "td:nth-child(n+5) img{height:2em;max-width:none}"
+    /* Figures stand two by two. */
+    "figure{display:inline-block;width:47%;margin:0 2% 0 0;vertical-align:top}"
+    "figure img{width:100%}figure p{margin:.3em 0}"
     "code{background:var(--soft);padding:0 .2em;border-radius:3px}"
     "pre{overflow-x:auto;background:var(--soft);padding:.7em}"
     "nav{background:var(--soft);padding:.7em 1em}nav ol{margin:0;columns:2}"
-    ".holds{color:#1a7f37}.not{color:#c62828}.open{color:#9a6700}";
+    ".holds{color:#1a7f37}.not{color:#c62828}.open{color:#9a6700}"
+    "@media(max-width:50em){figure{width:100%}nav ol{columns:1}}"
+    "@media print{body{font-size:9px;max-width:none;margin:0}h2{margin-top:1.2em}"
+    "table{display:table;overflow:visible}figure,tr{break-inside:avoid}}"
+    "@page{margin:12mm}";
 
 /* What is written in bold for each verdict, and its class in the style above. */
 static const struct {
@@ -151,13 +160,14 @@ static void color_verdict(cmark_node *strong)
 
 /* ---- The page -------------------------------------------------------------------------------- */
 
-/* Changes the tree as above; the title and the lines of the contents come out. */
-static glint_status prepare(cmark_node *root, const char *directory, char *title, FILE *contents,
-                            glint_error *err)
+/* Changes the tree as above; the lines of the contents come out. Returns the title's heading. */
+static glint_status prepare(cmark_node *root, const char *directory, cmark_node **heading,
+                            FILE *contents, glint_error *err)
 {
     glint_status status = GLINT_OK;
     int sections = 0;
     cmark_iter *iter = cmark_iter_new(root);
+    *heading = NULL;
     while (status == GLINT_OK && cmark_iter_next(iter) != CMARK_EVENT_DONE) {
         cmark_node *node = cmark_iter_get_node(iter);
         const cmark_node_type type = cmark_node_get_type(node);
@@ -167,8 +177,8 @@ static glint_status prepare(cmark_node *root, const char *directory, char *title
             status = put_in_picture(node, directory, err);
         else if (type == CMARK_NODE_STRONG)
             color_verdict(node);
-        else if (type == CMARK_NODE_HEADING && title[0] == '\0')
-            text_of(node, title, TITLE_MAX);
+        else if (type == CMARK_NODE_HEADING && *heading == NULL)
+            *heading = node;
         else if (type == CMARK_NODE_HEADING && cmark_node_get_heading_level(node) == 2)
             mark_heading(node, ++sections, contents);
     }
@@ -176,8 +186,8 @@ static glint_status prepare(cmark_node *root, const char *directory, char *title
     return status;
 }
 
-static glint_status write_page(const char *path, const char *title, const char *contents,
-                               const char *body, glint_error *err)
+static glint_status write_page(const char *path, const char *title, const char *body,
+                               glint_error *err)
 {
     glint_new_file *file;
     const glint_status status = glint_new_file_open(path, &file, err);
@@ -188,48 +198,50 @@ static glint_status write_page(const char *path, const char *title, const char *
           "<meta name=\"viewport\" content=\"width=device-width\">\n<title>",
           out);
     print_escaped(out, title);
-    fprintf(out,
-            "</title>\n<style>%s</style>\n</head>\n<body>\n<nav><ol>\n%s</ol></nav>\n"
-            "%s</body>\n</html>\n",
-            style, contents, body);
+    fprintf(out, "</title>\n<style>%s</style>\n</head>\n<body>\n%s</body>\n</html>\n", style, body);
     return glint_new_file_commit(file, err);
 }
 
-static glint_status render(cmark_parser *parser, cmark_node *root, const char *directory,
-                           const char *path, FILE *contents, char *const *contents_text,
-                           glint_error *err)
+/* Makes the tree that of a page: pictures inside, the contents below the title. */
+static glint_status change_tree(cmark_node *root, const char *directory, char *title,
+                                glint_error *err)
 {
-    char title[TITLE_MAX] = "";
-    glint_status status = prepare(root, directory, title, contents, err);
-    fflush(contents);
-    if (status != GLINT_OK)
-        return status;
-    char *body =
-        cmark_render_html(root, CMARK_OPT_UNSAFE, cmark_parser_get_syntax_extensions(parser));
-    status = write_page(path, title, *contents_text, body, err);
-    free(body);
+    char *lines = NULL;
+    size_t size = 0;
+    cmark_node *heading;
+    FILE *contents = open_memstream(&lines, &size);
+    if (contents == NULL)
+        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the page of %.300s", directory);
+    fputs("<nav><ol>\n", contents);
+    const glint_status status = prepare(root, directory, &heading, contents, err);
+    fputs("</ol></nav>", contents);
+    fclose(contents);
+    if (status == GLINT_OK && heading != NULL) {
+        text_of(heading, title, TITLE_MAX);
+        cmark_node_insert_after(heading, raw_html(CMARK_NODE_HTML_BLOCK, lines));
+    }
+    free(lines);
     return status;
 }
 
 static glint_status make(const char *directory, const char *path, const char *markdown,
                          size_t length, glint_error *err)
 {
+    char title[TITLE_MAX] = "";
     cmark_gfm_core_extensions_ensure_registered();
-    char *contents_text = NULL;
-    size_t contents_size = 0;
-    FILE *contents = open_memstream(&contents_text, &contents_size);
-    if (contents == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for %.300s", path);
     cmark_parser *parser = cmark_parser_new(CMARK_OPT_DEFAULT);
     cmark_parser_attach_syntax_extension(parser, cmark_find_syntax_extension("table"));
     cmark_parser_feed(parser, markdown, length);
     cmark_node *root = cmark_parser_finish(parser);
-    const glint_status status =
-        render(parser, root, directory, path, contents, &contents_text, err);
+    glint_status status = change_tree(root, directory, title, err);
+    if (status == GLINT_OK) {
+        char *body =
+            cmark_render_html(root, CMARK_OPT_UNSAFE, cmark_parser_get_syntax_extensions(parser));
+        status = write_page(path, title, body, err);
+        free(body);
+    }
     cmark_node_free(root);
     cmark_parser_free(parser);
-    fclose(contents);
-    free(contents_text);
     return status;
 }
 

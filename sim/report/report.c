@@ -1,18 +1,26 @@
-/* Runs the sections into memory, then writes the whole: the verdicts stand before the sections that
- * they come from. */
+/* Measures chapter after chapter, judges the claims by the numbers, then writes what was found. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "report/report.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include "file/directory.h"
-#include "file/json_text.h"
-#include "reflectance/reflectance.h"
+#include "report/chapter.h"
+#include "report/index_json.h"
 #include "report/page.h"
 #include "report/place.h"
-#include "report/sections.h"
+#include "report/texts.h"
+
+/* One run. */
+typedef struct run {
+    glint_report report;
+    const char *only; /* the one chapter; NULL: all */
+    glint_claims claims;
+    const glint_chapter *chapter; /* that is being written */
+} run;
 
 static double seconds_now(void)
 {
@@ -21,91 +29,131 @@ static double seconds_now(void)
     return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
 }
 
-static glint_status run_section(const glint_report_entry *entry, glint_report *report,
-                                cJSON *numbers, glint_error *err)
+static bool is_asked_for(const run *r, const glint_chapter *chapter)
 {
-    const glint_status status = glint_report_go_on(report, err);
-    if (status != GLINT_OK)
-        return status;
-    report->numbers = cJSON_AddObjectToObject(numbers, entry->name);
-    if (report->numbers == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the numbers of %s", entry->name);
-    fprintf(report->markdown, "\n## %s\n\n", entry->title);
-    return entry->write(report, err);
+    return r->only == NULL || strcmp(r->only, chapter->name) == 0;
 }
 
-static glint_status run_sections(const glint_report_options *options, glint_report *report,
-                                 cJSON *numbers, glint_error *err)
+/* ---- Measuring ------------------------------------------------------------------------------- */
+
+static glint_status measure(run *r, const glint_report_options *options, glint_error *err)
 {
     glint_status status = GLINT_OK;
-    for (int i = 0; i < glint_report_section_count && status == GLINT_OK; i++) {
-        const glint_report_entry *entry = &glint_report_sections[i];
+    const int count = r->only == NULL ? glint_chapter_count : 1;
+    int done = 0;
+    for (int i = 0; i < glint_chapter_count && status == GLINT_OK; i++) {
+        const glint_chapter *chapter = &glint_chapters[i];
+        if (!is_asked_for(r, chapter))
+            continue;
         if (options->progress != NULL)
-            options->progress(options->context, entry->title, i, glint_report_section_count);
-        status = run_section(entry, report, numbers, err);
+            options->progress(options->context, chapter->title, done, count);
+        status = glint_report_go_on(&r->report, err);
+        if (status == GLINT_OK)
+            status = chapter->measure(&r->report, err);
+        done++;
     }
-    if (status == GLINT_OK && !glint_findings_complete(report->findings))
-        status = glint_fail(err, GLINT_NO_MEMORY, "no memory for the claims");
     return status;
 }
 
-static glint_status write_markdown(const glint_report *report, const char *sections,
-                                   glint_error *err)
+static glint_status judge(run *r, glint_error *err)
 {
-    glint_new_file *file;
-    const glint_status status = glint_report_open(report, "index.md", &file, err);
-    if (status != GLINT_OK)
-        return status;
-    FILE *out = glint_new_file_stream(file);
-    fprintf(out,
-            "# What the thesis claims, measured\n\n"
-            "Made by `glint report`%s. The measured numbers here, and the verdicts with them, were "
-            "computed by that run; the formulas are\nevaluated in double precision, and rows "
-            "called *device* are the fixed-point "
-            "circuit.\n\n"
-            "A highlight is a function of c = cos γ, the cosine between the normal and the half "
-            "vector, and of the\nexponent n, 1 to 1000. Blinn's cos^n is what the others stand "
-            "for; W is the thesis's cosine-quadratic (2.15),\n((n+1)/3 (c−1) + 1)², zero beyond "
-            "its zero. The *epicentre* is where cos^n ≥ %g (section 2.1). R is the\nshare of a "
-            "beam of light that the surface gives back.\n\n%s\n\n"
-            "## The claims\n\n"
-            "%d hold, %d do not hold, %d cannot be decided as stated.\n\n",
-            report->quick ? " with `--quick`, on coarser grids and smaller frames" : "",
-            GLINT_EPICENTRE_LEVEL, glint_verdict_rules,
-            glint_findings_count(report->findings, GLINT_HOLDS),
-            glint_findings_count(report->findings, GLINT_DOES_NOT_HOLD),
-            glint_findings_count(report->findings, GLINT_CANNOT_BE_DECIDED));
-    glint_findings_write(report->findings, out);
-    fputs(sections, out);
-    return glint_new_file_commit(file, err);
+    static const char *const names[GLINT_VERDICT_COUNT] = {"hold", "do-not-hold", "undecided"};
+    glint_numbers *numbers = &r->report.numbers;
+    const glint_status status = glint_claims_make(numbers, r->only, &r->claims, err);
+    for (int i = 0; i < GLINT_VERDICT_COUNT && status == GLINT_OK; i++)
+        glint_number_put(numbers, glint_claims_count(&r->claims, (glint_verdict)i), "claims.%s",
+                         names[i]);
+    glint_number_put(numbers, r->claims.count, "claims.count");
+    glint_number_put_text(
+        numbers, r->report.quick ? " with `--quick`, on coarser grids and smaller frames" : "",
+        "report.quick");
+    return status == GLINT_OK && numbers->incomplete
+               ? glint_fail(err, GLINT_NO_MEMORY, "no memory for the report's numbers")
+               : status;
 }
 
-static glint_status write_json(const glint_report *report, cJSON *json, glint_error *err)
+/* ---- Writing --------------------------------------------------------------------------------- */
+
+static glint_status write_figure(const run *r, const char *name, const char *caption, FILE *out,
+                                 glint_error *err)
 {
-    cJSON *claims = glint_findings_json(report->findings);
-    char *text = claims != NULL && cJSON_AddItemToObject(json, "claims", claims)
-                     ? glint_json_text(json)
-                     : NULL;
+    const glint_template how = {.numbers = &r->report.numbers};
+    char text[1024];
+    const glint_status status = glint_template_line(&how, caption, text, sizeof text, err);
+    if (status != GLINT_OK)
+        return status;
+    if (r->report.plotted)
+        fprintf(out, "<figure>\n\n![%s](%s.svg)\n\n*%s*\n\n</figure>\n", name, name, text);
+    else
+        fprintf(out, "*%s* (There was no gnuplot to draw it; the data is in %s.dat.)", text, name);
+    return GLINT_OK;
+}
+
+static const char *title_of(const char *chapter)
+{
+    return glint_chapter_find(chapter)->title;
+}
+
+static glint_status write_word(void *context, const char *word, const char *rest, FILE *out,
+                               glint_error *err)
+{
+    const run *r = context;
+    if (strncmp(word, "figure ", 7) == 0)
+        return write_figure(r, word + 7, rest, out, err);
+    if (strcmp(word, "claims") == 0)
+        glint_claims_write_links(&r->claims, r->chapter->name, out);
+    else if (strcmp(word, "table") == 0)
+        glint_claims_write_table(&r->claims, title_of, out);
+    else
+        return glint_fail(err, GLINT_BAD_ARGUMENT,
+                          "the report's text has {%s}: nothing measured "
+                          "that",
+                          word);
+    return GLINT_OK;
+}
+
+static glint_status write_text(run *r, FILE *out, glint_error *err)
+{
+    const glint_template how = {&r->report.numbers, write_word, r};
+    glint_status status = glint_template_write(&how, glint_text_head, out, err);
+    if (status == GLINT_OK && r->only == NULL)
+        status = glint_template_write(&how, glint_text_summary, out, err);
+    for (int i = 0; i < glint_chapter_count && status == GLINT_OK; i++) {
+        r->chapter = &glint_chapters[i];
+        if (!is_asked_for(r, r->chapter))
+            continue;
+        fprintf(out, "\n<a id=\"%s\"></a>\n\n## %s\n\n", r->chapter->name, r->chapter->title);
+        status = glint_template_write(&how, r->chapter->text, out, err);
+    }
+    return status == GLINT_OK ? glint_template_write(&how, glint_text_claims, out, err) : status;
+}
+
+static glint_status write_markdown(run *r, glint_error *err)
+{
+    glint_new_file *file;
+    glint_status status = glint_report_open(&r->report, "index.md", &file, err);
+    if (status != GLINT_OK)
+        return status;
+    status = write_text(r, glint_new_file_stream(file), err);
+    if (status == GLINT_OK)
+        return glint_new_file_commit(file, err);
+    glint_new_file_discard(file);
+    return status;
+}
+
+static glint_status write_json(const run *r, glint_error *err)
+{
+    char *text = glint_index_json(&r->claims, &r->report.numbers);
     glint_new_file *file;
     if (text == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "no memory for index.json");
-    glint_status status = glint_report_open(report, "index.json", &file, err);
+    glint_status status = glint_report_open(&r->report, "index.json", &file, err);
     if (status == GLINT_OK) {
         fprintf(glint_new_file_stream(file), "%s\n", text);
         status = glint_new_file_commit(file, err);
     }
     free(text);
     return status;
-}
-
-/* The sections' text is in memory; json has their numbers. */
-static glint_status write_all(const glint_report *report, const char *sections, cJSON *json,
-                              glint_error *err)
-{
-    glint_status status = write_markdown(report, sections, err);
-    if (status == GLINT_OK)
-        status = write_json(report, json, err);
-    return status == GLINT_OK ? glint_page_make(report->directory, "index", err) : status;
 }
 
 /* Before the long work: whether its end can be written. */
@@ -122,46 +170,40 @@ static glint_status check_places(const char *directory, glint_error *err)
     return status;
 }
 
-static glint_status make(const glint_report_options *options, glint_report *report, cJSON *json,
-                         glint_error *err)
+static glint_status make(run *r, const glint_report_options *options, glint_error *err)
 {
-    char *sections = NULL;
-    size_t size = 0;
-    report->markdown = open_memstream(&sections, &size);
-    if (report->markdown == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the report");
-    glint_status status = run_sections(options, report, json, err);
-    if (fclose(report->markdown) != 0 && status == GLINT_OK)
-        status = glint_fail(err, GLINT_NO_MEMORY, "no memory for the report's text");
+    glint_status status = glint_directory_make(options->directory, err);
     if (status == GLINT_OK)
-        status = write_all(report, sections, json, err);
-    free(sections);
-    return status;
+        status = check_places(options->directory, err);
+    if (status == GLINT_OK)
+        status = measure(r, options, err);
+    if (status == GLINT_OK)
+        status = judge(r, err);
+    if (status == GLINT_OK)
+        status = write_markdown(r, err);
+    if (status == GLINT_OK)
+        status = write_json(r, err);
+    return status == GLINT_OK ? glint_page_make(options->directory, "index", err) : status;
 }
 
 glint_status glint_report_make(const glint_report_options *options, glint_report_result *result,
                                glint_error *err)
 {
     const double begin = seconds_now();
-    glint_report report = {.directory = options->directory,
-                           .threads = options->threads,
-                           .quick = options->quick,
-                           .stop = options->stop,
-                           .findings = glint_findings_create(),
-                           .plotted = true};
-    cJSON *json = cJSON_CreateObject();
-    glint_status status = report.findings != NULL && json != NULL
-                              ? glint_directory_make(options->directory, err)
-                              : glint_fail(err, GLINT_NO_MEMORY, "no memory for the report");
-    if (status == GLINT_OK)
-        status = check_places(options->directory, err);
-    if (status == GLINT_OK)
-        status = make(options, &report, json, err);
-    cJSON_Delete(json);
-    if (status != GLINT_OK) {
-        glint_findings_destroy(report.findings);
-        report.findings = NULL;
-    }
-    *result = (glint_report_result){report.findings, report.plotted, seconds_now() - begin};
+    run r = {.report = {.directory = options->directory,
+                        .threads = options->threads,
+                        .quick = options->quick,
+                        .stop = options->stop,
+                        .plotted = true},
+             .only = options->chapter};
+    const glint_status status =
+        r.only == NULL || glint_chapter_find(r.only) != NULL
+            ? make(&r, options, err)
+            : glint_fail(err, GLINT_BAD_ARGUMENT, "there is no chapter %.60s", r.only);
+    glint_numbers_clear(&r.report.numbers);
+    free(r.report.device);
+    if (status != GLINT_OK)
+        glint_claims_free(&r.claims);
+    *result = (glint_report_result){r.claims, r.report.plotted, seconds_now() - begin};
     return status;
 }

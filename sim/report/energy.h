@@ -1,10 +1,10 @@
-/* The parts of the section on energy, for section_energy.c alone. */
-#ifndef GLINT_SIM_REPORT_ENERGY_PARTS_H
-#define GLINT_SIM_REPORT_ENERGY_PARTS_H
+/* What the chapter on energy is made of. */
+#ifndef GLINT_SIM_REPORT_ENERGY_H
+#define GLINT_SIM_REPORT_ENERGY_H
 
 #include "energy/furnace.h"
 #include "energy/normalization.h"
-#include "report/section.h"
+#include "report/chapter.h"
 
 #define GLINT_ENERGY_N_MAX 1000
 
@@ -52,16 +52,17 @@ glint_status glint_energy_verilog_normal(const glint_report *report,
 glint_status glint_energy_verilog_asymmetry(const double *n, int count, uint64_t pairs,
                                             uint64_t seed, double *largest, glint_error *err);
 
+/* Figures 2.15 and 2.16, and the albedo against the incidence, with the numbers energy.smallest.…,
+ * energy.best.… and energy.angle.…. */
 glint_status glint_energy_draw(glint_report *report, const glint_energy_results *results,
                                glint_error *err);
-/* How many of the exponents have an albedo above 1; of n from 1 on, in order. */
-int glint_energy_count_above(const double albedo[GLINT_ENERGY_N_MAX]);
 
-/* How many cells of a table have a larger R than normal incidence, its first angle, has at the same
- * n. */
-int glint_energy_above_normal(const glint_energy_table *grid, int model);
+/* The numbers energy.NAME.…: at how many of the exponents 1…1000 the albedo is above 1, the first
+ * and the last of them, and the largest albedo. */
+void glint_energy_put_curve(glint_numbers *numbers, const char *name,
+                            const double albedo[GLINT_ENERGY_N_MAX]);
 
-/* The claims of section 2.5: from these numbers alone. */
-void glint_energy_find(const glint_energy_results *results, glint_findings *findings);
+/* What the claims of section 2.5 are judged by. */
+void glint_energy_put(glint_numbers *numbers, const glint_energy_results *results);
 
 #endif

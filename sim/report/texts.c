@@ -1,0 +1,44 @@
+/* text/NAME.md as arrays of lines: the Makefile makes NAME.md.inc of each. */
+#include "report/texts.h"
+
+#include <stddef.h>
+
+const char *const glint_text_head[] = {
+#include "sim/report/text/head.md.inc"
+    NULL};
+
+const char *const glint_text_summary[] = {
+#include "sim/report/text/summary.md.inc"
+    NULL};
+
+const char *const glint_text_claims[] = {
+#include "sim/report/text/claims.md.inc"
+    NULL};
+
+const char *const glint_text_device[] = {
+#include "sim/report/text/device.md.inc"
+    NULL};
+
+const char *const glint_text_lobes[] = {
+#include "sim/report/text/lobes.md.inc"
+    NULL};
+
+const char *const glint_text_divider[] = {
+#include "sim/report/text/divider.md.inc"
+    NULL};
+
+const char *const glint_text_energy[] = {
+#include "sim/report/text/energy.md.inc"
+    NULL};
+
+const char *const glint_text_frames[] = {
+#include "sim/report/text/frames.md.inc"
+    NULL};
+
+const char *const glint_text_speed[] = {
+#include "sim/report/text/speed.md.inc"
+    NULL};
+
+const char *const glint_text_rest[] = {
+#include "sim/report/text/rest.md.inc"
+    NULL};
