@@ -38,7 +38,7 @@ static const writer writers[] = {
     {"verify --exhaustive --lanes 1 --from 50 --stride 4096 --shard 51/1000 --out %s/p", true, 1,
      1},
     {"study --size 60x40 --n 10 --frames 0 --out %s", false, 0, 2},
-    {"report divider --out %s", false, 0, 2},
+    {"report --chapter divider --out %s", false, 0, 2},
 };
 #define WRITERS (sizeof writers / sizeof writers[0])
 #define REPORT  (WRITERS - 1)
@@ -201,7 +201,7 @@ static const char *const printers[] = {
     "study --size 60x40 --n 10 --frames 0 --out %s",
     "study --size 60x40 --n 10 --frames 0 --json --out %s",
     "bench --seconds 0.01",
-    "report divider --out %s",
+    "report --chapter divider --out %s",
 };
 
 static void try_printer(const char *printer, const char *directory, const abuse *how, int status,

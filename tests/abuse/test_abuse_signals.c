@@ -48,7 +48,7 @@ static const victim victims[] = {
     {"replay S/far --json --out D/p", NULL, false, 2, "interrupted"},
     {"bench --seconds 5", NULL, false, 2, "interrupted"},
     {"report --out D/r", NULL, false, 2, "interrupted"},
-    {"report divider --out D/r", NULL, false, 2, "interrupted"},
+    {"report --chapter divider --out D/r", NULL, false, 2, "interrupted"},
     {"study --size 1920x1080 --frames 1000 --out D/s", NULL, false, 2, "interrupted"},
     {"energy --method both", NULL, false, 2, "interrupted"},
     {"energy --json", NULL, false, 2, "interrupted"},

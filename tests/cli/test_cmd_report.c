@@ -1,4 +1,4 @@
-/* `glint report divider`: what it writes, and what it says when it cannot. */
+/* `glint report --chapter divider`: what it writes, and what it says when it cannot. */
 #define _XOPEN_SOURCE 700
 
 #include <math.h>
@@ -25,8 +25,8 @@ static bool gnuplot_is_there(void)
 static outcome report(const char *options)
 {
     char command_line[1200];
-    snprintf(command_line, sizeof command_line, "report divider --out %s%s", scratch_path("report"),
-             options);
+    snprintf(command_line, sizeof command_line, "report --chapter divider --out %s%s",
+             scratch_path("report"), options);
     return run(command_line, "");
 }
 
@@ -55,41 +55,41 @@ static void the_markdown_has_the_numbers(void **state)
 {
     (void)state;
     static const char *const parts[] = {
-        "| 36.4286 | 36.428571 | holds: ",
-        "| 35.8594 | 35.859375 | holds: ",
-        "| 0.5692 | 0.56919643 | holds: ",
-        "| 0.5693 | 0.56919643 | **does not hold**",
-        "| 1.56 | 1.5625 | holds: ",
-        "| 0.4427 | 0.44270833 | holds",
-        "| 0.81 | 0.80729167 | holds: ",
-        "| 408 | 408 | holds: ",
-        "| 42 | 42 | holds: ",
-        "| 2946 | 2946 | cannot be decided: ",
-        "| 2064 | 2064 | cannot be decided: ",
-        "| 1.43 | 1.4273256 | cannot be decided: ",
-        "| 100 | 79 | **does not hold**: drawn; its area is 78 pixels |",
-        "below, at most (section 3.4) | 0.0001 | ",
+        "22 claims: 16 hold, 3 do not hold, 3 cannot be decided as stated.",
+        "is 36.4286 levels | **holds** | 36.428571 |",
+        "it is 35.8594 levels | **holds** | 35.859375 |",
+        "is 0.5692 of a level | **holds** | 0.56919643 |",
+        "is 0.5693 | **does not hold** | 0.56919643 |",
+        "is 1.56 % | **holds** | 1.5625 %, the same",
+        "is 0.4427 of a level | **holds** | 0.44270833 at k = 9 |",
+        "is 0.81 % | **holds** | 0.8073 %, each k once |",
+        "408 additions in all | **holds** | 408 |",
+        "42 divisions in all | **holds** | 42 |",
+        "2946 clocks with division | **cannot be decided** | 2946, with",
+        "2064 clocks with the sum instead | **cannot be decided** | 2064, ",
+        "1.43 times faster | **cannot be decided** | 1.4273256, ",
+        "has 100 pixels | **does not hold** | 79 are drawn; its area is 78 |",
         "one span may be 22 levels off",
-        "| 0.4427 | 0.44270833 | holds: at k = 9;",
-        "| 100 | 79 | **does not hold**",
-        "| 8 | 0.4427 | 9 | 1.5625 | 9 | 0.8073 |",
-        "| 8 | 0.6896 | 13 | 3.5156 | 13 | 1.0677 |",
-        "| 12 | 0.3735 | 14 | 0 | | |",
-        "From 12 shifts on the last pixel is within half a level for every k; from 12 on what",
-        "for an addition, 41 for a division and 20 for the sum",
-        "takes 2946 and 2064 clocks, where the thesis has 2946 and 2064",
+        "| 8 | 0.4427 | 9 | 1.5625 % | 9 | 0.8073 % |",
+        "with 8 its largest error is 0.6896 of a level",
+        "| 12 | 0.0267 | 14 | 0.1465 % | 14 | 0.0423 % | 0.3735 | 14 | 0 | – | – |",
+        "From 12 shifts on the last pixel is within half a level for every k, from 12 on what",
+        "3 for an addition, 41 for a division and 20 for the sum",
+        "| clocks with division, inferred | 2946 | 2946 | 2733 |",
         "| in all | 408 / 42 | 408 / 42 | 378 / 39 |",
-        "inferred from that, not measured",
+        "They are inferred, not measured",
+        "0 pixels of all these frames differ",
     };
-    char *text = scratch_read(in_report("divider.md"), NULL);
+    char *text = scratch_read(in_report("index.md"), NULL);
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++)
         assert_says(text, parts[i]);
+    assert_null(strstr(text, "## Summary")); /* of the whole report */
     free(text);
 }
 
 static cJSON *read_json(void)
 {
-    char *text = scratch_read(in_report("divider.json"), NULL);
+    char *text = scratch_read(in_report("index.json"), NULL);
     cJSON *json = cJSON_Parse(text);
     assert_non_null(json);
     free(text);
@@ -98,8 +98,9 @@ static cJSON *read_json(void)
 
 static double number(const cJSON *json, const char *name)
 {
-    const cJSON *item = cJSON_GetObjectItem(json, name);
-    assert_true(cJSON_IsNumber(item));
+    const cJSON *item = cJSON_GetObjectItem(cJSON_GetObjectItem(json, "numbers"), name);
+    if (!cJSON_IsNumber(item))
+        fail_msg("no number %s", name);
     return item->valuedouble;
 }
 
@@ -107,68 +108,49 @@ static void the_json_has_the_numbers(void **state)
 {
     (void)state;
     cJSON *json = read_json();
-    const cJSON *errors = cJSON_GetObjectItem(json, "errors");
-    assert_int_equal(cJSON_GetArraySize(errors), 11);
-    const cJSON *eight = cJSON_GetArrayItem(errors, 2);
-    const cJSON *rounded = cJSON_GetObjectItem(eight, "rounded");
-    assert_true(number(eight, "shifts") == 8.0);
-    assert_true(number(rounded, "absolute_k") == 9.0);
-    assert_true(fabs(number(rounded, "absolute") - 0.4427) < 0.00005);
-    assert_true(fabs(100.0 * number(rounded, "relative_mean") - 0.81) < 0.005);
-    const cJSON *first = cJSON_GetObjectItem(json, "first_within_half_a_level");
-    assert_true(number(first, "rounded") == 12.0);
-    const cJSON *table = cJSON_GetObjectItem(json, "table_2_1");
-    const cJSON *described = cJSON_GetObjectItem(table, "described");
-    assert_true(number(cJSON_GetObjectItem(described, "total"), "additions") == 408.0);
-    assert_true(number(described, "inferred_clocks") == 2946.0);
-    assert_true(number(described, "inferred_clocks_by_shifts") == 2064.0);
+    assert_true(number(json, "divider.rounded.8.absolute.k") == 9.0);
+    assert_true(fabs(number(json, "divider.rounded.8.absolute") - 0.4427) < 0.00005);
+    assert_true(fabs(100.0 * number(json, "divider.rounded.8.relative.mean") - 0.81) < 0.005);
+    assert_true(number(json, "divider.rounded.within-half") == 12.0);
+    assert_true(number(json, "divider.described.all.additions") == 408.0);
+    assert_true(number(json, "divider.described.clocks") == 2946.0);
+    assert_true(number(json, "divider.described.clocks-by-shifts") == 2064.0);
     cJSON_Delete(json);
 }
 
-/* The frames of one scene: written, of the same object, and as far from the exact one as said. */
-static void check_scene(const cJSON *scene)
-{
-    glint_error err;
-    glint_image *exact, *frame;
-    const cJSON *entry;
-    double before = INFINITY;
-    const char *name = cJSON_GetObjectItem(scene, "exact_picture")->valuestring;
-    assert_int_equal(glint_image_read_png(in_report(name), &exact, &err), GLINT_OK);
-    cJSON_ArrayForEach(entry, cJSON_GetObjectItem(scene, "by_shifts"))
-    {
-        glint_image_difference difference;
-        name = cJSON_GetObjectItem(entry, "picture")->valuestring;
-        assert_int_equal(glint_image_read_png(in_report(name), &frame, &err), GLINT_OK);
-        assert_int_equal(glint_image_compare(exact, frame, &difference, &err), GLINT_OK);
-        assert_true(fabs(number(entry, "nmse") / difference.nmse - 1.0) < 1e-12);
-        assert_int_equal(difference.largest, number(entry, "largest"));
-        assert_true(cJSON_IsNumber(cJSON_GetObjectItem(entry, "verilog_differing_pixels")));
-        assert_true(number(entry, "verilog_differing_pixels") == 0.0);
-        assert_int_equal(difference.mask_pixels, 0);
-        assert_true(difference.object_pixels > 50000);
-        assert_true(difference.nmse > 0.0 && difference.nmse <= before);
-        before = difference.nmse;
-        glint_image_destroy(frame);
-        name = cJSON_GetObjectItem(entry, "difference_picture")->valuestring;
-        assert_int_equal(glint_image_read_png(in_report(name), &frame, &err), GLINT_OK);
-        assert_int_equal(frame->width, exact->width);
-        glint_image_destroy(frame);
-    }
-    glint_image_destroy(exact);
-}
-
+/* Each frame is no farther from the exact one than that with fewer shifts; the one that was written
+ * is as far as said. */
 static void the_frames_are_as_far_from_exact_as_said(void **state)
 {
     (void)state;
+    static const char *const scenes[] = {"teapot-20", "teapot-6", "sphere-128", "sphere-72"};
+    static const int shifts[] = {6, 7, 8, 12, 16};
     cJSON *json = read_json();
-    const cJSON *scenes = cJSON_GetObjectItem(json, "frames");
-    const cJSON *scene;
-    assert_int_equal(cJSON_GetArraySize(scenes), 4);
-    cJSON_ArrayForEach(scene, scenes)
-    {
-        assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItem(scene, "by_shifts")), 5);
-        check_scene(scene);
+    for (int scene = 0; scene < 4; scene++) {
+        double before = INFINITY;
+        for (int i = 0; i < 5; i++) {
+            char name[64];
+            snprintf(name, sizeof name, "divider.%s.%d.nmse", scenes[scene], shifts[i]);
+            const double nmse = number(json, name);
+            assert_true(nmse > 0.0 && nmse <= before);
+            before = nmse;
+        }
     }
+    glint_error err;
+    glint_image *exact, *frame;
+    glint_image_difference difference;
+    assert_int_equal(glint_image_read_png(in_report("divider-exact.png"), &exact, &err), GLINT_OK);
+    assert_int_equal(glint_image_read_png(in_report("divider-frame.png"), &frame, &err), GLINT_OK);
+    assert_int_equal(glint_image_compare(exact, frame, &difference, &err), GLINT_OK);
+    assert_true(fabs(number(json, "divider.teapot-20.6.nmse") / difference.nmse - 1.0) < 1e-12);
+    assert_true(number(json, "divider.teapot-20.6.largest") == difference.largest);
+    assert_true(difference.object_pixels > 50000 && difference.mask_pixels == 0);
+    glint_image_destroy(frame);
+    assert_int_equal(glint_image_read_png(in_report("divider-difference.png"), &frame, &err),
+                     GLINT_OK);
+    assert_int_equal(frame->width, exact->width);
+    glint_image_destroy(frame);
+    glint_image_destroy(exact);
     cJSON_Delete(json);
 }
 
@@ -214,7 +196,7 @@ static void the_json_printed_is_the_file(void **state)
 {
     (void)state;
     outcome done = report(" --json --threads 1");
-    char *file = scratch_read(in_report("divider.json"), NULL);
+    char *file = scratch_read(in_report("index.json"), NULL);
     assert_string_equal(done.out, file);
     free(file);
     forget(&done);
@@ -224,11 +206,10 @@ static void the_summary_says_what_holds(void **state)
 {
     (void)state;
     outcome done = report(" --threads 3");
-    assert_says(done.out, "holds              thesis 0.4427 ");
-    assert_says(done.out, "does not hold:     thesis 0.5693 ");
-    assert_says(done.out, "from 12 shifts on\n");
-    assert_says(done.out, "teapot, density  20, 12 shifts: NMSE ");
-    assert_says(done.out, "/divider.md");
+    assert_says(done.out, "holds              2.4: 8 shifts: the largest absolute error of an ");
+    assert_says(done.out, "does not hold      2.4: The same difference, a line below, is 0.5693; ");
+    assert_says(done.out, "16 hold, 3 do not hold, 3 cannot be decided as stated; ");
+    assert_says(done.out, "/index.html, index.md and index.json\n");
     forget(&done);
 }
 
@@ -244,13 +225,13 @@ static void without_gnuplot_all_but_the_figure_is_made(void **state)
     setenv("PATH", path, 1);
     free(path);
     assert_outcome(&done, 2,
-                   "glint report: there is no gnuplot (package gnuplot-nox), so figure-2.12.svg "
-                   "and figure-2.12.png were not made\n");
-    assert_says(done.out, "/divider.md, divider.json and the frames\n");
+                   "glint report: there is no gnuplot (package gnuplot-nox), so the figures "
+                   "were not made\n");
+    assert_says(done.out, "/index.html, index.md and index.json\n");
     forget(&done);
     assert_int_equal(access(in_report("figure-2.12.svg"), F_OK), -1);
-    char *text = scratch_read(in_report("divider.md"), NULL);
-    assert_says(text, "There was no gnuplot");
+    char *text = scratch_read(in_report("index.md"), NULL);
+    assert_says(text, "(There was no gnuplot to draw it; the data is in figure-2.12.dat.)");
     free(text);
 }
 
@@ -302,7 +283,8 @@ static void a_directory_that_cannot_be_is_a_failure(void **state)
     (void)state;
     scratch_write(scratch_path("file"), "", 0);
     char command_line[1100], expected[1200];
-    snprintf(command_line, sizeof command_line, "report divider --out %s", scratch_path("file/x"));
+    snprintf(command_line, sizeof command_line, "report --chapter divider --out %s",
+             scratch_path("file/x"));
     snprintf(expected, sizeof expected,
              "glint report: %s: cannot make this directory: Not a directory\n",
              scratch_path("file/x"));
@@ -318,13 +300,12 @@ static void the_command_line_is_read_strictly(void **state)
     static const struct {
         const char *command_line, *err;
     } refusals[] = {
-        {"report divider --quick",
-         "glint report: --quick goes with the whole report, not with divider\n"},
-        {"report specular", "glint report: there is no report on \"specular\": only divider\n"},
-        {"report divider divider", "glint report: unexpected argument \"divider\"\n"},
-        {"report divider --threads 0",
-         "glint report: --threads: \"0\" is not an integer from 1 to 64\n"},
-        {"report divider --out=", "glint report: --out: \"\" is not a non-empty DIR\n"},
+        {"report --chapter thesis",
+         "glint report: --chapter: \"thesis\" is none of device, lobes, divider, energy, frames, "
+         "speed, rest\n"},
+        {"report divider", "glint report: unexpected argument \"divider\"\n"},
+        {"report --threads 0", "glint report: --threads: \"0\" is not an integer from 1 to 64\n"},
+        {"report --out=", "glint report: --out: \"\" is not a non-empty DIR\n"},
     };
     for (size_t i = 0; i < sizeof refusals / sizeof refusals[0]; i++) {
         outcome done = run(refusals[i].command_line, "");

@@ -94,8 +94,8 @@ static const struct {
     {"study --model quad --size 20x20 --n 10 --frames 0 --out %s/s", "", RIGHT, 0},
     {"study --a none --out %s/s", "", RIGHT, 2},
     {"study --model quad --size 20x20 --n 10 --frames 0 --out /dev/null/s", "", RIGHT, 2},
-    {"report thesis", "", RIGHT, 2},
-    {"report divider --out /dev/null/r", "", RIGHT, 2},
+    {"report --chapter thesis", "", RIGHT, 2},
+    {"report --chapter divider --out /dev/null/r", "", RIGHT, 2},
     {"bench --seconds 0.01 --threads 1", "", RIGHT, 0},
     {"bench --seconds 0", "", RIGHT, 2},
 };

@@ -205,7 +205,6 @@ static void directories_lose_nothing_of_another_kind(void **state)
         {"report --quick", "index.html"},
         {"report --quick", "index.md"},
         {"report --quick", "index.json"},
-        {"report divider", "divider.md"},
     };
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
         char line[2048], path[1024];

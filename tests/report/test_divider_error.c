@@ -9,7 +9,6 @@
 
 #include <cmocka.h>
 
-#include "report/claims.h"
 #include "report/divider_error.h"
 
 static void assert_near(double found, double expected, double tolerance)
@@ -144,17 +143,6 @@ static void the_default_is_the_first_within_half_a_level(void **state)
     assert_true(glint_divider_error_of(8, GLINT_BITS_ROUNDED).displayed > 1);
 }
 
-static void clocks_are_those_of_table_2_1(void **state)
-{
-    (void)state;
-    const glint_operations total = glint_operations_total(&glint_table_21_stated);
-    assert_int_equal(total.additions, 408);
-    assert_int_equal(total.divisions, 42);
-    assert_int_equal(glint_operations_clocks(total, GLINT_CLOCKS_DIVISION), 2946);
-    assert_int_equal(glint_operations_clocks(total, GLINT_CLOCKS_DIVISION_BY_SHIFTS), 2064);
-    assert_near(2946.0 / 2064.0, 1.43, 0.005);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -163,7 +151,6 @@ int main(void)
         cmocka_unit_test(six_shifts_and_seven_pixels),
         cmocka_unit_test(eight_shifts),
         cmocka_unit_test(the_default_is_the_first_within_half_a_level),
-        cmocka_unit_test(clocks_are_those_of_table_2_1),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -38,7 +38,7 @@ static void headings_become_title_and_contents(void **state)
     char *page = page_of("# The *whole* 1 < 2\n\n## First & `second`\n\ntext\n\n### no line\n\n"
                          "## Last\n");
     assert_has(page, "<title>The whole 1 &lt; 2</title>");
-    assert_has(page, "<nav><ol>\n<li><a href=\"#section-1\">First &amp; second</a></li>\n"
+    assert_has(page, "</h1>\n<nav><ol>\n<li><a href=\"#section-1\">First &amp; second</a></li>\n"
                      "<li><a href=\"#section-2\">Last</a></li>\n</ol></nav>");
     assert_has(page, "<a id=\"section-1\"></a>\n<h2>First &amp; <code>second</code></h2>");
     assert_has(page, "<a id=\"section-2\"></a>\n<h2>Last</h2>");

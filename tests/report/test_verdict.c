@@ -7,13 +7,12 @@
 
 #include <cmocka.h>
 
-#include "report/findings.h"
 #include "report/quantile.h"
+#include "report/verdict.h"
 
 static glint_verdict of(glint_rule rule, double stated, int decimals, double measured)
 {
-    const glint_judged judged = glint_judged_number(rule, stated, decimals, measured);
-    return glint_judge(&judged);
+    return glint_judge(&(glint_judged){rule, stated, decimals, measured, measured, false});
 }
 
 static bool holds(glint_rule rule, double stated, int decimals, double measured)
@@ -77,30 +76,10 @@ static void what_lies_on_both_sides_cannot_be_decided(void **state)
 static void a_circle_contradicts_and_does_not_prove(void **state)
 {
     (void)state;
-    glint_judged judged = glint_judged_number(GLINT_ROUNDS_TO, 2946.0, 0, 2946.0);
-    judged.circular = true;
+    glint_judged judged = {GLINT_ROUNDS_TO, 2946.0, 0, 2946.0, 2946.0, true};
     assert_int_equal(glint_judge(&judged), GLINT_CANNOT_BE_DECIDED);
     judged.lowest = judged.highest = 2947.0;
     assert_int_equal(glint_judge(&judged), GLINT_DOES_NOT_HOLD);
-}
-
-/* Nobody but the rule makes a verdict. */
-static void a_finding_has_the_verdict_of_its_numbers(void **state)
-{
-    (void)state;
-    glint_findings *findings = glint_findings_create();
-    assert_non_null(findings);
-    for (int i = 0; i < 100; i++) {
-        const glint_judged judged = glint_judged_number(GLINT_AT_MOST, 49.0, 0, i);
-        glint_findings_add(findings, "here", &judged);
-    }
-    for (int i = 0; i < 100; i++)
-        assert_int_equal(glint_findings_get(findings, i)->verdict,
-                         i <= 49 ? GLINT_HOLDS : GLINT_DOES_NOT_HOLD);
-    assert_null(glint_findings_get(findings, 100));
-    assert_null(glint_findings_get(findings, -1));
-    assert_int_equal(glint_findings_count(findings, GLINT_HOLDS), 50);
-    glint_findings_destroy(findings);
 }
 
 static void quantiles_lie_between_the_sorted_values(void **state)
@@ -121,7 +100,6 @@ int main(void)
         cmocka_unit_test(a_limit_is_the_number_itself),
         cmocka_unit_test(what_lies_on_both_sides_cannot_be_decided),
         cmocka_unit_test(a_circle_contradicts_and_does_not_prove),
-        cmocka_unit_test(a_finding_has_the_verdict_of_its_numbers),
         cmocka_unit_test(quantiles_lie_between_the_sorted_values),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
