@@ -107,7 +107,8 @@ $(BUILD)/%.inc: %
 	@mkdir -p $(@D)
 	$Qsed 's/[\\"]/\\&/g; s/.*/"&",/' $< > $@
 
-TEXTS := $(patsubst %,$(BUILD)/%.inc,$(wildcard sim/report/text/*))
+DRAWINGS := specular.svg specular-drawn.svg divider-sequential.svg
+TEXTS    := $(patsubst %,$(BUILD)/%.inc,$(wildcard sim/report/text/*) $(DRAWINGS:%=docs/images/%))
 $(BUILD)/sim/report/texts.o: $(TEXTS)
 
 # Loops whose speed is measured; see the file.

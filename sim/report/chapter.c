@@ -53,3 +53,15 @@ glint_status glint_report_write_png(const glint_report *report, const glint_imag
     const glint_status status = glint_place_in(report->directory, name, &place, err);
     return status == GLINT_OK ? glint_image_write_png(image, place.path, err) : status;
 }
+
+glint_status glint_report_write_lines(const glint_report *report, const char *const *lines,
+                                      const char *name, glint_error *err)
+{
+    glint_new_file *file;
+    const glint_status status = glint_report_open(report, name, &file, err);
+    if (status != GLINT_OK)
+        return status;
+    for (; *lines != NULL; lines++)
+        fprintf(glint_new_file_stream(file), "%s\n", *lines);
+    return glint_new_file_commit(file, err);
+}

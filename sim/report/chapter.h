@@ -48,6 +48,10 @@ glint_status glint_report_open(const glint_report *report, const char *name, gli
 glint_status glint_report_write_png(const glint_report *report, const glint_image *image,
                                     const char *name, glint_error *err);
 
+/* Lines as in texts.h. */
+glint_status glint_report_write_lines(const glint_report *report, const char *const *lines,
+                                      const char *name, glint_error *err);
+
 glint_chapter_measure glint_chapter_device, glint_chapter_lobes, glint_chapter_divider,
     glint_chapter_energy, glint_chapter_frames, glint_chapter_speed, glint_chapter_rest;
 

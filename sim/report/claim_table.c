@@ -32,7 +32,7 @@
     "{frames.time.teapot.cosine-quadratic.gain:.0%} (teapot)"
 
 #define SPEED(KIND)                                                                                \
-    "{speed.cosine-quadratic." KIND ".ratio:.2f} times, the median of "                            \
+    "{speed.cosine-quadratic." KIND ".ratio:.2f} times, the median; the middle half of the runs "  \
     "{speed.cosine-quadratic." KIND ".ratios:.2f}"
 
 #define NOT_BUILT "not built yet: nothing was measured"
@@ -266,7 +266,7 @@ const glint_claim glint_claim_table[] = {
      "{energy.w.above-normal} cells of the cosine-quadratic have a larger R than normal incidence"},
     {"energy", "(2.25)", "The limit 5.8/√n takes in the first lobe of W only", GLINT_AT_LEAST, 5.8,
      1, GLINT_PLAIN, "energy.zero",
-     "W is zero at {energy.zero:.4f}/√n; R by (2.25) with dθ₀ is off by up to "
+     "W is zero at √n · θ₀ = {energy.zero:.4f}; R by (2.25) with dθ₀ is off by up to "
      "{energy.with-limit.apart:.1%}, at n = {energy.with-limit.apart.n}"},
     {"energy", "(2.26), figure 2.16", "(n+6)/24.55 · W conserves energy for n = 1…1000",
      GLINT_AT_MOST, 0.0, 0, GLINT_PLAIN, "energy.claimed.above",

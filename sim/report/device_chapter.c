@@ -3,6 +3,7 @@
 #include "report/device_errors.h"
 
 #include "render/render.h"
+#include "report/texts.h"
 
 #define WIDTH  640
 #define HEIGHT 480
@@ -111,7 +112,12 @@ static void put(glint_numbers *numbers, const glint_device_errors *errors, bool 
 glint_status glint_chapter_device(glint_report *report, glint_error *err)
 {
     const glint_device_errors *errors;
-    glint_status status = render_pictures(report, err);
+    glint_status status =
+        glint_report_write_lines(report, glint_drawing_device_drawn, "figure-3.1.svg", err);
+    if (status == GLINT_OK)
+        status = glint_report_write_lines(report, glint_drawing_device, "device.svg", err);
+    if (status == GLINT_OK)
+        status = render_pictures(report, err);
     if (status == GLINT_OK)
         status = glint_device_errors_of(report, &errors, err);
     if (status == GLINT_OK)

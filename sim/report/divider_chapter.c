@@ -4,6 +4,7 @@
 #include "report/chart.h"
 #include "report/divider_error.h"
 #include "report/divider_frames.h"
+#include "report/texts.h"
 
 /* Clocks of an operation on the thesis's processor. The thesis gives none: these are inferred, as
  * the least whole ones with which both of its totals come out. */
@@ -210,6 +211,8 @@ glint_status glint_chapter_divider(glint_report *report, glint_error *err)
     put_example(&report->numbers);
     put_errors(&report->numbers);
     glint_status status = put_table_21(&report->numbers, err);
+    if (status == GLINT_OK)
+        status = glint_report_write_lines(report, glint_drawing_divider, "figure-2.13.svg", err);
     if (status == GLINT_OK)
         status = draw_errors(report, err);
     if (status == GLINT_OK)

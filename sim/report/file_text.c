@@ -1,3 +1,4 @@
+/* The text of a whole file; see file_text.h. */
 #include "report/file_text.h"
 
 #include <errno.h>

@@ -1,3 +1,4 @@
+/* The path of a file in the report's directory; see place.h. */
 #include "report/place.h"
 
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* Quantiles of measurements; see quantile.h. */
 #include "report/quantile.h"
 
 #include <stdlib.h>

@@ -12,8 +12,8 @@
 #define SECONDS       0.3
 #define SECONDS_QUICK 0.02
 
-/* The least, median or largest (share 0, 0.5, 1) of one number of the runs, given where it lies in
- * the struct. */
+/* The median (share 0.5), or an end of the middle half (0.25, 0.75), of one number of the runs,
+ * given where it lies in the struct. */
 static double over_runs(const glint_bench_formula_rates run[RUNS], size_t offset, double share)
 {
     double values[RUNS];
@@ -41,8 +41,8 @@ static void put_formulas(glint_numbers *numbers, const glint_bench_formula_rates
             glint_number_put(numbers, rate * 1e-6, "speed.%s.%s", name, kinds[j].kind);
             glint_number_put(numbers, over_runs(run, kinds[j].ratio, 0.5), "speed.%s.%s.ratio",
                              name, kinds[j].kind);
-            glint_number_put_range(numbers, over_runs(run, kinds[j].ratio, 0.0),
-                                   over_runs(run, kinds[j].ratio, 1.0), "speed.%s.%s.ratios", name,
+            glint_number_put_range(numbers, over_runs(run, kinds[j].ratio, 0.25),
+                                   over_runs(run, kinds[j].ratio, 0.75), "speed.%s.%s.ratios", name,
                                    kinds[j].kind);
         }
         length +=

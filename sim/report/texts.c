@@ -1,4 +1,4 @@
-/* text/NAME.md as arrays of lines: the Makefile makes NAME.md.inc of each. */
+/* Files as arrays of lines: the Makefile makes NAME.inc of each. */
 #include "report/texts.h"
 
 #include <stddef.h>
@@ -41,4 +41,16 @@ const char *const glint_text_speed[] = {
 
 const char *const glint_text_rest[] = {
 #include "sim/report/text/rest.md.inc"
+    NULL};
+
+const char *const glint_drawing_device_drawn[] = {
+#include "docs/images/specular-drawn.svg.inc"
+    NULL};
+
+const char *const glint_drawing_device[] = {
+#include "docs/images/specular.svg.inc"
+    NULL};
+
+const char *const glint_drawing_divider[] = {
+#include "docs/images/divider-sequential.svg.inc"
     NULL};

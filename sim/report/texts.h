@@ -1,4 +1,5 @@
-/* The text of the report, text/NAME.md, as lines; the last one NULL. */
+/* The text of the report, text/NAME.md, and drawings of docs/images, as lines; the last one NULL.
+ */
 #ifndef GLINT_SIM_REPORT_TEXTS_H
 #define GLINT_SIM_REPORT_TEXTS_H
 
@@ -8,5 +9,9 @@ extern const char *const glint_text_device[],
                                                                 *const glint_text_frames[],
                                                                     *const glint_text_speed[],
                                                                         *const glint_text_rest[];
+
+/* SVG: the device as in figure 3.1 and as it works; the divider of figure 2.13. */
+extern const char *const glint_drawing_device_drawn[], *const glint_drawing_device[],
+                                                           *const glint_drawing_divider[];
 
 #endif
