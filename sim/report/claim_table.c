@@ -273,7 +273,7 @@ const glint_claim glint_claim_table[] = {
      "R > 1 for {energy.claimed.above} exponents, n = "
      "{energy.claimed.above.first}…{energy.claimed.above.last}: {energy.claimed.largest:.4f} at n "
      "= {energy.claimed.largest.n}, {energy.claimed.at-1000:.4f} at 1000. With A = 6, B must be "
-     "{energy.smallest-b.b:.4f} or more"},
+     "{energy.smallest-b.up:.6g} or more"},
     {"energy", "figure 2.16", "Blinn's with (n+6)/(8π) conserves energy for n = 1…1000",
      GLINT_AT_MOST, 0.0, 0, GLINT_PLAIN, "energy.blinn-normalized.grid-above",
      "R is at most {energy.blinn-normalized.grid-largest:.6f}, at n = "

@@ -117,6 +117,7 @@ void glint_energy_put(glint_numbers *numbers, const glint_energy_results *result
     glint_number_put(numbers, in_front, "energy.with-limit.in-front-from");
     for (int i = 0; i < GLINT_REFLECTANCE_COUNT; i++)
         asymmetry = fmax(asymmetry, results->asymmetry[i]);
+    glint_number_put(numbers, ceil(1e4 * results->claimed.b) * 1e-4, "energy.smallest-b.up");
     glint_number_put(numbers, asymmetry, "energy.asymmetry");
     glint_number_put(numbers, GLINT_REFLECTANCE_COUNT, "energy.model-count");
     glint_number_put(numbers, above_normal(results->grid, GLINT_REFLECTANCE_COSINE_QUADRATIC),
