@@ -36,21 +36,21 @@ typedef struct glint_divider_inputs {
 
 /* The sequential form: X(name, kind, int bits, frac bits, signed, meaning), as the data flows. */
 #define GLINT_DIVIDER_SEQUENTIAL_SIGNALS(X)                                                        \
-    X(busy, REGISTER, 1, 0, 0, "a division is under way")                                          \
+    X(busy, REGISTER, 1, 0, 0, "a division is in progress")                                        \
     X(rom_bits, BLOCK, GLINT_DIVIDER_WIDTH_N1, 0, 0, "table: bits i0 ... in of 1/k")               \
-    X(rom_miss, BLOCK, 1, 0, 0, "k is 0 or beyond the table")                                      \
-    X(bits_rg, REGISTER, GLINT_DIVIDER_WIDTH_N, 0, 0, "bits ij still to come")                     \
+    X(rom_miss, BLOCK, 1, 0, 0, "k is 0 or past the end of the table")                             \
+    X(bits_rg, REGISTER, GLINT_DIVIDER_WIDTH_N, 0, 0, "remaining bits ij")                         \
     X(left, REGISTER, GLINT_DIVIDER_LEFT_BITS, 0, 0, "how many")                                   \
     X(shift_rg, REGISTER, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1,                  \
       "shift register: the difference, halved each clock")                                         \
-    X(shifted, BLOCK, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1, "one place on")      \
+    X(shifted, BLOCK, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1, "shifted by one")    \
     X(term, BLOCK, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1,                         \
-      "what is added: shifted, or 0 where ij = 0")                                                 \
+      "addend: the shift register, or 0 when ij = 0")                                              \
     X(sum, BLOCK, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1, "accumulating adder")    \
     X(acc_rg, REGISTER, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1,                    \
       "accumulating register")                                                                     \
-    X(done, OUTPUT, 1, 0, 0, "the quotient is new")                                                \
-    X(out_of_table, OUTPUT, 1, 0, 0, "k was 0 or beyond the table")                                \
+    X(done, OUTPUT, 1, 0, 0, "a new quotient is out")                                              \
+    X(out_of_table, OUTPUT, 1, 0, 0, "k was 0 or past the end of the table")                       \
     X(quotient, OUTPUT, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1, "the quotient")
 
 /* The pipelined form: signals of the whole circuit, then those of a stage 1…n. */
@@ -61,23 +61,23 @@ typedef struct glint_divider_inputs {
     X(s0_d_g, REGISTER, GLINT_DIVIDER_DIFFERENCE_BITS, 0, 1, "difference of G")                    \
     X(s0_d_b, REGISTER, GLINT_DIVIDER_DIFFERENCE_BITS, 0, 1, "difference of B")                    \
     X(rom_bits, BLOCK, GLINT_DIVIDER_WIDTH_N1, 0, 0, "table: bits i0 ... in of 1/k")               \
-    X(rom_miss, BLOCK, 1, 0, 0, "k is 0 or beyond the table")                                      \
+    X(rom_miss, BLOCK, 1, 0, 0, "k is 0 or past the end of the table")                             \
     X(out_valid, OUTPUT, 1, 0, 0, "the quotients are valid")                                       \
-    X(out_of_table, OUTPUT, 1, 0, 0, "k was 0 or beyond the table")                                \
+    X(out_of_table, OUTPUT, 1, 0, 0, "k was 0 or past the end of the table")                       \
     X(quotient_r, OUTPUT, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1, "of R")          \
     X(quotient_g, OUTPUT, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1, "of G")          \
     X(quotient_b, OUTPUT, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1, "of B")
 
 #define GLINT_DIVIDER_STAGE_SIGNALS(X)                                                             \
     X(valid, STAGE, 1, 0, 0, "the stage holds a division")                                         \
-    X(miss, STAGE, 1, 0, 0, "its k is 0 or beyond the table")                                      \
+    X(miss, STAGE, 1, 0, 0, "its k is 0 or past the end of the table")                             \
     X(bits, STAGE, GLINT_DIVIDER_WIDTH_N1, 0, 0, "its bits i0 ... in")                             \
     X(d_r, STAGE, GLINT_DIVIDER_DIFFERENCE_BITS, 0, 1, "its difference of R")                      \
     X(d_g, STAGE, GLINT_DIVIDER_DIFFERENCE_BITS, 0, 1, "its difference of G")                      \
     X(d_b, STAGE, GLINT_DIVIDER_DIFFERENCE_BITS, 0, 1, "its difference of B")                      \
-    X(acc_r, STAGE, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1, "sum so far of R")     \
-    X(acc_g, STAGE, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1, "sum so far of G")     \
-    X(acc_b, STAGE, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1, "sum so far of B")
+    X(acc_r, STAGE, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1, "running sum of R")    \
+    X(acc_g, STAGE, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1, "running sum of G")    \
+    X(acc_b, STAGE, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1, "running sum of B")
 
 /* The value of every signal, as a number. */
 #define GLINT_DIVIDER_FIELD(name, kind, int_bits, frac_bits, is_signed, meaning) int64_t name;

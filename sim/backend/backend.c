@@ -41,7 +41,7 @@ glint_status glint_backend_create(const glint_backend_config *config, glint_back
         return glint_fail(err, GLINT_BAD_ARGUMENT, "no such backend, gate or pipeline");
     glint_backend *created = calloc(1, sizeof *created);
     if (created == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a backend");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a backend");
     created->config = *config;
     glint_status status =
         config->kind == GLINT_BACKEND_RTL ? create_circuit(created, err) : GLINT_OK;
@@ -135,7 +135,8 @@ static glint_status watch_run(const glint_backend *backend, const glint_material
     if (colors == NULL || (w == NULL && rtl->w != NULL)) {
         free(w);
         free(colors);
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory to hold a run against the model");
+        return glint_fail(err, GLINT_NO_MEMORY,
+                          "not enough memory to compare a run with the model");
     }
     const glint_points model = {rtl->cos, count, w, colors, colors + count, colors + 2 * count};
     const glint_status status = shade_c(backend->config.gate, material, &model);
@@ -185,7 +186,7 @@ glint_status glint_backend_shade(glint_backend *backend, const glint_material *m
 {
     const glint_gate gate = backend->config.gate;
     if (material->n > GLINT_N_MAX)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "n = %u is not in 0…%u", material->n,
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "n = %u is outside 0…%u", material->n,
                           GLINT_N_MAX);
     switch (backend->config.kind) {
     case GLINT_BACKEND_RTL:

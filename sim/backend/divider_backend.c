@@ -31,13 +31,13 @@ glint_status glint_divider_backend_create(const glint_divider_config *config,
     *backend = NULL;
     if ((unsigned)config->kind >= GLINT_BACKEND_COUNT ||
         (unsigned)config->form >= GLINT_DIVIDER_FORM_COUNT)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "no such divider");
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "unknown divider backend");
     if (config->shifts < GLINT_DIVIDER_SHIFTS_MIN || config->shifts > GLINT_DIVIDER_SHIFTS_MAX)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "%d shifts are not in %d…%d", config->shifts,
-                          GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX);
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "the number of shifts, %d, is outside %d…%d",
+                          config->shifts, GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX);
     glint_divider_backend *created = calloc(1, sizeof *created);
     if (created == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a divider");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a divider");
     created->config = *config;
     const glint_status status =
         config->kind == GLINT_BACKEND_RTL ? create_circuit(created, err) : GLINT_OK;
@@ -108,7 +108,8 @@ static glint_status watch_run(const glint_divider_backend *backend, const glint_
 {
     glint_quotients *model = malloc(count * sizeof *model);
     if (model == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory to hold a run against the model");
+        return glint_fail(err, GLINT_NO_MEMORY,
+                          "not enough memory to compare a run with the model");
     const glint_status status = glint_divide_batch(backend->config.shifts, divisions, count, model);
     if (status == GLINT_OK)
         compare_run(backend, divisions, count, model, quotients);

@@ -39,7 +39,7 @@ glint_status glint_bench_formulas(double seconds, const volatile bool *stop,
     glint_rounds rounds;
     workload *w = calloc(1, sizeof *w);
     if (w == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the bench");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for the bench");
     fill(w);
     const glint_status status = glint_rounds_measure(
         run_pass, w, 2 * GLINT_FORMULA_COUNT, GLINT_BENCH_POINTS, seconds, stop, &rounds, err);

@@ -62,7 +62,7 @@ static glint_status create_workload(const char *verilog, workload **created, gli
 {
     workload *w = calloc(1, sizeof *w);
     if (w == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the bench");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for the bench");
     *created = w;
     glint_random random = {1};
     w->material = (glint_material){GLINT_BENCH_N, 255, 200, 120};

@@ -101,7 +101,7 @@ const char *glint_formula_compiler(void)
 
 const char *glint_formula_flags(void)
 {
-    static const char *const flags[] = {COMPILER " -O3 -ffast-math, the target's baseline vectors",
+    static const char *const flags[] = {COMPILER " -O3 -ffast-math, baseline vector instructions",
                                         COMPILER " -O3 -ffast-math, AVX2",
                                         COMPILER " -O3 -ffast-math, AVX-512"};
 #if defined(__x86_64__) && !defined(GLINT_SANITIZED)

@@ -12,7 +12,7 @@ _Static_assert(sizeof forms / sizeof forms[0] == GLINT_DIVIDER_FORM_COUNT, "a na
 static const glint_parameter parameters[] = {
     /* The Verilog has a module for each. */
     [GLINT_DIVIDER_FORM] = {.name = "form",
-                            .meaning = "one bit a clock, or one division a clock",
+                            .meaning = "one bit per clock, or one division per clock",
                             .choices = forms,
                             .max = GLINT_DIVIDER_FORM_COUNT - 1,
                             .standard = GLINT_DIVIDER_PIPELINED},
@@ -59,7 +59,7 @@ static const char *top(const int *values)
 #define CONTROLS(take)                                                                             \
     PIN("reset", RESET, reset, 1, 0, "clears every register"),                                     \
         PIN("en", ENABLE, en, 1, 0, "0 freezes the divider"),                                      \
-        PIN(take, VALID, start, 1, 0, "takes a division"),                                         \
+        PIN(take, VALID, start, 1, 0, "starts a division"),                                        \
         PIN("k", DATA, k, GLINT_DIVIDER_K_BITS, 0, "length of the span")
 #define DIFFERENCE(text, component, what)                                                          \
     PIN(text, DATA, difference[component], GLINT_DIVIDER_DIFFERENCE_BITS, 1, what)
@@ -92,7 +92,7 @@ static glint_pin_info pin(const int *values, int index)
  * first. */
 enum { UNDER_WAY, INPUTS, TABLE, BITS, SHIFT, ADDER, OUTPUTS, SUMS };
 static const glint_heading headings[] = {
-    [UNDER_WAY] = {.title = "Under way"},
+    [UNDER_WAY] = {.title = "In progress"},
     [INPUTS] = {.title = "Input registers"},
     [TABLE] = {.title = "Table: bits of 1/k"},
     [BITS] = {.title = "Bits still to come"},

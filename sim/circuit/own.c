@@ -43,7 +43,7 @@ static const char *const flags[FLAGS_MAX] = {"-std=gnu17", "-O2",         "-g", 
 
 static glint_status no_memory(glint_error *err)
 {
-    return glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit of one's own");
+    return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for the user's circuit");
 }
 
 /* ---- What it is made of -----------------------------------------------------------------------
@@ -70,7 +70,7 @@ static glint_status choose_compiler(own *o, glint_error *err)
     const char *told = getenv("CC");
     const char *compiler = told != NULL && told[0] != '\0' ? told : "cc";
     if (snprintf(o->compiler, sizeof o->compiler, "%s", compiler) >= COMPILER_MAX)
-        return glint_fail(err, GLINT_BAD_INPUT, "CC=…: a compiler's name that is too long");
+        return glint_fail(err, GLINT_BAD_INPUT, "CC=…: the compiler's name is too long");
     glint_status status = glint_sources_add(&o->all, "compiler", compiler, strlen(compiler), err);
     for (int i = 0; flags[i] != NULL && status == GLINT_OK; i++)
         status = glint_sources_add(&o->all, "flag", flags[i], strlen(flags[i]), err);
@@ -141,14 +141,14 @@ static glint_status run_compiler(own *o, const char *include, const char *map, g
         return no_memory(err);
     glint_status status = glint_command_run(arguments, o->entry.work, &success, &said, err);
     if (status == GLINT_OK && !success && strcmp(said, "cannot be started\n") == 0) {
-        status = glint_fail(err, GLINT_IO_ERROR,
-                            "the C compiler, %s, cannot be started: install one (Debian: apt-get "
-                            "install gcc), or set CC",
-                            arguments[0]);
+        status = glint_fail(
+            err, GLINT_IO_ERROR,
+            "cannot start the C compiler, %s: install one (Debian: apt-get install gcc) or set CC",
+            arguments[0]);
     } else if (status == GLINT_OK && !success) {
         const char *reason = reason_in(said);
-        status = glint_fail(err, GLINT_BAD_INPUT, "%s: its C does not compile: %.*s", o->directory,
-                            (int)strcspn(reason, "\n"), reason);
+        status = glint_fail(err, GLINT_BAD_INPUT, "%s: the C files do not compile: %.*s",
+                            o->directory, (int)strcspn(reason, "\n"), reason);
     }
     free(arguments);
     free(said);
@@ -202,9 +202,10 @@ static glint_status load_object(const own *o, const glint_circuit **circuit, gli
         return glint_fail(err, GLINT_BAD_INPUT, "%s: %s", o->directory, dlerror());
     *circuit = dlsym(object, SYMBOL);
     if (*circuit == NULL)
-        return glint_fail(err, GLINT_BAD_INPUT,
-                          "%s: none of its *.c defines the circuit, const glint_circuit " SYMBOL,
-                          o->directory);
+        return glint_fail(
+            err, GLINT_BAD_INPUT,
+            "%s: none of the *.c files defines the circuit, const glint_circuit " SYMBOL,
+            o->directory);
     const glint_status status = glint_circuit_check(*circuit, &found);
     if (status != GLINT_OK)
         return glint_fail(err, status, "%s: %s", o->directory, found.text);

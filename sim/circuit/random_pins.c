@@ -13,7 +13,7 @@ typedef struct by_roles {
     glint_schedule schedule;
     uint32_t gap_chance, bit_gap_chance, strobe_chance; /* of 256, in the present phase */
 } by_roles;
-_Static_assert(sizeof(by_roles) <= GLINT_STIMULUS_SIZE_MAX, "it has the place of a stimulus");
+_Static_assert(sizeof(by_roles) <= GLINT_STIMULUS_SIZE_MAX, "shares the stimulus's storage");
 
 static uint32_t pick(glint_random *random, const uint32_t *choices, uint32_t count)
 {

@@ -40,12 +40,12 @@ static glint_status refuse_value(const glint_parameter *parameter, int value, gl
 {
     char choices[256] = "";
     if (parameter->choices == NULL)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "%s: %d is not in %d to %d", parameter->name,
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "%s: %d is not from %d to %d", parameter->name,
                           value, parameter->min, parameter->max);
     for (int i = 0; i <= parameter->max; i++)
         append(choices, sizeof choices, "%s%s", i == 0 ? "" : ", ", parameter->choices[i]);
-    return glint_fail(err, GLINT_BAD_ARGUMENT, "%s: there is no number %d of %s", parameter->name,
-                      value, choices);
+    return glint_fail(err, GLINT_BAD_ARGUMENT, "%s: %d is not the number of a choice: %s",
+                      parameter->name, value, choices);
 }
 
 glint_status glint_setting_check(const glint_setting *setting, glint_error *err)

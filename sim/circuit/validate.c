@@ -28,16 +28,18 @@ static glint_status check_names(const glint_circuit *circuit, glint_error *err)
     if (!is_text(circuit->name))
         return glint_fail(err, GLINT_BAD_INPUT, "the circuit has no name");
     if (!glint_is_identifier(circuit->name))
-        return glint_fail(err, GLINT_BAD_INPUT, "circuit \"%s\": its name is no C identifier",
+        return glint_fail(err, GLINT_BAD_INPUT, "circuit \"%s\": its name is not a C identifier",
                           circuit->name);
     if (!is_text(circuit->title))
-        return glint_fail(err, GLINT_BAD_INPUT, "circuit %s: it has no title", circuit->name);
+        return glint_fail(err, GLINT_BAD_INPUT, "circuit %s has no title", circuit->name);
     if (circuit->clock_port != NULL && !glint_is_identifier(circuit->clock_port))
-        return glint_fail(err, GLINT_BAD_INPUT, "circuit %s: clock_port \"%s\" is no C identifier",
-                          circuit->name, circuit->clock_port);
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "circuit %s: clock_port \"%s\" is not a C identifier", circuit->name,
+                          circuit->clock_port);
     if (circuit->lane_name != NULL && !glint_is_identifier(circuit->lane_name))
-        return glint_fail(err, GLINT_BAD_INPUT, "circuit %s: lane_name \"%s\" is no C identifier",
-                          circuit->name, circuit->lane_name);
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "circuit %s: lane_name \"%s\" is not a C identifier", circuit->name,
+                          circuit->lane_name);
     return GLINT_OK;
 }
 
@@ -50,7 +52,7 @@ static glint_status check_lane_scope(const glint_circuit *circuit, glint_error *
     const char *number = strchr(scope, '%');
     if (number == NULL || number[1] != 'd' || strchr(number + 1, '%') != NULL)
         return glint_fail(err, GLINT_BAD_INPUT,
-                          "circuit %s: lane_scope \"%s\" has not one %%d for the lane",
+                          "circuit %s: lane_scope \"%s\" must contain one %%d, for the lane",
                           circuit->name, scope);
     return GLINT_OK;
 }
@@ -69,8 +71,8 @@ static glint_status check_functions(const glint_circuit *circuit, glint_error *e
     };
     for (size_t i = 0; i < sizeof functions / sizeof functions[0]; i++)
         if (!functions[i].there)
-            return glint_fail(err, GLINT_BAD_INPUT, "circuit %s: it has no function %s",
-                              circuit->name, functions[i].name);
+            return glint_fail(err, GLINT_BAD_INPUT, "circuit %s has no function %s", circuit->name,
+                              functions[i].name);
     return GLINT_OK;
 }
 
@@ -97,13 +99,14 @@ static glint_status check_model(const glint_circuit *circuit, glint_error *err)
 static glint_status check_stimulus(const glint_circuit *circuit, glint_error *err)
 {
     if ((circuit->stimulus_begin == NULL) != (circuit->stimulus_next == NULL))
-        return glint_fail(err, GLINT_BAD_INPUT,
-                          "circuit %s: of stimulus_begin and stimulus_next it has but one",
-                          circuit->name);
+        return glint_fail(
+            err, GLINT_BAD_INPUT,
+            "circuit %s: stimulus_begin and stimulus_next must both be set, or neither",
+            circuit->name);
     if (circuit->stimulus_size > GLINT_STIMULUS_SIZE_MAX)
         return glint_fail(err, GLINT_BAD_INPUT,
-                          "circuit %s: a stimulus_size of %zu bytes is more than %d", circuit->name,
-                          circuit->stimulus_size, GLINT_STIMULUS_SIZE_MAX);
+                          "circuit %s: stimulus_size is %zu bytes; at most %d are allowed",
+                          circuit->name, circuit->stimulus_size, GLINT_STIMULUS_SIZE_MAX);
     return GLINT_OK;
 }
 
@@ -112,7 +115,7 @@ static glint_status check_domain(const glint_circuit *circuit, glint_error *err)
     const glint_domain *domain = circuit->domain;
     if (domain != NULL && (!is_text(domain->what) || domain->points == NULL || domain->put == NULL))
         return glint_fail(err, GLINT_BAD_INPUT,
-                          "circuit %s: its domain lacks one of what, points and put",
+                          "circuit %s: its domain needs all of what, points and put",
                           circuit->name);
     return GLINT_OK;
 }
@@ -120,8 +123,9 @@ static glint_status check_domain(const glint_circuit *circuit, glint_error *err)
 static glint_status check_headings(const glint_circuit *circuit, glint_error *err)
 {
     if (circuit->heading_count < 0 || (circuit->heading_count > 0 && circuit->headings == NULL))
-        return glint_fail(err, GLINT_BAD_INPUT, "circuit %s: it has no table of %d headings",
-                          circuit->name, circuit->heading_count);
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "circuit %s: heading_count is %d, but headings is NULL", circuit->name,
+                          circuit->heading_count);
     for (int i = 0; i < circuit->heading_count; i++) {
         const char *title = circuit->headings[i].title;
         if (!is_text(title))
@@ -129,7 +133,7 @@ static glint_status check_headings(const glint_circuit *circuit, glint_error *er
                               circuit->name, i);
         for (int j = 0; j < i; j++)
             if (strcmp(circuit->headings[j].title, title) == 0)
-                return glint_fail(err, GLINT_BAD_INPUT, "circuit %s: two headings \"%s\"",
+                return glint_fail(err, GLINT_BAD_INPUT, "circuit %s: heading \"%s\" appears twice",
                                   circuit->name, title);
     }
     return GLINT_OK;
@@ -151,13 +155,13 @@ static glint_status check_parameter_names(const glint_circuit *circuit, int inde
 {
     const glint_parameter *parameter = &circuit->parameters[index];
     if (!is_option(parameter->name))
-        return glint_fail(err, GLINT_BAD_INPUT,
-                          "circuit %s: the name of parameter %d is not one of letters, digits, _ "
-                          "and -",
-                          circuit->name, index);
+        return glint_fail(
+            err, GLINT_BAD_INPUT,
+            "circuit %s: the name of parameter %d may only contain letters, digits, _ and -",
+            circuit->name, index);
     if (parameter->verilog != NULL && !glint_is_identifier(parameter->verilog))
         return glint_fail(err, GLINT_BAD_INPUT,
-                          "circuit %s: parameter %s: \"%s\" is no name of a Verilog parameter",
+                          "circuit %s: parameter %s: \"%s\" is not a Verilog parameter name",
                           circuit->name, parameter->name, parameter->verilog);
     if (!is_text(parameter->meaning))
         return glint_fail(err, GLINT_BAD_INPUT, "circuit %s: parameter %s has no meaning",
@@ -165,12 +169,12 @@ static glint_status check_parameter_names(const glint_circuit *circuit, int inde
     for (int i = 0; i < index; i++) {
         const glint_parameter *other = &circuit->parameters[i];
         if (strcmp(other->name, parameter->name) == 0)
-            return glint_fail(err, GLINT_BAD_INPUT, "circuit %s: two parameters %s", circuit->name,
-                              parameter->name);
+            return glint_fail(err, GLINT_BAD_INPUT, "circuit %s: parameter %s appears twice",
+                              circuit->name, parameter->name);
         if (other->verilog != NULL && parameter->verilog != NULL &&
             strcmp(other->verilog, parameter->verilog) == 0)
             return glint_fail(err, GLINT_BAD_INPUT,
-                              "circuit %s: parameters %s and %s are both the Verilog's %s",
+                              "circuit %s: parameters %s and %s both set the Verilog's %s",
                               circuit->name, other->name, parameter->name, parameter->verilog);
     }
     return GLINT_OK;
@@ -204,7 +208,7 @@ static glint_status check_listed(const glint_circuit *circuit, const glint_param
     const int64_t values = (int64_t)parameter->max - parameter->min + 1;
     if (parameter->listed == NULL && values > UNLISTED_MAX)
         return glint_fail(err, GLINT_BAD_INPUT,
-                          "circuit %s: parameter %s has %lld values: it must list those to try",
+                          "circuit %s: parameter %s has %lld values: list the ones to try",
                           circuit->name, parameter->name, (long long)values);
     if (parameter->listed != NULL && parameter->listed_count < 1)
         return glint_fail(err, GLINT_BAD_INPUT, "circuit %s: parameter %s lists %d values",
@@ -212,7 +216,7 @@ static glint_status check_listed(const glint_circuit *circuit, const glint_param
     for (int i = 0; parameter->listed != NULL && i < parameter->listed_count; i++)
         if (!is_in_range(parameter, parameter->listed[i]))
             return glint_fail(err, GLINT_BAD_INPUT,
-                              "circuit %s: parameter %s lists %d, which is not in %d to %d",
+                              "circuit %s: parameter %s lists %d, which is not from %d to %d",
                               circuit->name, parameter->name, parameter->listed[i], parameter->min,
                               parameter->max);
     return GLINT_OK;
@@ -223,12 +227,13 @@ static glint_status check_range(const glint_circuit *circuit, const glint_parame
 {
     if (parameter->max < parameter->min)
         return glint_fail(err, GLINT_BAD_INPUT,
-                          "circuit %s: parameter %s: there is nothing from %d to %d", circuit->name,
+                          "circuit %s: parameter %s: the range %d to %d is empty", circuit->name,
                           parameter->name, parameter->min, parameter->max);
     if (!is_in_range(parameter, parameter->standard))
-        return glint_fail(
-            err, GLINT_BAD_INPUT, "circuit %s: parameter %s: its standard, %d, is not in %d to %d",
-            circuit->name, parameter->name, parameter->standard, parameter->min, parameter->max);
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "circuit %s: parameter %s: its standard, %d, is not from %d to %d",
+                          circuit->name, parameter->name, parameter->standard, parameter->min,
+                          parameter->max);
     return GLINT_OK;
 }
 
@@ -236,10 +241,12 @@ static glint_status check_parameters(const glint_circuit *circuit, glint_error *
 {
     glint_status status = GLINT_OK;
     if (circuit->parameter_count < 0 || circuit->parameter_count > GLINT_PARAMETERS_MAX)
-        return glint_fail(err, GLINT_BAD_INPUT, "circuit %s: %d parameters are not in 0 to %d",
-                          circuit->name, circuit->parameter_count, GLINT_PARAMETERS_MAX);
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "circuit %s: parameter_count is %d, not from 0 to %d", circuit->name,
+                          circuit->parameter_count, GLINT_PARAMETERS_MAX);
     if (circuit->parameter_count > 0 && circuit->parameters == NULL)
-        return glint_fail(err, GLINT_BAD_INPUT, "circuit %s: it has no table of %d parameters",
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "circuit %s: parameter_count is %d, but parameters is NULL",
                           circuit->name, circuit->parameter_count);
     for (int i = 0; i < circuit->parameter_count && status == GLINT_OK; i++) {
         const glint_parameter *parameter = &circuit->parameters[i];

@@ -53,12 +53,12 @@ static glint_status check_number(const described *d, const number *n, int index)
     if (n->meaning == NULL)
         return wrong(d, "%s %s has no meaning", n->sort, n->name);
     if (n->int_bits < 0 || n->frac_bits < 0 || width < 1 || width > WIDTH_MAX)
-        return wrong(d, "%s %s: %d + %d bits are not 1 to %d", n->sort, n->name, n->int_bits,
-                     n->frac_bits, WIDTH_MAX);
+        return wrong(d, "%s %s: its width, %d + %d bits, is not from 1 to %d", n->sort, n->name,
+                     n->int_bits, n->frac_bits, WIDTH_MAX);
     if (n->is_signed && n->int_bits < 1)
-        return wrong(d, "%s %s is signed, and has no integer bit for the sign", n->sort, n->name);
+        return wrong(d, "%s %s is signed but has no integer bit for the sign", n->sort, n->name);
     if (n->lane < -1)
-        return wrong(d, "%s %s: there is no lane %d", n->sort, n->name, n->lane);
+        return wrong(d, "%s %s: lane %d does not exist", n->sort, n->name, n->lane);
     return GLINT_OK;
 }
 
@@ -74,13 +74,13 @@ static glint_status check_role(const described *d, const glint_pin_info *pin)
     case GLINT_PIN_STROBE:
         return glint_pin_width(pin) == 1
                    ? GLINT_OK
-                   : wrong(d, "pin %s: a reset, an enable or a strobe has one bit, not %d",
-                           pin->name, glint_pin_width(pin));
+                   : wrong(d, "pin %s: a reset, enable or strobe has one bit, not %d", pin->name,
+                           glint_pin_width(pin));
     case GLINT_PIN_VALID:
     case GLINT_PIN_DATA:
         return GLINT_OK;
     }
-    return wrong(d, "pin %s: there is no role number %d", pin->name, (int)pin->role);
+    return wrong(d, "pin %s: unknown role number %d", pin->name, (int)pin->role);
 }
 
 static glint_status check_place(const described *d, const glint_pin_info *pin)
@@ -90,15 +90,16 @@ static glint_status check_place(const described *d, const glint_pin_info *pin)
     const size_t alignment = pin->size < word ? pin->size : word;
     const bool is_integer = pin->size == 1 || pin->size == 2 || pin->size == 4;
     if (!is_integer && (pin->size == 0 || pin->size % word != 0))
-        return wrong(d, "pin %s: %zu bytes are not 1, 2, 4 or 8 a word", pin->name, pin->size);
+        return wrong(d, "pin %s: its size, %zu bytes, is neither 1, 2, 4 nor a multiple of 8",
+                     pin->name, pin->size);
     if (8 * pin->size < (size_t)glint_pin_width(pin))
-        return wrong(d, "pin %s: its %d bits do not fit into %zu bytes", pin->name,
+        return wrong(d, "pin %s: its %d bits do not fit in %zu bytes", pin->name,
                      glint_pin_width(pin), pin->size);
     if (pin->offset > all || pin->size > all - pin->offset)
-        return wrong(d, "pin %s: %zu bytes at offset %zu are not in a struct of %zu", pin->name,
+        return wrong(d, "pin %s: %zu bytes at offset %zu are outside a struct of %zu", pin->name,
                      pin->size, pin->offset, all);
     if (pin->offset % alignment != 0)
-        return wrong(d, "pin %s: offset %zu is no multiple of its %zu bytes", pin->name,
+        return wrong(d, "pin %s: offset %zu is not a multiple of its %zu bytes", pin->name,
                      pin->offset, alignment);
     return GLINT_OK;
 }
@@ -110,7 +111,7 @@ static glint_status check_port(const described *d, int index)
     const glint_pin_info *before = index > 0 ? &d->pins[index - 1] : NULL;
     if (pin->lane > 0) {
         if (before == NULL || strcmp(before->name, pin->name) != 0 || before->lane != pin->lane - 1)
-            return wrong(d, "pin %s: lane %d does not stand behind lane %d", pin->name, pin->lane,
+            return wrong(d, "pin %s: lane %d does not follow lane %d", pin->name, pin->lane,
                          pin->lane - 1);
         if (glint_pin_width(before) != glint_pin_width(pin) || before->is_signed != pin->is_signed)
             return wrong(d, "pin %s: lanes %d and %d differ in width or sign", pin->name,
@@ -119,10 +120,10 @@ static glint_status check_port(const described *d, int index)
     }
     for (int i = 0; i < index; i++)
         if (strcmp(d->pins[i].name, pin->name) == 0)
-            return wrong(d, "two pins %s", pin->name);
+            return wrong(d, "pin %s appears twice", pin->name);
     const char *clock = d->setting->circuit->clock_port;
     if (clock != NULL && strcmp(clock, pin->name) == 0)
-        return wrong(d, "pin %s is the clock, which is none of the pins", pin->name);
+        return wrong(d, "pin %s is the clock, which must not be among the pins", pin->name);
     return GLINT_OK;
 }
 
@@ -147,7 +148,7 @@ static glint_status check_overlaps(const described *d)
         for (size_t byte = 0; byte < d->pins[i].size; byte++) {
             int *whose = &owner[d->pins[i].offset + byte];
             if (*whose != 0)
-                return wrong(d, "pins %s and %s lie in the same bytes", d->pins[*whose - 1].name,
+                return wrong(d, "pins %s and %s share bytes", d->pins[*whose - 1].name,
                              d->pins[i].name);
             *whose = i + 1;
         }
@@ -178,7 +179,7 @@ static bool has_heading(const glint_circuit *circuit, const char *title)
 static glint_status check_heading(const described *d, const glint_signal_info *signal)
 {
     if (signal->heading != NULL && !has_heading(d->setting->circuit, signal->heading))
-        return wrong(d, "signal %s: its heading \"%s\" is none of the circuit's", signal->name,
+        return wrong(d, "signal %s: the circuit has no heading \"%s\"", signal->name,
                      signal->heading);
     return GLINT_OK;
 }
@@ -197,15 +198,15 @@ static glint_status check_way(const described *d, const glint_signal_info *signa
 {
     const glint_circuit *circuit = d->setting->circuit;
     if (signal->lane >= 0 && circuit->lane_name == NULL)
-        return wrong(d, "signal %s is of lane %d, and the circuit has no lane_name", signal->name,
-                     signal->lane);
+        return wrong(d, "signal %s belongs to lane %d, but the circuit has no lane_name",
+                     signal->name, signal->lane);
     if (signal->kind == GLINT_SIGNAL_OUTPUT)
         return GLINT_OK;
     if (signal->lane >= 0 && circuit->lane_scope == NULL)
-        return wrong(d, "signal %s is of lane %d, and the circuit has no lane_scope", signal->name,
-                     signal->lane);
+        return wrong(d, "signal %s belongs to lane %d, but the circuit has no lane_scope",
+                     signal->name, signal->lane);
     if (signal->path != NULL && !is_path(signal->path))
-        return wrong(d, "signal %s: \"%s\" is no path in Verilog", signal->name, signal->path);
+        return wrong(d, "signal %s: \"%s\" is not a Verilog path", signal->name, signal->path);
     return GLINT_OK;
 }
 
@@ -223,13 +224,13 @@ static glint_status check_output(const described *d, int index)
     const glint_signal_info *signal = &d->signals[index];
     for (int i = 0; i < d->pin_count; i++)
         if (strcmp(d->pins[i].name, signal->name) == 0)
-            return wrong(d, "output %s has the name of a pin", signal->name);
+            return wrong(d, "output %s has the same name as a pin", signal->name);
     if (signal->lane < 1)
         return GLINT_OK;
     const int before = find_signal(d, index, signal->name, signal->lane - 1);
     if (before < 0)
-        return wrong(d, "output %s: lane %d does not come after lane %d", signal->name,
-                     signal->lane, signal->lane - 1);
+        return wrong(d, "output %s: lane %d does not follow lane %d", signal->name, signal->lane,
+                     signal->lane - 1);
     if (glint_signal_width(&d->signals[before]) != glint_signal_width(signal))
         return wrong(d, "output %s: lanes %d and %d differ in width", signal->name,
                      signal->lane - 1, signal->lane);
@@ -244,8 +245,8 @@ static glint_status check_room(const described *d, const glint_signal_info *sign
     const int width = glint_signal_width(signal);
     const size_t needed = sizeof(uint64_t) * (size_t)glint_words_of(width);
     if (signal->offset % sizeof(int64_t) != 0)
-        return wrong(d, "signal %s: offset %zu is not that of an int64_t", signal->name,
-                     signal->offset);
+        return wrong(d, "signal %s: offset %zu is not aligned for an int64_t inside its struct",
+                     signal->name, signal->offset);
     if (signal->size != 0 && signal->size < needed)
         return wrong(d, "signal %s: its %d bits want %s, not %zu bytes", signal->name, width,
                      width > 64 ? "an array of uint64_t" : "an int64_t", signal->size);
@@ -260,8 +261,9 @@ static glint_status check_name_once(const described *d, int index)
     const glint_signal_info *signal = &d->signals[index];
     if (find_signal(d, index, signal->name, signal->lane) < 0)
         return GLINT_OK;
-    return signal->lane < 0 ? wrong(d, "two signals %s", signal->name)
-                            : wrong(d, "two signals %s of lane %d", signal->name, signal->lane);
+    return signal->lane < 0
+               ? wrong(d, "two signals %s", signal->name)
+               : wrong(d, "signal %s of lane %d appears twice", signal->name, signal->lane);
 }
 
 static glint_status check_signal(const described *d, int index)
@@ -271,7 +273,7 @@ static glint_status check_signal(const described *d, int index)
                       signal->frac_bits, signal->is_signed, signal->lane,    true};
     glint_status status = check_number(d, &n, index);
     if (status == GLINT_OK && (unsigned)signal->kind > GLINT_SIGNAL_OUTPUT)
-        status = wrong(d, "signal %s: there is no kind number %d", signal->name, (int)signal->kind);
+        status = wrong(d, "signal %s: unknown kind number %d", signal->name, (int)signal->kind);
     if (status == GLINT_OK)
         status = check_room(d, signal);
     if (status == GLINT_OK)
@@ -294,7 +296,7 @@ static glint_status check_signals(const described *d)
         words += glint_words_of(glint_signal_width(&d->signals[i]));
     }
     if (status == GLINT_OK && words > GLINT_SIGNAL_WORDS_MAX)
-        status = wrong(d, "its signals have %d words of 64 bits, more than %d", words,
+        status = wrong(d, "its signals take %d 64-bit words; at most %d are allowed", words,
                        GLINT_SIGNAL_WORDS_MAX);
     return status;
 }
@@ -307,13 +309,13 @@ static glint_status check_clocks(const described *d)
     const int *values = d->setting->values;
     const int latency = glint_setting_latency(d->setting);
     if (!glint_is_identifier(glint_setting_top(d->setting)))
-        return wrong(d, "the name of its top is no C identifier");
+        return wrong(d, "the name of its top module is not a C identifier");
     if (latency < 0)
-        return wrong(d, "a latency of %d clocks is below 0", latency);
+        return wrong(d, "its latency is negative: %d clocks", latency);
     if (latency > 0 && circuit->clock_port == NULL)
-        return wrong(d, "it has no clock, and a latency of %d", latency);
+        return wrong(d, "it has no clock but a latency of %d", latency);
     if (circuit->pace != NULL && circuit->pace(values) < 1)
-        return wrong(d, "a pace of %d clocks is below 1", circuit->pace(values));
+        return wrong(d, "its pace is below 1: %d clocks", circuit->pace(values));
     return GLINT_OK;
 }
 
@@ -335,11 +337,12 @@ static glint_status check_counts(const described *d)
 {
     const size_t size = d->setting->circuit->pins_size;
     if (size > GLINT_PINS_SIZE_MAX)
-        return wrong(d, "pins_size is %zu, at most %d are held", size, GLINT_PINS_SIZE_MAX);
+        return wrong(d, "pins_size is %zu; at most %d is allowed", size, GLINT_PINS_SIZE_MAX);
     if (d->pin_count < 0 || d->pin_count > GLINT_PINS_SIZE_MAX)
-        return wrong(d, "%d pins are not 0 to %d", d->pin_count, GLINT_PINS_SIZE_MAX);
+        return wrong(d, "it has %d pins, not from 0 to %d", d->pin_count, GLINT_PINS_SIZE_MAX);
     if (d->signal_count < 1 || d->signal_count > GLINT_SIGNAL_WORDS_MAX)
-        return wrong(d, "%d signals are not 1 to %d", d->signal_count, GLINT_SIGNAL_WORDS_MAX);
+        return wrong(d, "it has %d signals, not from 1 to %d", d->signal_count,
+                     GLINT_SIGNAL_WORDS_MAX);
     return GLINT_OK;
 }
 
@@ -349,7 +352,7 @@ static glint_status fill_and_check(described *d)
     d->pins = calloc((size_t)d->pin_count + 1, sizeof *d->pins);
     d->signals = calloc((size_t)d->signal_count, sizeof *d->signals);
     if (d->pins == NULL || d->signals == NULL)
-        return glint_fail(d->err, GLINT_NO_MEMORY, "no memory for the tables of a circuit");
+        return glint_fail(d->err, GLINT_NO_MEMORY, "not enough memory for the tables of a circuit");
     for (int i = 0; i < d->pin_count; i++)
         d->pins[i] = circuit->pin(d->setting->values, i);
     for (int i = 0; i < d->signal_count; i++)

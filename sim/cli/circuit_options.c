@@ -104,7 +104,7 @@ static void describe_usual(const glint_circuit_options *options, const glint_par
     if (row->usual[0] == '\0')
         (void)snprintf(row->usual, sizeof row->usual, "%s", usual);
     else if (strcmp(row->usual, usual) != 0)
-        (void)snprintf(row->usual, sizeof row->usual, "the circuit's own");
+        (void)snprintf(row->usual, sizeof row->usual, "default: the circuit's");
 }
 
 static void describe_parameter(const glint_circuit_options *options, const glint_circuit *circuit,
@@ -189,8 +189,7 @@ int glint_circuit_options_begin(glint_circuit_options *options, const glint_circ
         if (taken != NULL)
             return glint_complain(
                 use->command, GLINT_EXIT_TROUBLE,
-                "%s: circuit %s: a parameter cannot be called %s: --%s is another "
-                "option",
+                "%s: circuit %s: a parameter cannot be named %s, because --%s is already an option",
                 directory, circuit->name, taken, taken);
         options->is_own = true;
         add_circuit(options, circuit);
@@ -212,8 +211,9 @@ size_t glint_circuit_options_add(glint_circuit_options *options, glint_option *r
     rows[count++] = (glint_option){
         .name = "circuit",
         .given = &options->is_named,
-        .help = options->use.takes_all ? "which; an option that a circuit has not leaves it out"
-                                       : "which; an option that one circuit alone has is enough",
+        .help = options->use.takes_all
+                    ? "which one; circuits that lack one of the options given are skipped"
+                    : "which one; may be left out if an option belongs to one circuit only",
         .kind = GLINT_OPTION_CHOICE,
         .choice = {&options->named, options->names}};
     for (int i = 0; i < options->parameter_count; i++) {
@@ -369,13 +369,13 @@ int glint_rtl_option_check(const char *command, const glint_setting *setting)
         return glint_complain(command, GLINT_EXIT_TROUBLE, "--rtl: %s: %s", setting->verilog,
                               strerror(errno));
     if (!S_ISDIR(found.st_mode))
-        return glint_complain(command, GLINT_EXIT_TROUBLE, "--rtl: %s is no directory",
+        return glint_complain(command, GLINT_EXIT_TROUBLE, "--rtl: %s is not a directory",
                               setting->verilog);
     const int length = snprintf(path, sizeof path, "%s/%s.v", setting->verilog, top);
     if (length < 0 || (size_t)length >= sizeof path || access(path, R_OK) != 0)
         return glint_complain(command, GLINT_EXIT_TROUBLE,
-                              "--rtl: %s has no %s.v, the top of the circuit %s", setting->verilog,
-                              top, setting->circuit->name);
+                              "--rtl: %s has no %s.v, the top module of circuit %s",
+                              setting->verilog, top, setting->circuit->name);
     return GLINT_OPTIONS_RUN;
 }
 
@@ -383,7 +383,7 @@ int glint_rtl_option_settle(const char *command, const glint_setting *setting, b
 {
     if (setting->verilog != NULL && !is_used)
         return glint_complain(command, GLINT_EXIT_TROUBLE,
-                              "--rtl is the Verilog's directory: it goes with --backend rtl");
+                              "--rtl names the Verilog's directory: use it with --backend rtl");
     return glint_rtl_option_check(command, setting);
 }
 
@@ -405,7 +405,7 @@ int glint_circuit_options_settle(glint_circuit_options *options)
         return refuse_together(options);
     if (options->chosen_count > 1 && options->use.one_circuit)
         return glint_complain(options->use.command, GLINT_EXIT_TROUBLE,
-                              "--circuit: %s or %s? Both have such options",
+                              "--circuit is required: both %s and %s have these options",
                               options->chosen[0]->name, options->chosen[1]->name);
     for (int c = 0; c < options->chosen_count; c++) {
         const int status = read_values(options, c);

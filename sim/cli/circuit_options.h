@@ -97,14 +97,14 @@ void glint_circuit_options_append(const glint_circuit_options *options, char *te
 #define GLINT_RTL_OPTION(directory)                                                                \
     {                                                                                              \
         .name = "rtl", .placeholder = "DIR",                                                       \
-        .help = "the Verilog of this directory instead of "                                        \
+        .help = "use the Verilog in this directory instead of "                                    \
                 "Glint's own",                                                                     \
         .kind = GLINT_OPTION_STRING, .string = (directory)                                         \
     }
 #define GLINT_CIRCUIT_DIR_OPTION(directory)                                                        \
     {                                                                                              \
         .name = "circuit-dir", .placeholder = "DIR",                                               \
-        .help = "a circuit of one's own: its description and C model (*.c) and its Verilog",       \
+        .help = "a circuit of your own: its description and C model (*.c) and its Verilog",        \
         .kind = GLINT_OPTION_STRING, .string = (directory)                                         \
     }
 int glint_rtl_option_check(const char *command, const glint_setting *setting);

@@ -37,27 +37,27 @@ static int parse(int argc, char **argv, bench_options *chosen)
          .kind = GLINT_OPTION_REAL,
          .real = {&chosen->seconds, 0.01, 60.0}},
         {.name = "threads",
-         .usually = "one a processor",
+         .usually = "one per processor",
          .help = "for the frames; the kernels run on one",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, GLINT_THREADS_MAX}},
         GLINT_RTL_OPTION(&chosen->verilog),
         {.name = "json",
-         .help = "the figures as JSON",
+         .help = "print the figures as JSON",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
     static const glint_example examples[] = {
         {"a quick look", "glint bench --seconds 0.05"},
-        {"for a script, frames by one thread", "glint bench --seconds 0.05 --threads 1 --json"},
+        {"for a script, frames on one thread", "glint bench --seconds 0.05 --threads 1 --json"},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "bench",
         .summary = "Measures the C model, the Verilated circuit at each lane count, powf, pow and "
-                   "Schlick's formula side by side; each formula that stands for cos^n, scalar and "
-                   "vectorised; the divider in C and in both forms of its circuit "
-                   "beside the machine's own division; then whole frames by each backend.",
+                   "Schlick's formula side by side; then every formula that approximates cos^n, "
+                   "scalar and vectorised; the divider, in C and in both forms of its circuit, "
+                   "against the machine's own division; and whole frames with each backend.",
         .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
@@ -77,14 +77,14 @@ static int best_rtl(const glint_bench_rates *rates)
 
 static void print_kernels(const glint_bench_rates *rates)
 {
-    printf("points: n = %d, cosines %.1f to 1, one thread; million points a second, ratio to "
-           "powf\n",
-           GLINT_BENCH_N, GLINT_BENCH_LOWEST);
+    printf(
+        "points: n = %d, cosines %.1f to 1, one thread; million points per second, ratio to powf\n",
+        GLINT_BENCH_N, GLINT_BENCH_LOWEST);
     for (int i = 0; i < GLINT_BENCH_CANDIDATES; i++) {
         printf("  %-16s %9.1f %8.2f", glint_bench_name((glint_bench_candidate)i),
                rates->points[i] * 1e-6, rates->to_powf[i]);
         if (rates->lanes[i] != 0)
-            printf("   %6.1f million clocks a second", rates->points[i] * 1e-6 / rates->lanes[i]);
+            printf("   %6.1f million clocks per second", rates->points[i] * 1e-6 / rates->lanes[i]);
         printf("\n");
     }
     printf("C batch to powf %.1f, best RTL (%d lanes) to powf %.2f\n",
@@ -94,7 +94,7 @@ static void print_kernels(const glint_bench_rates *rates)
 
 static void print_formulas(const glint_bench_formula_rates *rates)
 {
-    printf("formulas: the same points; %s;\nmillion points a second scalar and vectorised, each "
+    printf("formulas: the same points; %s;\nmillion points per second, scalar and vectorised, each "
            "with its ratio to Schlick's formula\n",
            glint_formula_flags());
     for (int i = 0; i < GLINT_FORMULA_COUNT; i++)
@@ -105,14 +105,14 @@ static void print_formulas(const glint_bench_formula_rates *rates)
 
 static void print_dividers(const glint_bench_divider_rates *rates)
 {
-    printf("divisions: %d shifts, k 1 to %d, one thread; million of one component a second, ratios "
+    printf("divisions: %d shifts, k 1 to %d, one thread; million components per second, ratios "
            "to the machine's integer and float division\n",
            GLINT_BENCH_SHIFTS, GLINT_DIVIDER_K_MAX);
     for (int i = 0; i < GLINT_BENCH_DIVIDERS; i++) {
         printf("  %-16s %9.1f %8.3f %8.3f", glint_bench_divider_name((glint_bench_divider)i),
                rates->divisions[i] * 1e-6, rates->to_integer[i], rates->to_float[i]);
         if (rates->clocks[i] > 0.0)
-            printf("   %6.1f million clocks a second", rates->clocks[i] * 1e-6);
+            printf("   %6.1f million clocks per second", rates->clocks[i] * 1e-6);
         printf("\n");
     }
 }

@@ -20,27 +20,27 @@ static int parse(int argc, char **argv, compare_options *chosen)
     const glint_option options[] = {
         {.name = "diff",
          .placeholder = "FILE.png",
-         .help = "write a picture of where and how much they differ; - is standard output",
+         .help = "write a picture of where and by how much they differ; - is standard output",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->diff},
         GLINT_FORCE_OPTION(&chosen->force),
         {.name = "json",
-         .help = "the answer as JSON (psnr null: infinite)",
+         .help = "print the result as JSON (psnr null: infinite)",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
     const glint_positional positionals[] = {{.name = "A.png", .value = &chosen->a},
                                             {.name = "B.png", .value = &chosen->b}};
     static const glint_example examples[] = {
-        {"two pictures in numbers", "glint compare a.png b.png"},
-        {"and where they differ", "glint compare a.png b.png --diff d.png"},
+        {"compare two pictures", "glint compare a.png b.png"},
+        {"and show where they differ", "glint compare a.png b.png --diff d.png"},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "compare",
-        .summary = "Compares two pictures of one size, A the reference: pixels that differ, the "
-                   "largest difference of a component, and NMSE and PSNR over the object (where "
-                   "alpha is above 0 in either).",
+        .summary = "Compares two pictures of the same size, A being the reference: differing "
+                   "pixels, the largest difference of any component, and NMSE and PSNR over the "
+                   "object (where alpha is above 0 in either).",
         .details = GLINT_PICTURE_DETAILS,
         .done = "the pictures are equal",
         .different = "they differ",
@@ -65,7 +65,7 @@ static void print_text(FILE *out, const glint_image_difference *difference)
     fprintf(out, " of %" PRIu64 ", largest difference %d of 255\n", difference->pixels,
             difference->largest);
     if (difference->mask_pixels > 0) {
-        fprintf(out, "%" PRIu64 " pixels are the object's in one picture only\n",
+        fprintf(out, "%" PRIu64 " pixels belong to the object in one picture only\n",
                 difference->mask_pixels);
     }
     if (!equal(difference))
@@ -108,7 +108,7 @@ static int report(const compare_options *chosen, const glint_image_difference *d
     if (!chosen->json)
         print_text(glint_picture_talk(chosen->diff), difference);
     else if (!print_json(difference))
-        return glint_complain("compare", GLINT_EXIT_TROUBLE, "no memory");
+        return glint_complain("compare", GLINT_EXIT_TROUBLE, "out of memory");
     return glint_output_finish("compare", equal(difference) ? GLINT_EXIT_OK : GLINT_EXIT_DIFFERENT);
 }
 
@@ -121,12 +121,12 @@ int glint_cmd_compare(int argc, char **argv)
     if (chosen.diff != NULL &&
         (glint_file_same(chosen.diff, chosen.a) || glint_file_same(chosen.diff, chosen.b))) {
         return glint_complain("compare", GLINT_EXIT_TROUBLE,
-                              "--diff: %s is one of the pictures compared", chosen.diff);
+                              "--diff: %s is one of the pictures being compared", chosen.diff);
     }
     glint_error err;
     if (chosen.diff != NULL && chosen.json && glint_picture_is_stdout(chosen.diff)) {
         return glint_complain("compare", GLINT_EXIT_TROUBLE,
-                              "--json: --diff - has taken standard output");
+                              "--json cannot be used with --diff -: both write to standard output");
     }
     if (chosen.diff != NULL &&
         glint_picture_check("diff", chosen.diff, chosen.force, &err) != GLINT_OK)

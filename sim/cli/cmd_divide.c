@@ -63,34 +63,34 @@ static int parse(int argc, char **argv, divide_options *chosen)
 {
     const glint_option options[] = {
         {.name = "backend",
-         .help = "who divides: the C model, the Verilog, or exact division rounded half up",
+         .help = "what divides: the C model, the Verilog, or exact division rounded half up",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->backend, glint_backend_names}},
         {.name = "shifts",
-         .help = "n, how often the circuit shifts; the quotient has as many fraction bits",
+         .help = "n, the number of shifts, and of fraction bits in the quotient",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->shifts, GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX}},
         {.name = "form",
-         .help = "of the Verilog; both give the same quotients",
+         .help = "of the Verilog; both forms give the same quotients",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->form, glint_divider_form_names}},
         GLINT_RTL_OPTION(&chosen->verilog),
         {.name = "json",
-         .help = "a JSON array of objects instead of CSV",
+         .help = "print a JSON array of objects instead of CSV",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
     static const glint_example examples[] = {
-        {"255/7 with six shifts, by the Verilog",
+        {"255/7 with six shifts, in Verilog",
          "echo '255 7' | glint divide --shifts 6 --backend rtl"},
-        {"what divide printed, divided again with more shifts",
+        {"the output of divide, divided again with more shifts",
          "echo '255 7' | glint divide | glint divide --shifts 16"},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "divide",
-        .summary = "Reads divisions from standard input, one a line, and prints what the "
-                   "shift-accumulate divider answers for each, in order.",
+        .summary = "Reads divisions from standard input, one per line, and prints the "
+                   "shift-accumulate divider's answer to each, in order.",
         .details = GLINT_DIVIDE_DETAILS,
         .examples = examples,
         .options = options,
@@ -218,7 +218,7 @@ static glint_line_kind read_line(glint_columns *columns, char *line, size_t leng
                                  int64_t *difference, int64_t *k, glint_error *err)
 {
     static const glint_column fields[] = {{"difference", NULL}, {"k", NULL}};
-    static const glint_line_form form = {fields, 2, "the two values difference k"};
+    static const glint_line_form form = {fields, 2, "two values (difference k)"};
     char *value[2];
     const glint_line_kind kind = glint_line_cut(&form, columns, line, length, value, err);
     if (kind != GLINT_LINE_VALUES)
@@ -258,7 +258,7 @@ static int divide(run *all)
 {
     fputs(all->json ? "[" : "difference,k,shifts,quotient_code,quotient,exact,error\n", stdout);
     const int status = glint_input_lines(
-        all->command, "divisions, one a line: difference k, such as 255 7", take_line, all);
+        all->command, "divisions, one per line: difference k, such as 255 7", take_line, all);
     if (status != GLINT_EXIT_OK && ferror(stdout)) /* which has been said */
         return status;
     if (all->json) /* closed whatever ended it: the rows before that are valid */
@@ -270,7 +270,7 @@ int glint_divide_lines(const char *command, const glint_divider_config *config, 
 {
     run *all = calloc(1, sizeof *all);
     if (all == NULL)
-        return glint_complain(command, GLINT_EXIT_TROUBLE, "no memory");
+        return glint_complain(command, GLINT_EXIT_TROUBLE, "out of memory");
     /* Whoever types the divisions wants each answer at once. */
     all->limit = isatty(STDIN_FILENO) == 1 ? 1 : RUN_MAX;
     all->command = command;

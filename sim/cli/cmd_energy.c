@@ -63,14 +63,14 @@ static int check(const energy_options *chosen)
 {
     if (chosen->method == METHOD_QUADRATURE && (chosen->samples_given || chosen->seed_given))
         return glint_complain("energy", GLINT_EXIT_TROUBLE,
-                              "--samples and --seed go with --method monte-carlo or both");
+                              "--samples and --seed need --method monte-carlo or both");
     if (chosen->furnace && chosen->method == METHOD_MONTE_CARLO)
         return glint_complain("energy", GLINT_EXIT_TROUBLE,
-                              "--furnace is drawn by quadrature, not by monte-carlo");
+                              "--furnace needs quadrature: use --method quadrature or both");
     if (chosen->furnace && chosen->out == NULL)
         return glint_complain("energy", GLINT_EXIT_TROUBLE, "--furnace needs --out");
     if (chosen->width_given && !chosen->furnace)
-        return glint_complain("energy", GLINT_EXIT_TROUBLE, "--width goes with --furnace");
+        return glint_complain("energy", GLINT_EXIT_TROUBLE, "--width needs --furnace");
     return GLINT_OPTIONS_RUN;
 }
 
@@ -79,32 +79,32 @@ static int parse(int argc, char **argv, energy_options *chosen)
     const glint_option options[] = {
         {.name = "model",
          .placeholder = "NAMES",
-         .help = "the models, with commas between, or all",
+         .help = "comma-separated models, or all",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->model},
         {.name = "n",
          .placeholder = "LIST",
          .given = &chosen->n_given,
-         .help = "exponents, 0 to 1e6; of microfacets the roughness is √(2/(n+2))",
+         .help = "exponents, 0 to 1e6; microfacets get the roughness √(2/(n+2))",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->n},
         {.name = "angle",
          .placeholder = "LIST",
-         .help = "incidences, 0 to 89.9999 degrees",
+         .help = "angles of incidence, 0 to 89.9999 degrees",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->angle},
         {.name = "method",
-         .help = "how to integrate",
+         .help = "method of integration",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->method, method_names}},
         {.name = "samples",
          .given = &chosen->samples_given,
-         .help = "of each cell's Monte Carlo",
+         .help = "Monte Carlo samples per cell",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->samples, GLINT_SAMPLES_MIN, SAMPLES_MAX}},
         {.name = "seed",
          .given = &chosen->seed_given,
-         .help = "of the samples",
+         .help = "seed of the samples",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->seed, 0, INT64_MAX}},
         {.name = "f0",
@@ -113,7 +113,7 @@ static int parse(int argc, char **argv, energy_options *chosen)
          .real = {&chosen->f0, 0.0, 1.0}},
         {.name = "out",
          .placeholder = "DIR",
-         .help = "where the tables go, albedo-NAME.csv; made if missing",
+         .help = "directory for the tables, albedo-NAME.csv; created if missing",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
         {.name = "furnace",
@@ -122,45 +122,45 @@ static int parse(int argc, char **argv, energy_options *chosen)
          .flag = &chosen->furnace},
         {.name = "width",
          .given = &chosen->width_given,
-         .help = "of a sphere in the furnace, pixels",
+         .help = "width of a furnace sphere, pixels",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->width, 8, 2048}},
         {.name = "threads",
-         .usually = "one a processor",
-         .help = "the results are the same",
+         .usually = "one per processor",
+         .help = "does not change the results",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, THREADS_MAX}},
         GLINT_FORCE_OPTION(&chosen->force),
         {.name = "json",
-         .help = "the summary as JSON",
+         .help = "print the summary as JSON",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
     static const glint_example examples[] = {
         {"three models, fifty exponents",
          "glint energy --model blinn,phong,energy-conserving --n 1..50"},
-        {"tables, and the picture of the furnace",
+        {"tables and the furnace picture",
          "glint energy --model all --n 1,10,100 --furnace --out energy"},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "energy",
         .summary = "Integrates the directional albedo R(L) (2.21) of the reflectance models: the "
-                   "share of a beam of light that the surface gives back. Above 1 it gives more "
-                   "than it gets.",
+                   "fraction of a beam of light that the surface reflects. Above 1, the surface "
+                   "reflects more light than it receives.",
         .details =
-            "A LIST is numbers that ascend, with commas between; A..B stands for the integers\n"
-            "from A to B, A..B:STEP for every STEP-th of them. Incidences are from 0 to below 90.\n"
+            "A LIST is ascending numbers, separated by commas; A..B stands for the integers\nfrom "
+            "A to B, A..B:STEP for every STEP-th of them. Incidences run from 0 to below 90.\n"
             "\n"
-            "Tables have the columns n, angle, quadrature, monte_carlo and standard_error, those\n"
-            "that the method gives. The summary says where R is largest, for how many exponents\n"
-            "it is above 1, and, where both methods were used, how many cells they agree on\n"
-            "within 1, 2 and 3 standard errors: 68, 95 and 99.7 % are expected.\n"
+            "Tables have the columns n, angle, quadrature, monte_carlo and standard_error, as far\n"
+            "as the method provides them. The summary shows where R is largest, for how many\n"
+            "exponents it exceeds 1 and, with both methods, how many cells agree within 1, 2 and\n"
+            "3 standard errors: expect 68, 95 and 99.7 %.\n"
             "\n"
-            "furnace.png has a row for each model, from the first on, and a column for each n:\n"
-            "a sphere in light of 1 from everywhere, each pixel the albedo at the angle it is\n"
-            "seen at, on white. Grey gives less than it gets; yellow (just above 1) over red\n"
-            "(1.5) to black (3 and more) gives more.",
+            "furnace.png has a row per model and a column per n: a sphere lit uniformly with 1\n"
+            "from all directions, each pixel showing the albedo at its viewing angle, on white.\n"
+            "Grey reflects less light than it receives; yellow (just above 1), red (1.5) and\n"
+            "black (3 and more) reflect more.",
         .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
@@ -195,7 +195,7 @@ static int find_models(run *all)
         if (!glint_reflectance_find(name, &model))
             return glint_refuse_model("energy", "model", name);
         if (is_there(all, model))
-            return glint_complain("energy", GLINT_EXIT_TROUBLE, "--model: %s is there twice", name);
+            return glint_complain("energy", GLINT_EXIT_TROUBLE, "--model: %s is given twice", name);
         all->model[(*count)++] = model;
         more = text[length] != '\0';
         text += length;
@@ -209,9 +209,10 @@ static int find_numbers(const char *option, const char *text, double max, const 
     glint_quoted quoted;
     return glint_number_list_parse(text, 0.0, max, list)
                ? GLINT_OPTIONS_RUN
-               : glint_complain("energy", GLINT_EXIT_TROUBLE,
-                                "--%s: %s is not a list of %s from 0 to %.7g that ascend, as %s",
-                                option, glint_quote(text, &quoted), what, max, example);
+               : glint_complain(
+                     "energy", GLINT_EXIT_TROUBLE,
+                     "--%s: %s is not an ascending list of %s from 0 to %.7g, such as %s", option,
+                     glint_quote(text, &quoted), what, max, example);
 }
 
 /* Whether the furnace's picture can be as large. */
@@ -221,9 +222,10 @@ static int check_picture(const run *all)
     const int most = GLINT_IMAGE_SIDE_MAX / (int)(all->chosen->width + all->chosen->width / 8 + 1);
     return !all->chosen->furnace || longest < most
                ? GLINT_OPTIONS_RUN
-               : glint_complain("energy", GLINT_EXIT_TROUBLE,
-                                "--furnace: %d spheres side by side are too many (below %d)",
-                                longest, most);
+               : glint_complain(
+                     "energy", GLINT_EXIT_TROUBLE,
+                     "--furnace: %d spheres side by side are too many (fewer than %d fit)", longest,
+                     most);
 }
 
 /* Before the long work: whether each model takes each n. */

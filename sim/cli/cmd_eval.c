@@ -51,19 +51,19 @@ static void write_details(char *text, size_t size)
 {
     (void)snprintf(
         text, size,
-        "A line is: n cos r g b, with blanks or commas between. n is 0 to %u; cos is a\n"
+        "A line is: n cos r g b, separated by blanks or commas. n is 0 to %u; cos is a\n"
         "number from 0 to 1, or a code of register 1, 0x0 to 0x%x or code:0 to\n"
-        "code:%u (above 0x%x, code:%u, which is 1.0, it saturates); r, g, b are\n"
-        "0 to %u. Blank lines and lines that begin with # are skipped.\n"
+        "code:%u (it saturates above 0x%x, code:%u, which is 1.0); r, g, b are\n"
+        "0 to %u. Blank lines and lines starting with # are skipped.\n"
         "\n"
-        "The first line may be a header, as of what was printed: the columns n, r, g, b and\n"
-        "cos, or cos_code with codes in decimal, are taken by name, others passed over.\n"
+        "The first line may be a header, as in this command's own output: the columns n, r, g,\nb "
+        "and cos, or cos_code with decimal codes, are matched by name, others ignored.\n"
         "\n"
-        "The columns printed are n,cos_code,w_code,r,g,b: cos_code is what register 1\n"
-        "holds and w_code the output of the key block, both in units of 2^-%d.\n"
+        "The output columns are n,cos_code,w_code,r,g,b: cos_code is the content of\nregister 1, "
+        "w_code the output of the key block, both in units of 2^-%d.\n"
         "\n"
-        "--circuit divider reads divisions and prints quotients as glint divide does; of a\n"
-        "circuit of one's own, glint --circuit-dir DIR eval --help names what it reads.",
+        "--circuit divider reads divisions and prints quotients as glint divide does. For "
+        "a\ncircuit of your own, see glint --circuit-dir DIR eval --help.",
         GLINT_N_MAX, GLINT_COS_CODE_MAX, GLINT_COS_CODE_MAX, GLINT_COS_ONE, GLINT_COS_ONE,
         GLINT_COLOR_MAX, GLINT_COS_FRAC_BITS);
 }
@@ -81,11 +81,11 @@ static int parse(int argc, char **argv, eval_options *chosen)
         return begun;
     glint_option options[OWN_ROWS + GLINT_CIRCUIT_OPTIONS] = {
         {.name = "backend",
-         .help = "who computes: the C model, the Verilog, or the formula in floating point",
+         .help = "what computes: the C model, the Verilog, or the formula in floating point",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->backend, glint_backend_names}},
         {.name = "json",
-         .help = "a JSON array of objects instead of CSV",
+         .help = "print a JSON array of objects instead of CSV",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
@@ -101,17 +101,16 @@ static int parse(int argc, char **argv, eval_options *chosen)
                    glint_cos_code(0.99));
     static const glint_example none[] = {{NULL, NULL}};
     const glint_example examples[] = {
-        {"one point by the Verilog", "echo '80 0.99 255 190 110' | glint eval --backend rtl"},
+        {"one point, in Verilog", "echo '80 0.99 255 190 110' | glint eval --backend rtl"},
         {"a code of register 1, as eval prints it", by_code},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "eval",
-        .summary = is_device
-                       ? "Reads points from standard input, one a line, and prints what the device "
-                         "answers for each, in order."
-                       : "Reads numbers from standard input, those of a clock a line, and prints "
-                         "what the circuit answers to each line, in order.",
+        .summary = is_device ? "Reads points from standard input, one per line, and prints the "
+                               "device's answer to each, in order."
+                             : "Reads numbers from standard input, one clock per line, and prints "
+                               "the circuit's answer to each line, in order.",
         .details = details,
         .examples = is_device ? examples : none,
         .options = options,
@@ -202,8 +201,9 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
 static int eval(run *points)
 {
     fputs(points->json ? "[" : "n,cos_code,w_code,r,g,b\n", stdout);
-    const int status = glint_input_lines(
-        "eval", "points, one a line: n cos r g b, such as 80 0.99 255 190 110", take_line, points);
+    const int status =
+        glint_input_lines("eval", "points, one per line: n cos r g b, such as 80 0.99 255 190 110",
+                          take_line, points);
     if (status != GLINT_EXIT_OK && ferror(stdout)) /* which has been said */
         return status;
     if (points->json) /* closed whatever ended it: the rows before that are valid */
@@ -222,7 +222,7 @@ static int eval_points(const eval_options *chosen, const glint_setting *setting)
     glint_error err;
     run *points = calloc(1, sizeof *points);
     if (points == NULL)
-        return glint_complain("eval", GLINT_EXIT_TROUBLE, "no memory");
+        return glint_complain("eval", GLINT_EXIT_TROUBLE, "out of memory");
     /* Whoever types the points wants each answer at once. */
     points->limit = isatty(STDIN_FILENO) == 1 ? 1 : RUN_MAX;
     points->json = chosen->json;
@@ -263,7 +263,7 @@ static int eval_setting(const eval_options *chosen, const glint_setting *setting
         return eval_divisions(chosen, setting);
     if (chosen->backend == GLINT_BACKEND_REAL) {
         return glint_complain("eval", GLINT_EXIT_TROUBLE,
-                              "--backend real: the circuit %s has no formula, c or rtl computes",
+                              "--backend real: circuit %s has no formula; use c or rtl",
                               setting->circuit->name);
     }
     return glint_eval_circuit(setting, is_rtl, chosen->json);

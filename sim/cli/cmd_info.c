@@ -28,7 +28,7 @@ static const fact facts[] = {
     {"sigma_int_bits", GLINT_SIGMA_INT_BITS, "ROM 33, sigma: integer bits"},
     {"sigma_frac_bits", GLINT_SIGMA_FRAC_BITS, "ROM 33, sigma: fraction bits"},
     {"adder6_frac_bits", GLINT_COS_FRAC_BITS, "adder 6, cos gamma - 1: fraction bits of S1.f"},
-    {"t_int_bits", GLINT_T_INT_BITS, "multiplier 7, adder 8, t: integer bits, the sign among them"},
+    {"t_int_bits", GLINT_T_INT_BITS, "multiplier 7, adder 8, t: integer bits, including the sign"},
     {"t_frac_bits", GLINT_T_FRAC_BITS, "multiplier 7, adder 8, t: fraction bits"},
     {"w_frac_bits", GLINT_W_FRAC_BITS, "multiplier 10, key block 12, W: fraction bits of U1.f"},
     {"w_drawn_int_bits", GLINT_W_DRAWN_INT_BITS, "multiplier 10 with gate drawn: integer bits"},
@@ -36,7 +36,7 @@ static const fact facts[] = {
     {"drawn_limit", GLINT_DRAWN_LIMIT, "ROM 9 with gate drawn: limit of W, a code"},
     {"latency", GLINT_LATENCY_PIPELINED, "clocks, pipeline pipelined"},
     {"latency_combinational", GLINT_LATENCY_COMBINATIONAL, "clocks, pipeline combinational"},
-    {"lanes_max", GLINT_LANES_MAX, "cosines a clock, at most"},
+    {"lanes_max", GLINT_LANES_MAX, "most cosines per clock"},
     {"divider_difference_bits", GLINT_DIVIDER_DIFFERENCE_BITS,
      "divider, difference: bits of S9.0, and integer bits of the quotient S9.n"},
     {"divider_shifts", GLINT_DIVIDER_SHIFTS_DEFAULT,
@@ -188,20 +188,20 @@ static int parse(int argc, char **argv, info_options *chosen)
     if (begun != GLINT_OPTIONS_RUN)
         return begun;
     glint_option options[1 + GLINT_CIRCUIT_OPTIONS] = {
-        {.name = "json", .help = "as JSON", .kind = GLINT_OPTION_FLAG, .flag = &chosen->json},
+        {.name = "json", .help = "print JSON", .kind = GLINT_OPTION_FLAG, .flag = &chosen->json},
     };
     const size_t count = 1 + glint_circuit_options_add(&chosen->circuits, options + 1);
     static const glint_example examples[] = {
-        {"what this build is", "glint info"},
+        {"this build", "glint info"},
         {"the same for a script", "glint info --json"},
-        {"the pins and signals of a circuit", "glint info --circuit divider --form sequential"},
+        {"a circuit's pins and signals", "glint info --circuit divider --form sequential"},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "info",
-        .summary = "Prints the circuits with their parameters, number formats, latency, ROM "
-                   "checksums, and the Verilator that circuits are built with. With a circuit "
-                   "named: its pins and signals in one setting.",
+        .summary = "Prints the circuits with their parameters, number formats, latency and ROM "
+                   "checksums, and the version of Verilator that builds them. Given a circuit, "
+                   "prints its pins and signals for one setting.",
         .examples = examples,
         .options = options,
         .option_count = count,

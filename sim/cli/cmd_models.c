@@ -26,9 +26,10 @@ static bool measure(glint_reflectance_model model, const choices *chosen, glint_
 
 static void print_text(const choices *chosen)
 {
-    printf("Differences from cos^n, n = %g: the largest, the largest in the epicentre\n"
-           "(cos^n >= %g), the largest there relative to cos^n. c is the cosine.\n\n",
-           chosen->n, chosen->level);
+    printf(
+        "Differences from cos^n for n = %g: the largest overall, the largest in the "
+        "epicentre\n(cos^n >= %g), and the largest there relative to cos^n. c is the cosine.\n\n",
+        chosen->n, chosen->level);
     printf("%-25s %-20s %11s %11s %11s  formula\n", "model", "equation", "largest", "epicentre",
            "relative");
     for (int i = 0; i < GLINT_REFLECTANCE_COUNT; i++) {
@@ -108,9 +109,9 @@ static int run(const choices *chosen)
 {
     if (chosen->coefficients) {
         print_coefficients();
-        return glint_stop_requested()
-                   ? glint_complain("models", GLINT_EXIT_TROUBLE, "interrupted: the table is cut")
-                   : GLINT_EXIT_OK;
+        return glint_stop_requested() ? glint_complain("models", GLINT_EXIT_TROUBLE,
+                                                       "interrupted: the table is incomplete")
+                                      : GLINT_EXIT_OK;
     }
     if (chosen->as_json) {
         return print_json(chosen) ? GLINT_EXIT_OK
@@ -125,7 +126,7 @@ int glint_cmd_models(int argc, char **argv)
     choices chosen = {.n = 100, .level = GLINT_EPICENTRE_LEVEL};
     const glint_option options[] = {
         {.name = "n",
-         .help = "exponent that the errors are measured with",
+         .help = "exponent at which the errors are measured",
          .kind = GLINT_OPTION_REAL,
          .real = {&chosen.n, N_FIRST, GLINT_EXPONENT_MAX}},
         {.name = "level",
@@ -133,20 +134,20 @@ int glint_cmd_models(int argc, char **argv)
          .kind = GLINT_OPTION_REAL,
          .real = {&chosen.level, 0.01, 0.99}},
         {.name = "coefficients",
-         .help = "instead, the coefficients that depend on n alone, for n = 1 to 1000, as CSV",
+         .help = "print instead, as CSV, the coefficients that depend only on n, for n = 1 to 1000",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen.coefficients},
-        {.name = "json", .help = "as JSON", .kind = GLINT_OPTION_FLAG, .flag = &chosen.as_json},
+        {.name = "json", .help = "print JSON", .kind = GLINT_OPTION_FLAG, .flag = &chosen.as_json},
     };
     static const glint_example examples[] = {
-        {"the models, and their errors with n = 20", "glint models --n 20"},
+        {"the models and their errors at n = 20", "glint models --n 20"},
         {"coefficients for every n, as CSV", "glint models --coefficients > coefficients.csv"},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "models",
-        .summary = "Lists the reflectance models: name, equation of the thesis, formula, what "
-                   "happens at the ends of the domain, and how far each is from cos^n.",
+        .summary = "Lists the reflectance models: name, equation in the thesis, formula, behaviour "
+                   "at the ends of the domain, and deviation from cos^n.",
         .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
@@ -156,7 +157,7 @@ int glint_cmd_models(int argc, char **argv)
         return status;
     if (chosen.coefficients && chosen.as_json) {
         return glint_complain("models", GLINT_EXIT_TROUBLE,
-                              "--coefficients is CSV: leave out --json");
+                              "--coefficients prints CSV: it cannot be used with --json");
     }
     return glint_output_finish("models", run(&chosen));
 }

@@ -53,7 +53,7 @@ static glint_status name_outputs(const char *out, outputs *files, glint_error *e
     files->failure = beside(out, "-failure");
     if (files->frame == NULL || files->frame_c == NULL || files->diff == NULL ||
         files->failure == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory");
+        return glint_fail(err, GLINT_NO_MEMORY, "out of memory");
     strcpy(files->frame, out);
     return GLINT_OK;
 }
@@ -96,7 +96,7 @@ static glint_status compare_frames(glint_render_result *result, glint_error *err
 {
     if (result->frame[0].stats.fragments == 0) {
         return glint_fail(err, GLINT_BAD_INPUT,
-                          "nothing to compare: no pixel of the object is in the frame");
+                          "nothing to compare: the object is outside the frame");
     }
     return glint_image_compare(result->frame[0].image, result->frame[1].image, &result->difference,
                                err);
@@ -161,7 +161,8 @@ static glint_status check_outputs(const glint_render_options *chosen, const outp
                                   glint_error *err)
 {
     if (glint_file_same(chosen->what.model, files->frame))
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "--out: %s is the model itself", files->frame);
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "--out: %s is the model file itself",
+                          files->frame);
     const char *const pictures[] = {files->frame, files->frame_c, files->diff};
     const int count = chosen->both ? 3 : 1;
     glint_status status = GLINT_OK;
@@ -222,7 +223,7 @@ static bool explain(const glint_render_options *chosen, const char *command, con
 static void tell_of_earlier(const outputs *files)
 {
     if (access(files->failure, F_OK) == 0)
-        printf("%s is of an earlier run\n", files->failure);
+        printf("%s is left over from an earlier run\n", files->failure);
 }
 
 /* The report of a failure comes last where people read; with --json, first, on standard error. */
@@ -233,7 +234,7 @@ static int report(const glint_render_options *chosen, const char *command, const
     bool explained = false;
     if (result->frame[0].stats.fragments == 0) {
         (void)glint_complain("render", GLINT_EXIT_OK,
-                             "the frame is empty: no pixel of the object is in it");
+                             "the frame is empty: the object is outside it");
     }
     if (!chosen->json) {
         FILE *out = glint_picture_talk(files->frame);
@@ -247,7 +248,7 @@ static int report(const glint_render_options *chosen, const char *command, const
         explained = explain(chosen, command, mesh, files, result);
     if (chosen->json &&
         !glint_render_report_json(chosen, result, explained ? files->failure : NULL))
-        return glint_complain("render", GLINT_EXIT_TROUBLE, "no memory");
+        return glint_complain("render", GLINT_EXIT_TROUBLE, "out of memory");
     const int status = glint_output_finish("render", GLINT_EXIT_OK);
     if (status != GLINT_EXIT_OK || !differs)
         return status;

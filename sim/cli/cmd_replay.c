@@ -44,38 +44,37 @@ static int parse(int argc, char **argv, replay_options *chosen)
     const glint_option options[] = {
         {.name = "out",
          .placeholder = "DIR",
-         .help = "where they differ, what comes of it as a packet of its own",
+         .help = "if they differ, write a new packet here",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
         {.name = "rtl",
          .placeholder = "DIR",
-         .help = "the Verilog of this directory",
-         .usually = "that of the packet",
+         .help = "use the Verilog in this directory",
+         .usually = "the packet's",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->verilog},
         GLINT_CIRCUIT_DIR_OPTION(&chosen->circuit_dir),
         {.name = "json",
-         .help = "the result as JSON",
+         .help = "print the result as JSON",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
     const glint_positional positionals[] = {{.name = "DIR", .value = &chosen->directory}};
     static const glint_example examples[] = {
-        {"a packet that glint verify has left",
-         "glint replay glint-failure/specular_cosine_pipelined_1"},
+        {"a packet from glint verify", "glint replay glint-failure/specular_cosine_pipelined_1"},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "replay",
-        .summary = "Plays the inputs of a failure packet, which verify and render leave where C "
-                   "and Verilog differ, through the C model and the Verilog.",
-        .details = "To find the change that brought or removed a fault:\n"
+        .summary = "Replays the inputs of a failure packet through the C model and the Verilog. "
+                   "verify and render write a packet when the two differ.",
+        .details = "To find the commit that introduced or fixed a fault:\n"
                    "\n"
                    "  git bisect run sh -c 'make -j2 build/glint || exit 125\n"
                    "                        build/glint replay DIR; s=$?\n"
                    "                        [ $s -le 1 ] && exit $s; exit 125'",
-        .done = "C model and Verilog do not differ any more",
-        .different = "they differ, whether --out could be written or not",
+        .done = "the C model and the Verilog no longer differ",
+        .different = "they differ, whether or not --out could be written",
         .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
@@ -111,9 +110,9 @@ static void print_answers(const replay *of)
 
 static const char *verdict(const replay *of)
 {
-    return !glint_failure_differs(&of->now) ? "gone: C model and Verilog do not differ"
+    return !glint_failure_differs(&of->now) ? "gone: the C model and the Verilog agree"
            : of->same                       ? "the same mismatch"
-                                            : "another mismatch than the packet's";
+                                            : "a different mismatch from the packet's";
 }
 
 static void print_text(const replay *of)

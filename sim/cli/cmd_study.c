@@ -27,20 +27,20 @@ typedef struct study_options {
 
 static const char details[] =
     "A METHOD is c, rtl or real (the specular device: its C model, its Verilog, its\n"
-    "formula in floating point) or a model of glint render --specular, and may end in\n"
-    "a shading: blinn, rtl:gouraud, cook-torrance:flat. Without one it is Phong's.\n"
+    "formula in floating point) or a model of glint render --specular, optionally with\n"
+    "a shading: blinn, rtl:gouraud, cook-torrance:flat. The default is Phong shading.\n"
     "\n"
-    "NMSE (3.1) and PSNR are over the object's pixels, A the reference. A triangle is\n"
-    "touched by the highlight when a pixel of it is at least one level brighter than\n"
-    "with Ks = 0. Times are of whole frames, A and B in turn, the medians; B/A is the\n"
-    "median of the pairs. NMSE reads as in the thesis: up to 0.0001 no visible\n"
-    "difference, 0.00025 slight, 0.001 visible differences, else substantially\n"
-    "different.\n"
+    "NMSE (3.1) and PSNR are taken over the object's pixels, with A as the reference. A\n"
+    "triangle is touched by the highlight if any of its pixels is at least one level\n"
+    "brighter than with Ks = 0. Times are medians over whole frames, A and B\n"
+    "alternating; B/A is the median of the pairs' ratios. NMSE reads as in the thesis:\n"
+    "up to 0.0001 no visible difference, up to 0.00025 slight and up to 0.001 visible\n"
+    "differences, above that substantially different.\n"
     "\n"
-    "DIR gets sheet.png, a sheet n-NNNN.png for each n (A, B, difference), study.csv,\n"
-    "study.json and, apart as no two runs agree on them, times.csv. They take their\n"
-    "names together at the end: interrupted, DIR is left as it was. Sheets n-NNNN.png\n"
-    "and a times.csv of an earlier study that this one does not write are removed.\n"
+    "DIR receives sheet.png, a sheet n-NNNN.png for each n (A, B, difference), study.csv,\n"
+    "study.json and times.csv, which is separate because no two runs agree on it. All are\n"
+    "renamed into place at the end: an interrupted study leaves DIR unchanged. Leftover\n"
+    "n-NNNN.png and times.csv of an earlier study are removed.\n"
     "\n" GLINT_COLOR_DETAILS;
 
 #define OWN_ROWS   8
@@ -51,7 +51,7 @@ static int parse(int argc, char **argv, study_options *chosen)
     glint_option options[TABLE_ROWS] = {
         {.name = "out",
          .placeholder = "DIR",
-         .help = "where its files go, made if missing",
+         .help = "directory for the files; created if missing",
          .required = true,
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
@@ -62,37 +62,38 @@ static int parse(int argc, char **argv, study_options *chosen)
          .string = &chosen->method[0]},
         {.name = "b",
          .placeholder = "METHOD",
-         .help = "what is compared with it",
+         .help = "the method compared with A",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->method[1]},
         {.name = "n",
          .placeholder = "N,N,...",
-         .help = "exponents, with commas between",
+         .help = "comma-separated exponents",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->n},
         {.name = "frames",
-         .help = "frames of each that are timed, for each n; 0: none",
+         .help = "frames to time per method and n; 0: none",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->frames, 0, GLINT_STUDY_FRAMES_MAX}},
         GLINT_RTL_OPTION(&chosen->verilog),
         GLINT_FORCE_OPTION(&chosen->force),
         {.name = "json",
-         .help = "what study.json and times.csv hold, as JSON",
+         .help = "print the content of study.json and times.csv as JSON",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
     glint_scene_options_add(&chosen->scene, options + OWN_ROWS);
     static const glint_example examples[] = {
-        {"Blinn's highlight against the device, three exponents",
+        {"Blinn's highlight against the device, for three exponents",
          "glint study --a blinn --b rtl --n 10,100,1000 --out study"},
-        {"shadings, without timing", "glint study --a c --b c:gouraud --frames 0 --out shadings"},
+        {"two shadings, without timing",
+         "glint study --a c --b c:gouraud --frames 0 --out shadings"},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "study",
-        .summary = "Renders one scene by two methods for each of a list of exponents: how their "
-                   "pictures differ, how long a frame takes, how many triangles the highlight "
-                   "touches.",
+        .summary = "Renders a scene by two methods for each of several exponents and reports how "
+                   "the pictures differ, how long a frame takes, and how many triangles the "
+                   "highlight touches.",
         .details = details,
         .examples = examples,
         .options = options,
@@ -125,8 +126,7 @@ static int read_exponents(const char *chosen_text, glint_study_options *study)
         text = glint_next_part(text, ',', part);
         if (part[0] == '\0' && study->count > 0) {
             return glint_complain("study", GLINT_EXIT_TROUBLE,
-                                  "--n: nothing follows a comma in %s, where an integer from 0 to "
-                                  "%u should",
+                                  "--n: a comma in %s is not followed by an integer from 0 to %u",
                                   glint_quote(chosen_text, &quoted), GLINT_N_MAX);
         }
         if (!glint_parse_count(part, 0, GLINT_N_MAX, &n)) {
@@ -135,7 +135,7 @@ static int read_exponents(const char *chosen_text, glint_study_options *study)
                                   glint_quote(part, &quoted), GLINT_N_MAX);
         }
         if (is_among((int)n, study))
-            return glint_complain("study", GLINT_EXIT_TROUBLE, "--n: %d is there twice", (int)n);
+            return glint_complain("study", GLINT_EXIT_TROUBLE, "--n: %d is given twice", (int)n);
         if (study->count == GLINT_STUDY_ROWS_MAX) {
             return glint_complain("study", GLINT_EXIT_TROUBLE, "--n: more than %d exponents",
                                   GLINT_STUDY_ROWS_MAX);
@@ -197,7 +197,7 @@ static int check_verilog(const glint_study_setup *setup)
     int status = GLINT_OPTIONS_RUN;
     if (setup->verilog != NULL && count == 0) {
         return glint_complain("study", GLINT_EXIT_TROUBLE,
-                              "--rtl is the Verilog's directory: it goes with the method rtl");
+                              "--rtl names the Verilog's directory: use it with the method rtl");
     }
     for (int i = 0; i < count && status == GLINT_OPTIONS_RUN; i++)
         status = glint_rtl_option_check("study", &settings[i]);
@@ -261,9 +261,9 @@ static void print_text(const glint_study_options *study, const glint_study_row *
     putchar('\n');
     for (int i = 0; i < study->count; i++)
         print_row(&rows[i]);
-    printf("wrote %s/sheet.png and what belongs to it\n", study->directory);
+    printf("wrote %s/sheet.png and the other files of the study\n", study->directory);
     if (!words)
-        printf("the sheets have no labels: the font of fonts-dejavu-core is not installed\n");
+        printf("the sheets have no labels: install the font package fonts-dejavu-core\n");
 }
 
 static bool print_json(const glint_study_options *study, const glint_study_row *rows)
@@ -340,6 +340,6 @@ int glint_cmd_study(int argc, char **argv)
     if (!chosen.json)
         print_text(&study, rows, words);
     else if (!print_json(&study, rows))
-        return glint_complain("study", GLINT_EXIT_TROUBLE, "no memory");
+        return glint_complain("study", GLINT_EXIT_TROUBLE, "out of memory");
     return glint_output_finish("study", GLINT_EXIT_OK);
 }

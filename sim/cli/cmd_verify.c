@@ -73,26 +73,26 @@ static int parse(int argc, char **argv, verify_options *chosen)
         return begun;
     glint_option options[OWN_ROWS + GLINT_CIRCUIT_OPTIONS] = {
         {.name = "clocks",
-         .help = "how many for each setting: 100000, 1e6, 10M",
+         .help = "clocks per setting: 100000, 1e6, 10M",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->clocks, 1, INT64_C(1000000000000)}},
         {.name = "seed",
-         .help = "of the random inputs",
-         .usually = "taken from the time",
+         .help = "seed of the random inputs",
+         .usually = "from the time of day",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->seed, 0, INT64_MAX}},
         {.name = "threads",
-         .usually = "one a processor",
-         .help = "settings built and verified at a time",
+         .usually = "one per processor",
+         .help = "settings built and verified in parallel",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, THREADS_MAX}},
         {.name = "out",
          .placeholder = "DIR",
-         .help = "where the packets of mismatches go, for glint replay; made if needed",
+         .help = "directory for failure packets, for glint replay; created if needed",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
         {.name = "json",
-         .help = "the result as JSON",
+         .help = "print the result as JSON",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
@@ -100,25 +100,23 @@ static int parse(int argc, char **argv, verify_options *chosen)
         OWN_ROWS + glint_circuit_options_add(&chosen->circuits, options + OWN_ROWS);
     static const glint_example examples[] = {
         {"every setting, a million clocks each", "glint verify --clocks 1M"},
-        {"one setting again, with the inputs of a seed",
+        {"one setting again, with a given seed",
          "glint verify --gate sign --lanes 4 --clocks 1e5 --seed 7"},
-        {"one's own edited copy of the Verilog", "glint verify --rtl my-rtl --circuit specular"},
+        {"your own edited copy of the Verilog", "glint verify --rtl my-rtl --circuit specular"},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "verify",
-        .summary =
-            "Drives the C model and the Verilog with the same random inputs and compares "
-            "every register and every named internal value after every clock. Each circuit's "
-            "default setting comes first, with a verdict of its own, then the others. A "
-            "mismatch leaves a packet: a report, a waveform of both, and what glint replay "
-            "needs. "
-            "Says how deep it got: 100000 clocks hold 65536 enabled ones without a reset, "
-            "1200000 hold 1048576.",
-        .details = "With --exhaustive: every input of a circuit that has not too many, instead of "
-                   "random\nones; see glint verify --exhaustive --help.",
+        .summary = "Drives the C model and the Verilog with the same random inputs and compares "
+                   "every register and every named internal value after every clock. Each "
+                   "circuit's default setting goes first, with its own verdict, then the others. A "
+                   "mismatch leaves a packet: a report, a waveform of both sides, and what glint "
+                   "replay needs. Also reports how deep the run got: 100000 clocks include 65536 "
+                   "enabled ones without a reset, 1200000 include 1048576.",
+        .details = "With --exhaustive: every input of a circuit that has few enough of them, "
+                   "instead of\nrandom ones; see glint verify --exhaustive --help.",
         .done = "no mismatch",
-        .different = "a mismatch was found, whatever else went wrong",
+        .different = "a mismatch was found, regardless of any other trouble",
         .examples = examples,
         .options = options,
         .option_count = count,
@@ -246,7 +244,7 @@ static void print_first(const verify_options *chosen, const verification *all, t
     fprintf(out, "first verdict: %s: ", setting);
     glint_print_verdict(out, task->result.mismatches == 0, "%" PRIu64 " mismatches",
                         task->result.mismatches);
-    fprintf(out, " of %" PRIu64 " comparisons, %.1f s; still to try: %d setting%s\n",
+    fprintf(out, " of %" PRIu64 " comparisons, %.1f s; %d setting%s to go\n",
             task->result.comparisons, glint_seconds() - all->start, left, left == 1 ? "" : "s");
     fflush(out);
 }
@@ -513,7 +511,7 @@ static void print_left_out(const verify_options *chosen, const verification *all
         for (int i = 0; i < all->count; i++)
             count += all->tasks[i].is_left_out && all->tasks[i].options.setting.circuit == circuit;
         if (count != 0)
-            printf("not tried: %d setting%s of %s, whose first failed\n", count,
+            printf("skipped: %d setting%s of %s, after its first one failed\n", count,
                    count == 1 ? "" : "s", circuit->name);
     }
 }

@@ -47,7 +47,7 @@ static void show_progress(void *context, uint64_t done, uint64_t total)
 {
     run *run = context;
     const double rate = (double)done / (glint_seconds() - run->start);
-    (void)snprintf(run->unit, sizeof run->unit, "points, %.1f million a second, %.0f s left",
+    (void)snprintf(run->unit, sizeof run->unit, "points, %.1f million per second, %.0f s left",
                    rate / 1e6, (double)(total - done) / rate);
     glint_progress_update(&run->progress, done, total);
 }
@@ -236,7 +236,7 @@ static const char *ending(const run *run)
 {
     return run->status == GLINT_OK            ? ""
            : run->status == GLINT_INTERRUPTED ? " (interrupted)"
-                                              : " (broken off)";
+                                              : " (stopped early)";
 }
 
 static void print_text(const glint_exhaustive_choice *chosen, run *run)
@@ -344,9 +344,10 @@ static int report(const glint_exhaustive_choice *chosen, run *run)
     if (differs)
         return GLINT_EXIT_DIFFERENT;
     if (sum.w_untried != 0)
-        return glint_complain(
-            "verify", GLINT_EXIT_TROUBLE,
-            "%" PRIu32 " W codes occurred that the multipliers were not tried with", sum.w_untried);
+        return glint_complain("verify", GLINT_EXIT_TROUBLE,
+                              "%" PRIu32
+                              " W codes occurred that the multipliers were not tested with",
+                              sum.w_untried);
     return run->status == GLINT_OK && sum.points != 0 ? GLINT_EXIT_OK : GLINT_EXIT_TROUBLE;
 }
 

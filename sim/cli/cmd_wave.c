@@ -50,49 +50,48 @@ static int parse(int argc, char **argv, wave_options *chosen)
     glint_option options[OWN_ROWS + GLINT_CIRCUIT_OPTIONS] = {
         {.name = "out",
          .placeholder = "DIR",
-         .help = "where the files go; made if missing",
+         .help = "directory for the files; created if missing",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
         {.name = "format",
-         .help = "of the waveform",
+         .help = "file format of the waveform",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&chosen->format, format_choices}},
         {.name = "from",
          .given = &chosen->from_given,
          .placeholder = "CLOCK",
-         .help = "first clock of the scene that is shown, of one circuit; of specular when none is "
-                 "chosen",
+         .help = "first clock of the scene to show, for one circuit (default specular)",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->from, 1, CLOCKS_MAX}},
         {.name = "to",
          .given = &chosen->to_given,
-         .usually = "the scene's last",
+         .usually = "the end of the scene",
          .placeholder = "CLOCK",
-         .help = "last clock, likewise",
+         .help = "last clock to show",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->to, 1, CLOCKS_MAX}},
         GLINT_FORCE_OPTION(&chosen->force),
         {.name = "json",
-         .help = "the files as JSON",
+         .help = "print the file names as JSON",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
     const size_t count =
         OWN_ROWS + glint_circuit_options_add(&chosen->circuits, options + OWN_ROWS);
     static const glint_example examples[] = {
-        {"waveforms of everything, as FST", "glint wave --out wave"},
+        {"every waveform, as FST", "glint wave --out wave"},
         {"16 lanes of the specular device, as VCD",
          "glint wave --lanes 16 --format vcd --out wave16"},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "wave",
-        .summary = "Writes waveforms of a short scene on each circuit, with a GTKWave save file "
-                   "each. Specular device: a scan line across a highlight with a stall in its "
-                   "middle, then a new material with a point, a gap, a code above 1.0, and a new "
-                   "material between points. Divider: five divisions, one stalled, one beyond "
-                   "the table. Any other circuit: random pins, with a stall and a gap. "
-                   "docs/waveforms.md reads them clock by clock.",
+        .summary = "Writes a waveform of a short scene for each circuit, with a GTKWave save file. "
+                   "Specular device: a scan line across a highlight with a stall in the middle, "
+                   "then a material change along with a point, a gap, a code above 1.0, and a "
+                   "material change between points. Divider: five divisions, one of them stalled, "
+                   "one outside the table. Any other circuit: random pins, with a stall and a gap. "
+                   "docs/waveforms.md goes through them clock by clock.",
         .examples = examples,
         .options = options,
         .option_count = count,
@@ -111,7 +110,7 @@ static int settle(wave_options *chosen)
     const int clocks = glint_wave_scene_clocks(&first);
     if (chosen->from > clocks || (chosen->to_given && chosen->to > clocks))
         return glint_complain("wave", GLINT_EXIT_TROUBLE,
-                              "--%s: the scene of %s has the clocks 1 to %d",
+                              "--%s: the scene of %s runs from clock 1 to %d",
                               chosen->from > clocks ? "from" : "to", first.circuit->name, clocks);
     if (chosen->from > chosen->to)
         return glint_complain("wave", GLINT_EXIT_TROUBLE, "--from %d is after --to %d",
@@ -193,7 +192,7 @@ static glint_status record(const wave_options *chosen, const glint_setting *sett
     const int from = (int)chosen->from;
     const int to = chosen->to < scene.clocks ? (int)chosen->to : scene.clocks;
     const glint_gtkw_window window = window_of(files->waveform, from, to, scene.marker);
-    status = from > to ? glint_fail(err, GLINT_BAD_ARGUMENT, "--from: the scene has %d clocks",
+    status = from > to ? glint_fail(err, GLINT_BAD_ARGUMENT, "--from: the scene has only %d clocks",
                                     scene.clocks)
                        : glint_wave_record(setting, &scene, (glint_wave_format)chosen->format, from,
                                            to, files->waveform, err);
@@ -276,8 +275,8 @@ int glint_cmd_wave(int argc, char **argv)
         return status;
     if (glint_circuit_options_setting(&chosen.circuits, SETTINGS_MAX, &last))
         return glint_complain("wave", GLINT_EXIT_TROUBLE,
-                              "more than %d settings: choose by --%s and so on", SETTINGS_MAX,
-                              last.circuit->parameters[0].name);
+                              "more than %d settings: narrow them down with --%s and so on",
+                              SETTINGS_MAX, last.circuit->parameters[0].name);
     glint_error err;
     if (glint_directory_make(chosen.out, &err) != GLINT_OK)
         return glint_complain_error("wave", &err);

@@ -86,11 +86,11 @@ static int find_columns(evaluation *e)
     e->outputs = find_outputs(e->setting, e->output);
     if (e->pins == 0)
         return glint_complain("eval", GLINT_EXIT_TROUBLE,
-                              "the circuit %s has no data pins: there is nothing to read",
+                              "circuit %s has no data pins, so there is nothing to read",
                               e->setting->circuit->name);
     if (e->pins > GLINT_COLUMNS_MAX)
         return glint_complain("eval", GLINT_EXIT_TROUBLE,
-                              "the circuit %s has %d data pins: %d at most",
+                              "circuit %s has %d data pins: at most %d are supported",
                               e->setting->circuit->name, e->pins, GLINT_COLUMNS_MAX);
     for (int i = 0; i < e->pins; i++)
         e->field[i] = (glint_column){e->pin[i].name, NULL};
@@ -114,15 +114,15 @@ void glint_eval_circuit_details(const glint_setting *setting, char *text, size_t
     append(text, size, "A line is:", "");
     for (int i = 0; i < pins; i++)
         append(text, size, " ", columns[i].name);
-    append(text, size, pins == 0 ? " nothing, as the circuit has no data pins" : "",
-           ", with blanks or commas between: integers,\n"
-           "codes where there is a point, in decimal or 0x. Blank lines and lines that begin\n"
-           "with # are skipped. The first line may be a header, as of what was printed:\n"
-           "columns are taken by name, others passed over.\n"
+    append(text, size, pins == 0 ? " nothing, since the circuit has no data pins" : "",
+           ", separated by blanks or commas: integers, or codes\n"
+           "for pins with a binary point, in decimal or 0x. Blank lines and lines starting with #\n"
+           "are skipped. The first line may be a header, as in this command's own output: columns\n"
+           "are matched by name, others ignored.\n"
            "\n"
-           "Each line is taken by one clock, one after the other and with no reset between;\n"
-           "valid pins are 1 then, enables 1, other controls 0. What is printed is those\n"
-           "values and, after the circuit's latency, its outputs:");
+           "Each line goes in on one clock, back to back, with no reset in between; valid and\n"
+           "enable pins are 1, other controls 0. The output is these values and, after the\n"
+           "circuit's latency, its outputs:");
     const int outputs = find_outputs(setting, columns);
     for (int i = 0; i < outputs; i++)
         append(text, size, " ", columns[i].name);
@@ -246,8 +246,8 @@ static glint_line_kind read_values(evaluation *e, char **value, glint_pins *pins
     for (int i = 0; i < e->pins; i++) {
         const glint_pin_info pin = glint_setting_pin(e->setting, e->pin[i].index);
         const int width = glint_pin_width(&pin);
-        (void)snprintf(expected, sizeof expected, "an integer of %d bit%s%s, decimal or 0x", width,
-                       width == 1 ? "" : "s", pin.is_signed ? " with the sign" : "");
+        (void)snprintf(expected, sizeof expected, "an integer of %d bit%s%s, in decimal or 0x",
+                       width, width == 1 ? "" : "s", pin.is_signed ? " with the sign" : "");
         if (!glint_words_parse(value[i], width, pin.is_signed, words))
             return glint_line_refuse(e->pin[i].name, value[i], expected, err);
         glint_pin_set(&pin, pins, words);
@@ -317,7 +317,7 @@ int glint_eval_circuit(const glint_setting *setting, bool is_rtl, bool json)
     glint_error err;
     evaluation *e = calloc(1, sizeof *e);
     if (e == NULL)
-        return glint_complain("eval", GLINT_EXIT_TROUBLE, "no memory");
+        return glint_complain("eval", GLINT_EXIT_TROUBLE, "out of memory");
     e->setting = setting;
     e->json = json;
     e->at_once = isatty(STDIN_FILENO) == 1; /* whoever types wants each answer at once */

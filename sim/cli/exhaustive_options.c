@@ -71,10 +71,11 @@ static int check(glint_exhaustive_choice *chosen)
         return status;
     if (chosen->every_lane && !is_specular(chosen))
         return glint_complain("verify", GLINT_EXIT_TROUBLE,
-                              "--every-lane is for the circuit specular");
+                              "--every-lane needs --circuit specular");
     if (chosen->seed_given && chosen->stride == 1)
-        return glint_complain("verify", GLINT_EXIT_TROUBLE,
-                              "--seed says where --stride begins; without it, nothing is random");
+        return glint_complain(
+            "verify", GLINT_EXIT_TROUBLE,
+            "--seed needs --stride, whose starting point it sets: nothing else is random");
     return parse_shard(chosen);
 }
 
@@ -98,7 +99,7 @@ static int parse(int argc, char **argv, glint_exhaustive_choice *chosen)
         return begun;
     glint_option options[OWN_ROWS + GLINT_CIRCUIT_OPTIONS] = {
         {.name = "exhaustive",
-         .help = "this, instead of random inputs",
+         .help = "all inputs instead of random ones",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->exhaustive},
         {.name = "every-lane",
@@ -107,25 +108,25 @@ static int parse(int argc, char **argv, glint_exhaustive_choice *chosen)
          .flag = &chosen->every_lane},
         {.name = "shard",
          .placeholder = "I/N",
-         .help = "only those n, or points, with n mod N = I-1",
+         .help = "only the n, or points, with n mod N = I-1",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->shard},
         {.name = "from",
-         .help = "the first n, or point: what an interrupted run says to go on with",
+         .help = "the first n, or point: where an interrupted run tells you to resume",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->from, 0, INT64_MAX}},
         {.name = "stride",
-         .help = "only every N-th code, or point, from a random one on",
+         .help = "only every N-th code, or point, starting at random",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->stride, 1, PARTS_MAX}},
         {.name = "seed",
          .given = &chosen->seed_given,
-         .help = "of where the stride begins",
-         .usually = "taken from the time",
+         .help = "seed of the stride's start",
+         .usually = "from the time of day",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->seed, 0, INT64_MAX}},
         {.name = "threads",
-         .usually = "one a processor",
+         .usually = "one per processor",
          .given = &chosen->threads_given,
          .help = "each with circuits of its own",
          .kind = GLINT_OPTION_INTEGER,
@@ -133,18 +134,18 @@ static int parse(int argc, char **argv, glint_exhaustive_choice *chosen)
         {.name = "out",
          .given = &chosen->out_given,
          .placeholder = "DIR",
-         .help = "where the packet of the first mismatch goes, for glint replay; made if needed",
+         .help = "directory for the first mismatch's packet, for glint replay; created if needed",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
         {.name = "json",
-         .help = "the result as JSON",
+         .help = "print the result as JSON",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
     const size_t count =
         OWN_ROWS + glint_circuit_options_add(&chosen->circuits, options + OWN_ROWS);
     static const glint_example examples[] = {
-        {"the default circuit, all of it", "glint verify --exhaustive"},
+        {"all of the default circuit", "glint verify --exhaustive"},
         {"every 64th code only, every gate", "glint verify --exhaustive --stride 64 --gate all"},
         {"the first of eight parts", "glint verify --exhaustive --shard 1/8"},
         {"the divider", "glint verify --exhaustive --circuit divider"},
@@ -152,14 +153,15 @@ static int parse(int argc, char **argv, glint_exhaustive_choice *chosen)
     };
     const glint_command_line line = {
         .command = "verify",
-        .summary = "Compares the Verilog with the C model for every input. Of the specular device: "
-                   "W and colours for every n and every cosine code, and for every W code that "
-                   "occurs with every colour. Of another circuit: every output after every clock, "
-                   "for every point of the domain that its description names.",
-        .details = "Each code goes through one lane with an n, through the next with the next n.\n"
-                   "Not reached, but by glint verify and make formal:\n" GLINT_NOT_REACHED ".\n",
+        .summary = "Compares the Verilog with the C model for every input. Specular device: W and "
+                   "colours for every n with every cosine code, and for every reachable W code "
+                   "with every colour. Other circuits: every output after every clock, for every "
+                   "point of the domain that the description names.",
+        .details =
+            "With each n, a code goes through one lane only, a different one for the next n.\nNot "
+            "covered here, but by glint verify and make formal:\n" GLINT_NOT_REACHED ".\n",
         .done = "no mismatch",
-        .different = "a mismatch was found, or a circuit kept an answer back",
+        .different = "a mismatch was found, or a circuit failed to answer",
         .examples = examples,
         .options = options,
         .option_count = count,

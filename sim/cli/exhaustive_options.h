@@ -22,7 +22,7 @@ int glint_verify_domain(const glint_exhaustive_choice *chosen);
 /* Said wherever a result of the specular device stands: what is equal here may still differ there.
  */
 #define GLINT_NOT_REACHED                                                                          \
-    "material changes in flight, lanes valid one by one, stalls, resets, registers"
+    "material changes in flight, partly valid lanes, stalls, resets, registers"
 
 /* Appends " --threads N --out DIR --json", each where it was chosen: how it is done and told. */
 void glint_exhaustive_options_append(const glint_exhaustive_choice *chosen, char *text,

@@ -27,7 +27,7 @@ glint_status glint_failure_find(const char *command, const glint_lockstep_option
     again.stop = glint_stop_flag();
     again.progress = show;
     again.progress_context = &progress;
-    glint_progress_begin(&progress, command, "clocks played again");
+    glint_progress_begin(&progress, command, "clocks replayed");
     const glint_status status = glint_failure_of_lockstep(&again, result, failure, err);
     glint_progress_end(&progress);
     return status;
@@ -39,7 +39,7 @@ static bool write_packet(const char *command, const glint_failure *failure,
 {
     glint_error err;
     if (failure->interrupted) {
-        (void)glint_complain(command, GLINT_EXIT_TROUBLE, "interrupted: %s is not written",
+        (void)glint_complain(command, GLINT_EXIT_TROUBLE, "interrupted: %s was not written",
                              directory);
         return false;
     }

@@ -66,7 +66,7 @@ static void print_row(const char *name, int lane, const char *what, int is_signe
 
 static void print_rows(const glint_setting *setting)
 {
-    printf("pins, with bits before and behind the point:\n");
+    printf("pins, with integer and fraction bits:\n");
     for (int i = 0; i < glint_setting_pin_count(setting); i++) {
         const glint_pin_info pin = glint_setting_pin(setting, i);
         print_row(pin.name, pin.lane, roles[pin.role], pin.is_signed, pin.int_bits, pin.frac_bits,
@@ -89,7 +89,7 @@ void glint_info_print_setting(const glint_setting *setting)
     glint_setting_describe(setting, text);
     printf("setting    %s; top module %s, clock %s\n", text, glint_setting_top(setting),
            circuit->clock_port != NULL ? circuit->clock_port : "none");
-    printf("latency    %d clocks; takes something every %d\n", glint_setting_latency(setting),
+    printf("latency    %d clocks; accepts input every %d\n", glint_setting_latency(setting),
            glint_setting_pace(setting));
     if (domain != NULL)
         printf("domain     %s: %" PRIu64 " points\n", domain->what,

@@ -114,11 +114,11 @@ glint_line_kind glint_line_cut(const glint_line_form *form, glint_columns *colum
                                size_t length, char **value, glint_error *err)
 {
     if (length == LINE_MAX_BYTES) {
-        glint_fail(err, GLINT_BAD_INPUT, "longer than 16 MB: this is not text");
+        glint_fail(err, GLINT_BAD_INPUT, "longer than 16 MB: not text");
         return GLINT_LINE_MALFORMED;
     }
     if (!trim(line, length)) {
-        glint_fail(err, GLINT_BAD_INPUT, "a NUL byte is in it: this is not text");
+        glint_fail(err, GLINT_BAD_INPUT, "contains a NUL byte: not text");
         return GLINT_LINE_MALFORMED;
     }
     char *text = skip_blanks(line);
@@ -216,9 +216,10 @@ int glint_input_lines(const char *command, const char *waits_for, glint_line_tak
 {
     reader *in = calloc(1, sizeof *in);
     if (in == NULL)
-        return glint_complain(command, GLINT_EXIT_TROUBLE, "no memory to read standard input");
+        return glint_complain(command, GLINT_EXIT_TROUBLE,
+                              "not enough memory to read standard input");
     if (isatty(STDIN_FILENO) == 1)
-        fprintf(stderr, "glint %s: waits for %s; Ctrl-D ends\n", command, waits_for);
+        fprintf(stderr, "glint %s: waiting for %s; end with Ctrl-D\n", command, waits_for);
     int status = GLINT_EXIT_OK;
     uint64_t number = 0;
     while (status == GLINT_EXIT_OK) {

@@ -16,19 +16,19 @@ static const struct {
     int (*run)(int argc, char **argv);
 } subcommands[] = {
     {"info", "settings, number formats, latency, ROM checksums", glint_cmd_info},
-    {"models", "the reflectance models, and how far each is from cos^n", glint_cmd_models},
-    {"eval", "the device's answer for points on standard input, as CSV", glint_cmd_eval},
-    {"divide", "the divider's answer for divisions on standard input, as CSV", glint_cmd_divide},
-    {"render", "a lit mesh as a PNG, every highlight by the device", glint_cmd_render},
+    {"models", "the reflectance models and their deviation from cos^n", glint_cmd_models},
+    {"eval", "the device's answers to points on standard input, as CSV", glint_cmd_eval},
+    {"divide", "the divider's answers to divisions on standard input, as CSV", glint_cmd_divide},
+    {"render", "a lit mesh as a PNG, every highlight computed by the device", glint_cmd_render},
     {"compare", "how two PNG pictures differ", glint_cmd_compare},
-    {"study", "one scene by two methods, compared and timed", glint_cmd_study},
-    {"verify", "C model and Verilog in lockstep, every register, every clock", glint_cmd_verify},
-    {"replay", "a mismatch that verify or render left in a packet, again", glint_cmd_replay},
+    {"study", "a scene by two methods, compared and timed", glint_cmd_study},
+    {"verify", "C model and Verilog in lockstep: every register, every clock", glint_cmd_verify},
+    {"replay", "a mismatch from verify or render, replayed from its packet", glint_cmd_replay},
     {"wave", "a waveform of a short scene, with a GTKWave save file", glint_cmd_wave},
-    {"draw", "a circuit as a drawing, from its description", glint_cmd_draw},
+    {"draw", "a circuit's block diagram, from its description", glint_cmd_draw},
     {"energy", "how much light the reflectance models give back", glint_cmd_energy},
-    {"report", "what the thesis claims, measured, as a page to read", glint_cmd_report},
-    {"bench", "fragments, divisions, clocks and frames a second", glint_cmd_bench},
+    {"report", "the thesis's claims, measured, as a page to read", glint_cmd_report},
+    {"bench", "fragments, divisions, clocks and frames per second", glint_cmd_bench},
 };
 
 #define SUBCOMMAND_COUNT (sizeof subcommands / sizeof subcommands[0])
@@ -36,7 +36,7 @@ static const struct {
 static int print_help(void)
 {
     printf("Usage: glint SUBCOMMAND [OPTION]...\n"
-           "The specular-colour device and the divider of spans, in C and in Verilog:\n"
+           "The specular-colour device and the span divider, in C and in Verilog:\n"
            "evaluated, rendered, verified.\n"
            "\n"
            "Subcommands:\n");
@@ -45,20 +45,20 @@ static int print_help(void)
     printf("\n"
            "glint SUBCOMMAND --help   its options, their defaults, examples;\n"
            "                          also: glint help SUBCOMMAND\n"
-           "glint --circuit-dir DIR SUBCOMMAND ...   a circuit of one's own (verify, eval,\n"
+           "glint --circuit-dir DIR SUBCOMMAND ...   a circuit of your own (verify, eval,\n"
            "                          wave, replay, info, draw)\n"
            "glint --version, -V       the version\n"
            "\n"
            "Exit status:\n"
-           "  0  done, and equal where something is compared\n"
-           "  1  compared, and different\n"
-           "  2  trouble: a malformed command line or input, a file that cannot be read or\n"
-           "     written, interrupted\n"
+           "  0  done; equal, if something was compared\n"
+           "  1  compared and different\n"
+           "  2  trouble: a bad command line or input, an unreadable or unwritable file,\n"
+           "     an interrupt\n"
            "\n"
            "Examples:\n"
-           "  # a teapot, every highlight by the Verilog\n"
+           "  # a teapot, every highlight computed in Verilog\n"
            "  glint render --backend rtl --out a.png\n"
-           "  # C model and Verilog in lockstep, every setting\n"
+           "  # C model and Verilog in lockstep, all settings\n"
            "  glint verify --clocks 10k\n");
     return glint_output_finish(NULL, GLINT_EXIT_OK);
 }
@@ -133,8 +133,9 @@ int main(int argc, char **argv)
         return glint_complain(NULL, GLINT_EXIT_TROUBLE, "no subcommand (see glint --help)");
     const int moved = move_circuit_dir(argc, argv);
     if (moved != 0 && argc < moved + 2) {
-        return glint_complain(NULL, GLINT_EXIT_TROUBLE,
-                              "--circuit-dir DIR stands before a subcommand (see glint --help)");
+        return glint_complain(
+            NULL, GLINT_EXIT_TROUBLE,
+            "--circuit-dir DIR must be followed by a subcommand (see glint --help)");
     }
     const bool is_help = strcmp(argv[1], "help") == 0;
     if (is_help && argc > 2 && argv[2][0] != '-')

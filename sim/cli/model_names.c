@@ -21,6 +21,6 @@ int glint_refuse_model(const char *command, const char *option, const char *name
         (void)snprintf(all + used, sizeof all - used, "%s%s", i > 0 ? ", " : "", names[i]);
     }
     return glint_complain(
-        command, GLINT_EXIT_TROUBLE, "--%s: %s is no reflectance model%s; there are %s", option,
-        glint_quote(name, &quoted), glint_did_you_mean(name, names, "", &suggestion), all);
+        command, GLINT_EXIT_TROUBLE, "--%s: %s is not a reflectance model%s; choose from %s",
+        option, glint_quote(name, &quoted), glint_did_you_mean(name, names, "", &suggestion), all);
 }

@@ -52,7 +52,7 @@ void glint_option_expectation(const glint_option *option, char *text, size_t siz
         snprintf(text, size, "WIDTHxHEIGHT, each from 1 to %d", option->size.max);
         break;
     case GLINT_OPTION_REALS:
-        snprintf(text, size, "three numbers from %g to %g with commas between", option->reals.min,
+        snprintf(text, size, "three comma-separated numbers from %g to %g", option->reals.min,
                  option->reals.max);
         break;
     case GLINT_OPTION_COLOR:
@@ -223,8 +223,8 @@ static void print_statuses(const glint_command_line *line)
     print_status(0, line->done != NULL ? line->done : "done");
     if (line->different != NULL)
         print_status(1, line->different);
-    print_status(2, "trouble: a malformed command line or input, a file that cannot be read or "
-                    "written, interrupted");
+    print_status(
+        2, "trouble: a bad command line or input, an unreadable or unwritable file, an interrupt");
 }
 
 static void print_examples(const glint_example *example)
@@ -242,7 +242,7 @@ void glint_options_print_help(const glint_command_line *line)
     printf("\nOptions:\n");
     for (size_t i = 0; i < line->option_count; i++)
         print_option(&line->options[i]);
-    printf("%-*s%s\n", HELP_COLUMN, "  --help", "show this and leave");
+    printf("%-*s%s\n", HELP_COLUMN, "  --help", "show this help and exit");
     if (line->details != NULL) {
         putchar('\n');
         print_details(line->details);

@@ -31,18 +31,18 @@ static bool is_no_file(const char *path)
 glint_status glint_picture_check(const char *option, const char *path, bool force, glint_error *err)
 {
     if (glint_picture_is_stdout(path)) {
-        return isatty(STDOUT_FILENO) != 1
-                   ? GLINT_OK
-                   : glint_fail(err, GLINT_BAD_ARGUMENT,
-                                "--%s -: standard output is a terminal, which shows no picture: "
-                                "redirect it",
-                                option);
+        return isatty(STDOUT_FILENO) != 1 ? GLINT_OK
+                                          : glint_fail(err, GLINT_BAD_ARGUMENT,
+                                                       "--%s -: standard output is a terminal, "
+                                                       "which cannot show a picture: redirect it",
+                                                       option);
     }
     if (is_no_file(path))
         return GLINT_OK;
     if (!is_png_name(path)) {
         return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "--%s: %.400s: pictures are written as PNG: name it .png", option, path);
+                          "--%s: %.400s: pictures are written as PNG: use a name ending in .png",
+                          option, path);
     }
     glint_error why;
     return force || glint_file_replaceable(path, &why) == GLINT_OK

@@ -28,12 +28,12 @@ FILE *glint_picture_talk(const char *path);
 /* A row of an option table, and lines for its details. */
 #define GLINT_FORCE_OPTION(FLAG)                                                                   \
     {                                                                                              \
-        .name = "force", .help = "overwrite a file that is there and of another kind",             \
+        .name = "force", .help = "overwrite an existing file of another kind",                     \
         .kind = GLINT_OPTION_FLAG, .flag = (FLAG)                                                  \
     }
 #define GLINT_PICTURE_DETAILS                                                                      \
-    "A picture's name ends in .png; - is standard output, and what is said goes to\n"              \
-    "standard error then. Links are followed. A file that is there and is no PNG is not\n"         \
+    "A picture's name ends in .png; - is standard output, and messages then go to\n"               \
+    "standard error. Links are followed. An existing file that is not a PNG is not\n"              \
     "overwritten without --force.\n"
 
 #endif

@@ -39,20 +39,20 @@ static raw_options defaults(void)
 }
 
 static const char details[] =
-    "A pixel is C(Ka Ia + Kd Ie N.L) + Ie Ks W(N.H) S: ambient light, Lambert's, and\n"
-    "the device's highlight, saturated to 8 bits; alpha is 255 on the object. Axes: x\n"
-    "right, y up, z towards the viewer. --shading flat computes that once for each\n"
-    "triangle, gouraud at the vertices and interpolates on the screen, with increments\n"
-    "by the divider (--backend real: exactly), gouraud-perspective interpolates on the\n"
-    "object, phong computes it for each pixel.\n"
+    "A pixel is C(Ka Ia + Kd Ie N.L) + Ie Ks W(N.H) S: ambient light, Lambert's diffuse\n"
+    "light and the device's highlight, saturated to 8 bits; alpha is 255 on the object.\n"
+    "Axes: x right, y up, z towards the viewer. --shading flat evaluates this once per\n"
+    "triangle; gouraud at the vertices, interpolating on the screen with increments from\n"
+    "the divider (--backend real: exactly); gouraud-perspective interpolates on the\n"
+    "object; phong evaluates it at every pixel.\n"
     "\n"
-    "--specular puts a model's value in the place of W, from cosines that no code has\n"
-    "rounded: of N.H, for phong of R.V; for cook-torrance and torrance-sparrow Rs of\n"
-    "(1.4), of roughness sqrt(2/(n+2)); lambert: no highlight, diffuse light alone.\n"
+    "--specular replaces W with a model's value, computed from unrounded cosines: N.H,\n"
+    "or R.V for phong; cook-torrance and torrance-sparrow give Rs of (1.4) with\n"
+    "roughness sqrt(2/(n+2)); lambert gives diffuse light only, no highlight.\n"
     "\n" GLINT_COLOR_DETAILS "\n" GLINT_PICTURE_DETAILS "\n"
-    "--backend both renders by c and by rtl and compares. Where they differ, FILE.png\n"
-    "is the frame of rtl, FILE-c.png that of c, FILE-diff.png shows the difference,\n"
-    "FILE-failure is a packet for glint replay.";
+    "--backend both renders with c and with rtl and compares. If they differ, FILE.png is\n"
+    "rtl's frame, FILE-c.png c's, FILE-diff.png the difference, and FILE-failure a packet\n"
+    "for glint replay.";
 
 #define OWN_ROWS   12
 #define TABLE_ROWS (OWN_ROWS + GLINT_SCENE_OPTIONS)
@@ -67,17 +67,17 @@ static void fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .kind = GLINT_OPTION_STRING,
          .string = &raw->out},
         {.name = "shading",
-         .help = "where the light is computed: for each triangle, vertex or pixel",
+         .help = "where the light is computed: per triangle, vertex or pixel",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&raw->shading, glint_shading_names}},
         {.name = "backend",
-         .help = "who computes the highlights, and divides for --shading gouraud",
+         .help = "what computes the highlights, and divides for --shading gouraud",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&raw->backend, backend_names}},
         {.name = "specular",
          .placeholder = "MODEL",
-         .help =
-             "with --backend real: highlights by a reflectance model, one of" GLINT_SPECULAR_NAMES,
+         .help = "with --backend real: highlights from a reflectance model, one "
+                 "of" GLINT_SPECULAR_NAMES,
          .kind = GLINT_OPTION_STRING,
          .string = &raw->specular},
         {.name = "n",
@@ -85,26 +85,26 @@ static void fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&raw->n, 0, GLINT_N_MAX}},
         {.name = "shifts",
-         .help = "shifts of the divider, for --shading gouraud",
+         .help = "the divider's shifts, for --shading gouraud",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&raw->shifts, GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX}},
         {.name = "gate",
-         .help = "what decides that a point lies outside the highlight",
+         .help = "how points outside the highlight are detected",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&raw->gate, glint_gate_names}},
         {.name = "pipeline",
-         .help = "where the Verilog's registers are",
+         .help = "register placement in the Verilog",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&raw->pipeline, glint_pipeline_names}},
         {.name = "lanes",
          .placeholder = "auto|N",
-         .help = "cosines a clock in the Verilog, 1 to 32",
+         .help = "cosines per clock in the Verilog, 1 to 32",
          .kind = GLINT_OPTION_COUNT_OR,
          .count_or = {&raw->lanes, 1, GLINT_LANES_MAX, "auto", 0}},
         GLINT_RTL_OPTION(&raw->verilog),
         GLINT_FORCE_OPTION(&raw->force),
         {.name = "json",
-         .help = "the figures as JSON",
+         .help = "print the figures as JSON",
          .kind = GLINT_OPTION_FLAG,
          .flag = &raw->json},
     };
@@ -117,15 +117,15 @@ static int parse_raw(int argc, char **argv, raw_options *raw)
     glint_option options[TABLE_ROWS];
     fill_table(raw, options);
     static const glint_example examples[] = {
-        {"a teapot, every highlight by the Verilog", "glint render --backend rtl --out a.png"},
-        {"by C and by Verilog, compared", "glint render --backend both --n 50 --out b.png"},
-        {"a mesh of one's own", "glint render mesh.obj --color '#3060a0' --out c.png"},
-        {"through standard output", "glint render --size 320x240 --out - > d.png"},
+        {"a teapot, every highlight computed in Verilog", "glint render --backend rtl --out a.png"},
+        {"C against Verilog", "glint render --backend both --n 50 --out b.png"},
+        {"your own mesh", "glint render mesh.obj --color '#3060a0' --out c.png"},
+        {"to standard output", "glint render --size 320x240 --out - > d.png"},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "render",
-        .summary = "Renders a lit mesh into a PNG; every highlight is computed by the backend.",
+        .summary = "Renders a lit mesh to a PNG; the backend computes every highlight.",
         .details = details,
         .different = "--backend both: c and rtl differ",
         .examples = examples,
@@ -146,15 +146,15 @@ static int choose_specular(const raw_options *raw, glint_render_options *chosen)
         if (!glint_reflectance_find(raw->specular, &scene->specular))
             return glint_refuse_model("render", "specular", raw->specular);
         if (chosen->backend.kind != GLINT_BACKEND_REAL) {
-            return glint_complain("render", GLINT_EXIT_TROUBLE,
-                                  "--specular needs --backend real: the other backends are the "
-                                  "device");
+            return glint_complain(
+                "render", GLINT_EXIT_TROUBLE,
+                "--specular needs --backend real: the other backends are the device itself");
         }
         scene->by_model = true;
     }
     if (raw->scene.f0_given && !(scene->by_model && glint_specular_takes_f0(scene->specular))) {
         return glint_complain("render", GLINT_EXIT_TROUBLE,
-                              "--f0 is for --specular cook-torrance and torrance-sparrow");
+                              "--f0 needs --specular cook-torrance or torrance-sparrow");
     }
     return GLINT_OPTIONS_RUN;
 }
@@ -181,10 +181,10 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
     if (status != GLINT_OPTIONS_RUN)
         return status;
     if (glint_picture_is_stdout(raw.out) && (raw.json || raw.backend == BACKEND_BOTH)) {
-        return glint_complain("render", GLINT_EXIT_TROUBLE, "%s",
-                              raw.json ? "--json: --out - has taken standard output"
-                                       : "--backend both: --out - has no room for the pictures of "
-                                         "a difference: name a file");
+        return glint_complain(
+            "render", GLINT_EXIT_TROUBLE, "%s",
+            raw.json ? "--json cannot be used with --out -: both write to standard output"
+                     : "--backend both may write several pictures: give --out a file name, not -");
     }
     const bool both = raw.backend == BACKEND_BOTH;
     *chosen = (glint_render_options){

@@ -83,21 +83,21 @@ void glint_scene_options_add(glint_scene_options *chosen, glint_option rows[GLIN
         {.name = "model",
          .placeholder = "teapot|sphere|quad|FILE",
          .given = &chosen->model_given,
-         .help = "a built-in model, or a mesh file: .3ds, .obj, .ply, .stl and more; also without "
-                 "--model before it",
+         .help = "a built-in model, or a mesh file (.3ds, .obj, .ply, .stl and more), also as a "
+                 "plain argument",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->model},
         INTEGER("density",
-                "how finely the teapot (1 to 256) or the sphere (4 to 4096, even) is divided; 0: "
-                "the model's own",
+                "tessellation of the teapot (1 to 256) or the sphere (4 to 4096, even); 0: the "
+                "model's default",
                 density, 0, GLINT_SPHERE_DENSITY_MAX),
         {.name = "size",
-         .help = "the frame, in pixels",
+         .help = "frame size, in pixels",
          .kind = GLINT_OPTION_SIZE,
          .size = {&chosen->width, &chosen->height, GLINT_IMAGE_SIDE_MAX}},
         {.name = "threads",
-         .usually = "one a processor",
-         .help = "threads, each with a circuit of its own; the picture is the same",
+         .usually = "one per processor",
+         .help = "threads, each with its own circuit; does not change the picture",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, GLINT_THREADS_MAX}},
         COLOR("color", "C, the object's colour", color),
@@ -112,20 +112,19 @@ void glint_scene_options_add(glint_scene_options *chosen, glint_option rows[GLIN
         REAL("kd", "Kd, diffuse coefficient", kd, 0, 1),
         REAL("ks", "Ks, specular coefficient", ks, 0, 1),
         {.name = "f0",
-         .help = "reflectance at normal incidence, of the models cook-torrance and "
-                 "torrance-sparrow",
+         .help = "reflectance at normal incidence, for cook-torrance and torrance-sparrow",
          .given = &chosen->f0_given,
          .kind = GLINT_OPTION_REAL,
          .real = {&chosen->f0, 0, 1}},
-        REAL("yaw", "camera's turn around the object, degrees", yaw, -(double)GLINT_ANGLE_MAX,
+        REAL("yaw", "camera azimuth around the object, degrees", yaw, -(double)GLINT_ANGLE_MAX,
              (double)GLINT_ANGLE_MAX),
-        REAL("pitch", "camera's rise above the object, degrees", pitch, -(double)GLINT_ANGLE_MAX,
+        REAL("pitch", "camera elevation above the object, degrees", pitch, -(double)GLINT_ANGLE_MAX,
              (double)GLINT_ANGLE_MAX),
         REAL("fov", "vertical field of view, degrees", fov, (double)GLINT_FOV_MIN,
              (double)GLINT_FOV_MAX),
         REAL("distance",
-             "of the camera from the object's centre, in radii of the object; 0: the object fills "
-             "the frame",
+             "camera distance from the object's centre, in object radii; 0: the object fills the "
+             "frame",
              distance, 0, (double)GLINT_DISTANCE_MAX),
     };
     _Static_assert(sizeof options == GLINT_SCENE_OPTIONS * sizeof options[0], "as many rows");
@@ -136,7 +135,8 @@ int glint_scene_options_settle(const char *command, glint_scene_options *chosen)
 {
     if (chosen->mesh != NULL && chosen->model_given) {
         glint_quoted quoted;
-        return glint_complain(command, GLINT_EXIT_TROUBLE, "--model and %s: one model can be drawn",
+        return glint_complain(command, GLINT_EXIT_TROUBLE,
+                              "--model and %s: only one model can be drawn",
                               glint_quote(chosen->mesh, &quoted));
     }
     if (chosen->mesh != NULL)
@@ -192,8 +192,9 @@ glint_status glint_scene_options_mesh(const glint_scene_options *chosen, glint_m
     if (strcmp(chosen->model, "sphere") == 0)
         return glint_mesh_sphere(glint_scene_options_density(chosen), mesh, err);
     if (chosen->density != 0) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "--density is for teapot and sphere: others have their own triangles");
+        return glint_fail(
+            err, GLINT_BAD_ARGUMENT,
+            "--density needs the teapot or the sphere: other models have fixed triangles");
     }
     if (strcmp(chosen->model, "quad") == 0)
         return glint_mesh_quad(mesh, err);

@@ -26,8 +26,8 @@ glint_scene_options glint_scene_options_default(void);
 
 /* For the details of --help: what a COLOR may be. */
 #define GLINT_COLOR_DETAILS                                                                        \
-    "A COLOR is R,G,B or rgb:R,G,B, each 0 to 255; #rrggbb; hsv:H,S,V, degrees and\n"              \
-    "percents; cmyk:C,M,Y,K, percents.\n"
+    "A COLOR is R,G,B or rgb:R,G,B, each 0 to 255; #rrggbb; hsv:H,S,V in degrees and\n"            \
+    "percent; or cmyk:C,M,Y,K in percent.\n"
 
 /* Rows of a subcommand's option table. */
 #define GLINT_SCENE_OPTIONS 17

@@ -14,7 +14,7 @@
 #include "lockstep/mismatch.h"
 
 #define SETTINGS_MAX 4096
-#define NOT_REACHED  "stalls and resets that the points have not, signals that are no outputs"
+#define NOT_REACHED  "stalls, resets, and signals other than outputs"
 
 /* One setting's run and what the progress line needs. */
 typedef struct run {
@@ -34,7 +34,7 @@ static void show_progress(void *context, uint64_t done, uint64_t total)
 {
     run *run = context;
     const double rate = (double)done / (glint_seconds() - run->start);
-    (void)snprintf(run->unit, sizeof run->unit, "points, %.1f million a second, %.0f s left",
+    (void)snprintf(run->unit, sizeof run->unit, "points, %.1f million per second, %.0f s left",
                    rate / 1e6, rate > 0.0 ? (double)(total - done) / rate : 0.0);
     glint_progress_update(&run->progress, done, total);
 }
@@ -136,7 +136,7 @@ static const char *ending(const run *run)
 {
     return run->status == GLINT_OK            ? ""
            : run->status == GLINT_INTERRUPTED ? " (interrupted)"
-                                              : " (broken off)";
+                                              : " (stopped early)";
 }
 
 static void print_text(const glint_exhaustive_choice *chosen, run *run)
@@ -290,15 +290,15 @@ int glint_verify_domain(const glint_exhaustive_choice *chosen)
     int count = 0;
     if (circuit->domain == NULL)
         return glint_complain("verify", GLINT_EXIT_TROUBLE,
-                              "the circuit %s has no domain to walk through: give its description "
-                              "one (glint_circuit.h), or leave out --exhaustive for random inputs",
+                              "circuit %s has no domain to enumerate: add one to its description "
+                              "(glint_circuit.h), or omit --exhaustive to use random inputs",
                               circuit->name);
     while (count <= SETTINGS_MAX &&
            glint_circuit_options_setting(&chosen->circuits, count, &setting))
         count++;
     if (count > SETTINGS_MAX)
         return glint_complain("verify", GLINT_EXIT_TROUBLE,
-                              "more than %d settings: choose values by the options", SETTINGS_MAX);
+                              "more than %d settings: narrow them down with options", SETTINGS_MAX);
     run *runs = calloc((size_t)count, sizeof *runs);
     if (runs == NULL)
         return glint_complain("verify", GLINT_EXIT_TROUBLE, "out of memory");

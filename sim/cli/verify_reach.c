@@ -71,9 +71,9 @@ void glint_reach_sum_print(const glint_reach_sum *sum)
 {
     if (sum->settings == 0)
         return;
-    printf("reached by each setting: %" PRIu64 " clocks without a reset, %" PRIu64
-           " enabled; %" PRIu64 " stalls in a row\n"
-           "by all together: %" PRIu64 " resets, %" PRIu64 " of them in mid-flow",
+    printf("reached in every setting: %" PRIu64 " clocks without a reset, %" PRIu64
+           " enabled; %" PRIu64 " stalls in a row\nin total: %" PRIu64 " resets, %" PRIu64
+           " of them mid-flow",
            sum->least.run, sum->least.run_enabled, sum->least.stall, sum->all.resets,
            sum->all.resets_in_flight);
     if (sum->strobes && sum->material)
@@ -86,8 +86,8 @@ void glint_reach_sum_print(const glint_reach_sum *sum)
         printf("; %" PRIu64 " starts while busy", sum->all.ignored);
     if (sum->lanes > 1)
         print_lanes(sum);
-    printf("\nnot reached: a fault that takes more clocks or stalls in a row to show; more "
-           "--clocks reach further\n");
+    printf("\nnot covered: faults that need longer runs or longer stalls to show; raise --clocks "
+           "for those\n");
 }
 
 /* What every circuit has. */

@@ -106,12 +106,12 @@ static void fill(void *context, int worker)
 static glint_status check(const glint_energy_plan *plan, glint_error *err)
 {
     if (plan->samples != 0 && plan->samples < GLINT_SAMPLES_MIN)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "a spread needs at least %d samples",
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "a standard error needs at least %d samples",
                           GLINT_SAMPLES_MIN);
     for (int i = 0; i < plan->angle_count; i++)
         if (!(plan->angle[i] >= 0.0 && plan->angle[i] < 90.0))
-            return glint_fail(err, GLINT_BAD_ARGUMENT, "an incidence of %g° is not in 0…90°",
-                              plan->angle[i]);
+            return glint_fail(err, GLINT_BAD_ARGUMENT,
+                              "the angle of incidence, %g°, is outside 0…90°", plan->angle[i]);
     return GLINT_OK;
 }
 
@@ -142,7 +142,7 @@ glint_status glint_energy_table_make(const glint_energy_plan *plan, glint_energy
         *made = (glint_energy_table){*plan,
                                      calloc(rows * (size_t)plan->angle_count, sizeof *made->cell)};
     if (made == NULL || all == NULL || made->cell == NULL) {
-        status = glint_fail(err, GLINT_NO_MEMORY, "no memory for the table of albedos");
+        status = glint_fail(err, GLINT_NO_MEMORY, "not enough memory for the table of albedos");
     } else {
         all->table = made;
         all->rows = (int)rows;

@@ -109,8 +109,8 @@ static glint_status finish(player *p, glint_error *err)
     const uint64_t kept = played < GLINT_CAPTURE_CLOCKS ? played : GLINT_CAPTURE_CLOCKS;
     if (middle < p->first || middle > p->last)
         return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "the pins of clocks %" PRIu64 " to %" PRIu64 " do not reach clock "
-                          "%" PRIu64,
+                          "the pins, of clocks %" PRIu64 " to %" PRIu64
+                          ", do not reach clock %" PRIu64,
                           p->first, p->last, middle);
     const uint64_t oldest = p->last + 1 - kept;
     straighten(capture, oldest);
@@ -139,7 +139,7 @@ glint_status glint_capture_play(const glint_play *play, glint_capture **capture,
     *capture = NULL;
     p.capture = calloc(1, sizeof *p.capture);
     if (p.capture == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the clocks of a failure");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for the clocks of a failure");
     p.capture->setting = *play->setting;
     const glint_status status = play_all(&p, err);
     if (status != GLINT_OK) {

@@ -55,7 +55,7 @@ static void read(glint_json_reader *r, const cJSON *json, glint_answer *answer)
     const cJSON *list = glint_json_array(r, json, "divisions", 1, GLINT_ANSWER_DIVISIONS);
     const cJSON *values;
     if (answer->value == GLINT_ANSWER_W)
-        glint_json_refuse(r, "value is none that a divider has");
+        glint_json_refuse(r, "value is not an output of a divider");
     cJSON_ArrayForEach(values, list)
     {
         glint_division *division = &answer->division[answer->count++];

@@ -101,7 +101,7 @@ static glint_status play_answer(const glint_failure *failure, const glint_captur
     glint_pins *pins =
         glint_answer_pins(&failure->answer, &failure->setting, &asked.count, &asked.expected);
     if (pins == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a failure's pins");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a failure's pins");
     asked.pins = pins;
     status = play_asked(&asked, finding, capture, err);
     free(pins);
@@ -126,7 +126,7 @@ glint_status glint_failure_play(const glint_failure *failure, const glint_captur
                     finding, capture, err);
     if (!glint_failure_playable(failure))
         return glint_fail(err, GLINT_BAD_INPUT,
-                          "nothing to play: no answer of the circuit was found to differ");
+                          "nothing to replay: no differing answer of the circuit was found");
     return play_answer(failure, control, finding, capture, err);
 }
 
@@ -154,7 +154,7 @@ glint_status glint_failure_of_answer(glint_failure_kind kind, const glint_settin
     *failure = NULL;
     glint_failure *made = calloc(1, sizeof *made);
     if (made == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a failure");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a failure");
     made->kind = kind;
     made->setting = *setting;
     glint_failure_name_verilog(made);

@@ -187,7 +187,7 @@ static void read_pins(reader *r, const cJSON *json)
         return;
     failure->pins = calloc((size_t)cJSON_GetArraySize(clocks), sizeof *failure->pins);
     if (failure->pins == NULL) {
-        glint_json_refuse(&r->json, "no memory for its pins");
+        glint_json_refuse(&r->json, "not enough memory for its pins");
         return;
     }
     const cJSON *clock;
@@ -318,7 +318,7 @@ glint_status glint_failure_from_json(const char *text, const glint_circuit *extr
     reader r = {.json = {.err = err}, .extra = extra, .failure = calloc(1, sizeof *r.failure)};
     if (r.failure == NULL) {
         cJSON_Delete(json);
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a failure");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a failure");
     }
     read_all(&r, json);
     cJSON_Delete(json);

@@ -73,7 +73,7 @@ static glint_status keep(glint_failure *failure, const shown *of, size_t skipped
     const size_t count = of->count - skipped;
     failure->pins = malloc(count * sizeof *failure->pins);
     if (failure->pins == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a failure's pins");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a failure's pins");
     memcpy(failure->pins, of->pins + skipped, count * sizeof *failure->pins);
     failure->pin_count = count;
     failure->first_clock = of->first_clock + skipped;
@@ -112,7 +112,7 @@ static glint_status play_history(glint_failure *failure, const glint_history *hi
     shown all = {.stop = stop};
     all.pins = glint_history_pins(history, &all.count, &all.first_clock);
     if (all.pins == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for what a circuit was asked");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a circuit's history");
     const glint_status status = keep_shown(failure, &all, err);
     free(all.pins);
     return status;
@@ -125,13 +125,13 @@ static glint_status play_block(glint_failure *failure, const glint_domain_option
     all.pins = glint_domain_pins(options, mismatch->block, mismatch->signal.clock,
                                  GLINT_CAPTURE_AFTER, &all.count);
     if (all.pins == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for what a circuit was asked");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a circuit's history");
     glint_status status = keep_shown(failure, &all, err);
     free(all.pins);
     if (status == GLINT_OK && failure->pins == NULL)
         status = glint_fail(err, GLINT_DEVICE_FAULT,
-                            "asked again, the Verilog does what the C model does: one of them does "
-                            "not do the same each time");
+                            "when replayed, the Verilog agrees with the C model: one of the two is "
+                            "not deterministic");
     return status;
 }
 

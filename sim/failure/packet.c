@@ -75,7 +75,7 @@ static glint_status check_old(const char *directory, glint_error *err)
 {
     struct stat found;
     if (lstat(directory, &found) == 0 && S_ISLNK(found.st_mode))
-        return glint_fail(err, GLINT_IO_ERROR, "%s: not replaced, as it is a link", directory);
+        return glint_fail(err, GLINT_IO_ERROR, "%s: not replaced, because it is a link", directory);
     DIR *old = opendir(directory);
     const struct dirent *entry;
     glint_status status = GLINT_OK;
@@ -85,9 +85,10 @@ static glint_status check_old(const char *directory, glint_error *err)
         return glint_fail(err, GLINT_IO_ERROR, "%s: %s", directory, strerror(errno));
     while (status == GLINT_OK && (entry = readdir(old)) != NULL)
         if (!is_file_of_packet(entry->d_name))
-            status = glint_fail(err, GLINT_IO_ERROR,
-                                "%s: not replaced, as it holds %.200s, which is of no packet",
-                                directory, entry->d_name);
+            status = glint_fail(
+                err, GLINT_IO_ERROR,
+                "%s: not replaced, because it contains %.200s, which is not part of a packet",
+                directory, entry->d_name);
     (void)closedir(old);
     return status;
 }
@@ -99,7 +100,7 @@ static glint_status make_beside(maker *m, const char *bare, glint_error *err)
     for (int attempt = GLINT_TEMPORARY_PACKET; attempt < GLINT_TEMPORARY_PACKET + 100; attempt++) {
         char *beside = glint_temporary_name(bare, attempt);
         if (beside == NULL)
-            return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+            return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
         const int written = snprintf(m->beside, sizeof m->beside, "%s", beside);
         free(beside);
         if (written < 0 || (size_t)written >= sizeof m->beside)
@@ -109,7 +110,7 @@ static glint_status make_beside(maker *m, const char *bare, glint_error *err)
         if (errno != EEXIST)
             break;
     }
-    return glint_fail(err, GLINT_IO_ERROR, "%s: cannot make this directory: %s", m->directory,
+    return glint_fail(err, GLINT_IO_ERROR, "%s: cannot create this directory: %s", m->directory,
                       strerror(errno));
 }
 
@@ -139,7 +140,7 @@ static glint_status finish(const maker *m, glint_error *err)
     remove_packet(m->directory);
     if (rename(m->beside, m->directory) == 0)
         return GLINT_OK;
-    return glint_fail(err, GLINT_IO_ERROR, "%s: cannot take this name: %s", m->directory,
+    return glint_fail(err, GLINT_IO_ERROR, "%s: cannot rename the packet to this: %s", m->directory,
                       strerror(errno));
 }
 
@@ -165,7 +166,7 @@ static glint_status write_data(const maker *m, glint_error *err)
     glint_new_file *file;
     char *text = glint_failure_to_json(m->failure);
     if (text == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the text of a packet");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for the text of a packet");
     glint_status status = path_of(m->beside, GLINT_PACKET_DATA, path, err);
     if (status == GLINT_OK)
         status = glint_new_file_open(path, &file, err);
@@ -273,13 +274,13 @@ static glint_status read_text(FILE *file, const char *path, char **text, glint_e
 {
     char *read = malloc((size_t)DATA_MAX + 1);
     if (read == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the text of a packet");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for the text of a packet");
     const size_t length = fread(read, 1, (size_t)DATA_MAX + 1, file);
     glint_status status = GLINT_OK;
     if (ferror(file))
         status = glint_fail(err, GLINT_IO_ERROR, "%s: %s", path, strerror(errno));
     else if (length > (size_t)DATA_MAX || memchr(read, '\0', length) != NULL)
-        status = glint_fail(err, GLINT_BAD_INPUT, "%s: no packet's text", path);
+        status = glint_fail(err, GLINT_BAD_INPUT, "%s: not the text of a packet", path);
     if (status != GLINT_OK) {
         free(read);
         return status;

@@ -43,7 +43,8 @@ static glint_status remember(history *h, const glint_lockstep_options *options, 
     h->count = (size_t)(last + 1 - h->first);
     h->pins = calloc(h->count, sizeof *h->pins);
     if (h->pins == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the clocks before a failure");
+        return glint_fail(err, GLINT_NO_MEMORY,
+                          "not enough memory for the clocks before a failure");
     const glint_play whole = {.setting = h->setting,
                               .seed = options->seed,
                               .expected = h->failing,
@@ -85,7 +86,7 @@ static glint_status keep_pins(glint_failure *failure, const history *h, uint64_t
     free(failure->pins);
     failure->pins = calloc(failure->pin_count, sizeof *failure->pins);
     if (failure->pins == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a failure's pins");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a failure's pins");
     memcpy(failure->pins, h->pins + skipped, failure->pin_count * sizeof *failure->pins);
     return GLINT_OK;
 }
@@ -169,7 +170,7 @@ glint_status glint_failure_of_lockstep(const glint_lockstep_options *options,
         return glint_fail(err, GLINT_BAD_ARGUMENT, "no mismatch: nothing to explain");
     glint_failure *made = calloc(1, sizeof *made);
     if (made == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a failure");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a failure");
     made->kind = GLINT_FAILURE_RANDOM;
     made->setting = options->setting;
     glint_failure_name_verilog(made);

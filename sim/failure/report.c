@@ -68,8 +68,7 @@ static void print_run(FILE *out, const glint_failure *failure)
 static void print_frame(FILE *out, const glint_failure_frame *frame)
 {
     if (!frame->has_pixel) {
-        fprintf(out, "frame of %dx%d: the circuit keeps an answer back\n", frame->width,
-                frame->height);
+        fprintf(out, "frame of %dx%d: the circuit failed to answer\n", frame->width, frame->height);
         return;
     }
     fprintf(out, "frame of %dx%d, first at x=%d y=%d: model %u,%u,%u, rtl %u,%u,%u\n", frame->width,
@@ -83,7 +82,7 @@ static void print_frame(FILE *out, const glint_failure_frame *frame)
         fprintf(out, "\n");
     }
     if (frame->has_fragment)
-        fprintf(out, "its highlight there: n %u, cosine 0x%05" PRIx32 " (%.9g), R,G,B %u,%u,%u\n",
+        fprintf(out, "the highlight there: n %u, cosine 0x%05" PRIx32 " (%.9g), R,G,B %u,%u,%u\n",
                 frame->material.n, frame->cos_code, (double)frame->cos_code / GLINT_COS_ONE,
                 frame->material.r, frame->material.g, frame->material.b);
 }
@@ -91,17 +90,16 @@ static void print_frame(FILE *out, const glint_failure_frame *frame)
 static void print_answer(FILE *out, const glint_failure *failure)
 {
     const glint_failure_finding *finding = &failure->finding;
-    fprintf(out, "the first answer of the circuit that differs%s:\n",
+    fprintf(out, "the first answer of the circuit to differ%s:\n",
             failure->kind == GLINT_FAILURE_FRAME ? ", in the order of rendering" : "");
     glint_answer_form_of(failure->setting.circuit)->print(out, failure);
     if (failure->pins != NULL)
-        fprintf(out,
-                "asked again, alone with its neighbours, the circuit answers as the model does: "
-                "what is below went before them\n");
+        fprintf(out, "when replayed in isolation, the circuit agrees with the model; the clocks "
+                     "before it, shown below, matter\n");
     else if (!finding->answer_differs)
         fprintf(out,
-                "asked again, alone with its neighbours, the circuit answers %" PRId32
-                " as the model does: what went before them matters\n",
+                "when replayed in isolation, the circuit answers %" PRId32
+                " and agrees with the model; the clocks before it matter\n",
                 finding->rtl);
 }
 
@@ -239,7 +237,8 @@ static void print_table(FILE *out, const glint_failure *failure, const glint_cap
     const int first = last + 1 > GLINT_CAPTURE_BEFORE ? last + 1 - GLINT_CAPTURE_BEFORE : 0;
     const int signal = signal_of_table(failure, capture);
     const glint_answer_form *form = glint_answer_form_of(capture->setting.circuit);
-    fprintf(out, "the last %d clocks, at each edge the pins, and after it both values of the %s:\n",
+    fprintf(out,
+            "the last %d clocks: the pins at each edge, then both values of the %s after it:\n",
             last + 1 - first,
             signal >= 0 && is_answer(failure, &capture->signals.info[signal])
                 ? "answer"
@@ -265,7 +264,7 @@ void glint_failure_print_mismatches(FILE *out, const glint_failure *failure,
     if (found->kept != 0 && found->mismatch[0].clock < finding->clock) {
         fprintf(out, "the first signal to differ:\n");
         glint_mismatch_print_one(out, &failure->setting, &found->mismatch[0]);
-        fprintf(out, "and when the answer is out:\n");
+        fprintf(out, "and when the answer comes out:\n");
     }
     for (int i = 0; i < finding->count; i++)
         glint_mismatch_print_one(out, &failure->setting, &finding->mismatch[i]);
@@ -277,9 +276,8 @@ static void print_lockstep(FILE *out, const glint_failure *failure, const glint_
     if (!failure->finding.lockstep_differs && !failure->finding.answer_differs)
         return;
     if (!failure->finding.lockstep_differs) {
-        fprintf(out,
-                "clock by clock, in the build of the circuit whose signals can be read, nothing "
-                "differs: the builds of one Verilog do not do the same\n");
+        fprintf(out, "clock by clock, in the build whose signals can be read, nothing differs: two "
+                     "builds of the same Verilog behave differently\n");
         return;
     }
     glint_failure_print_mismatches(out, failure, &failure->finding,
@@ -293,11 +291,11 @@ static void print_how_played(FILE *out, const glint_failure *failure)
     else if (failure->pins == NULL)
         return;
     if (failure->interrupted)
-        fprintf(out, "interrupted before it was played again: there is no packet\n");
+        fprintf(out, "interrupted before the replay: no packet was written\n");
     else if (failure->pins == NULL)
-        fprintf(out, "played from clock 1: no part of the run shows the mismatch by itself\n");
+        fprintf(out, "replayed from clock 1: no shorter part of the run reproduces the mismatch\n");
     else
-        fprintf(out, "played from clock %" PRIu64 ", %zu clocks\n", failure->first_clock,
+        fprintf(out, "replayed from clock %" PRIu64 ", %zu clocks\n", failure->first_clock,
                 failure->pin_count);
 }
 
@@ -325,8 +323,8 @@ void glint_failure_report(FILE *out, const glint_failure *failure, const glint_c
     if (capture == NULL && failure->interrupted) {
         glint_failure_print_mismatches(out, failure, &failure->finding, &failure->run);
     } else if (capture == NULL) {
-        fprintf(out, "no answer of the circuit was found to differ when the frame was rendered "
-                     "again: there are no clocks to show\n");
+        fprintf(out, "no answer of the circuit differed when the frame was rendered again, so "
+                     "there are no clocks to show\n");
     } else {
         print_lockstep(out, failure, capture);
         print_table(out, failure, capture);

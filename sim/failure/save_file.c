@@ -208,7 +208,7 @@ glint_status glint_failure_write_save_file(const glint_capture *capture, const c
                                       .marker_time = (int64_t)times.marker};
     groups *all = calloc(1, sizeof *all);
     if (all == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the groups of a save file");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for the groups of a save file");
     find_groups(all, capture);
     glint_setting_describe(&capture->setting, setting);
     (void)snprintf(title, sizeof title, "Model against Verilog: %s", setting);

@@ -38,11 +38,11 @@ glint_status glint_directory_make(const char *path, glint_error *err)
 {
     char *copy = strdup(path);
     if (copy == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
     const int cause = make_components(copy);
     free(copy);
     if (cause != 0)
-        return glint_fail(err, GLINT_IO_ERROR, "%s: cannot make this directory: %s", path,
+        return glint_fail(err, GLINT_IO_ERROR, "%s: cannot create this directory: %s", path,
                           strerror(cause));
     return GLINT_OK;
 }

@@ -62,6 +62,6 @@ glint_status glint_file_replaceable(const char *path, glint_error *err)
         begins_as(path, kind))
         return GLINT_OK;
     return glint_fail(err, GLINT_BAD_ARGUMENT,
-                      "%.400s is there and is no %s: take another name, or --force", path,
+                      "%.400s exists and is not a %s: use another name or --force", path,
                       kind != NULL ? kind->name : "file of this kind");
 }

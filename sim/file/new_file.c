@@ -174,7 +174,7 @@ static glint_status cannot_open(const char *path, target_kind kind, int reason,
         return glint_fail(err, GLINT_INTERRUPTED, "interrupted");
     if (kind == PIPE && reason == ENXIO) {
         return glint_fail(err, GLINT_IO_ERROR,
-                          "cannot write %.400s: it is a pipe, and in %d s nobody came to read it",
+                          "cannot write %.400s: it is a pipe, and no reader opened it within %d s",
                           path, GLINT_NEW_FILE_PATIENCE);
     }
     return cannot_write(path, reason, err);

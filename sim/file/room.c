@@ -31,7 +31,8 @@ glint_status glint_file_room(const char *path, long bytes, glint_error *err)
         return glint_fail(err, GLINT_IO_ERROR, "cannot write %s: %s", path, strerror(why));
     file = tmpfile();
     if (file == NULL || !has_room(file, bytes))
-        return glint_fail(err, GLINT_IO_ERROR, "no room for temporary files, to write %s: %s", path,
+        return glint_fail(err, GLINT_IO_ERROR,
+                          "no space for the temporary files needed to write %s: %s", path,
                           strerror(errno));
     return GLINT_OK;
 }

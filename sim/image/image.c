@@ -7,8 +7,9 @@ glint_status glint_image_create(int width, int height, glint_image **image, glin
 {
     *image = NULL;
     if (width < 1 || width > GLINT_IMAGE_SIDE_MAX || height < 1 || height > GLINT_IMAGE_SIDE_MAX) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "a picture of %dx%d: each side is 1 to %d",
-                          width, height, GLINT_IMAGE_SIDE_MAX);
+        return glint_fail(err, GLINT_BAD_ARGUMENT,
+                          "a picture of %dx%d: each side must be from 1 to %d", width, height,
+                          GLINT_IMAGE_SIDE_MAX);
     }
     const size_t pixels = (size_t)width * (size_t)height;
     glint_image *made = calloc(1, sizeof *made);
@@ -20,7 +21,8 @@ glint_status glint_image_create(int width, int height, glint_image **image, glin
     }
     if (made == NULL || made->rgb == NULL || made->object == NULL) {
         glint_image_destroy(made);
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a picture of %dx%d", width, height);
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a picture of %dx%d", width,
+                          height);
     }
     *image = made;
     return GLINT_OK;

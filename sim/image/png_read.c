@@ -66,7 +66,7 @@ static void check_size(png_structp png, png_infop info, reader *from)
     const png_uint_32 height = png_get_image_height(png, info);
     if (width > GLINT_IMAGE_SIDE_MAX || height > GLINT_IMAGE_SIDE_MAX) {
         from->status = glint_fail(
-            from->err, GLINT_BAD_INPUT, "%.400s: %lux%lu is too large: each side is at most %d",
+            from->err, GLINT_BAD_INPUT, "%.400s: %lux%lu is too large: each side may be at most %d",
             from->path, (unsigned long)width, (unsigned long)height, GLINT_IMAGE_SIDE_MAX);
         png_error(png, "too large");
     }
@@ -94,9 +94,10 @@ static void make_room(png_structp png, png_infop info, reader *from)
     from->rgba = calloc(height, (size_t)width * 4);
     from->rows = calloc(height, sizeof *from->rows);
     if (from->rgba == NULL || from->rows == NULL) {
-        from->status = glint_fail(from->err, GLINT_NO_MEMORY, "%.400s: no memory for its %lux%lu",
-                                  from->path, (unsigned long)width, (unsigned long)height);
-        png_error(png, "no memory");
+        from->status =
+            glint_fail(from->err, GLINT_NO_MEMORY, "%.400s: not enough memory for %lux%lu pixels",
+                       from->path, (unsigned long)width, (unsigned long)height);
+        png_error(png, "out of memory");
     }
     for (png_uint_32 y = 0; y < height; y++)
         from->rows[y] = from->rgba + (size_t)y * width * 4;
@@ -149,7 +150,7 @@ static void read_stream(reader *from)
         read_rows(png, info, from);
     } else {
         from->status =
-            glint_fail(from->err, GLINT_NO_MEMORY, "no memory to read %.400s", from->path);
+            glint_fail(from->err, GLINT_NO_MEMORY, "not enough memory to read %.400s", from->path);
     }
     png_destroy_read_struct(&png, &info, NULL);
 }

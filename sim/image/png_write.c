@@ -96,7 +96,7 @@ static glint_status write_stream(const glint_image *image, writer *to)
         png_set_write_fn(png, to, put_bytes, flush_nothing);
         status = write_rows(image, to, png, info, row);
     } else {
-        glint_fail(to->err, status, "no memory to write %.400s", to->path);
+        glint_fail(to->err, status, "not enough memory to write %.400s", to->path);
     }
     free(row);
     png_destroy_write_struct(&png, &info);

@@ -74,7 +74,7 @@ static glint_status ask(const glint_answer *answer, const glint_setting *setting
     const size_t count = (size_t)answer->count;
     glint_status status = glint_divide_batch(shifts, answer->division, count, found);
     if (status != GLINT_OK)
-        return glint_fail(err, status, "the C model refuses %d shifts", shifts);
+        return glint_fail(err, status, "the C model rejects %d shifts", shifts);
     *model = value_of(found, answer);
     status = glint_rtl_open(setting, GLINT_RTL_FAST, &circuit, err);
     if (status == GLINT_OK)

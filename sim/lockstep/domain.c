@@ -87,16 +87,17 @@ static glint_status check_options(const glint_domain_options *options, glint_err
         return status;
     if (setting->circuit->domain == NULL)
         return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "circuit %s: its description names no domain to walk through",
+                          "circuit %s: its description has no domain to enumerate",
                           setting->circuit->name);
     if (!has_outputs(setting))
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "circuit %s: no signal of it is an output",
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "circuit %s: none of its signals is an output",
                           setting->circuit->name);
     if (options->shards < 1 || options->shard < 1 || options->shard > options->shards)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no shard %" PRIu64 " of %" PRIu64,
-                          options->shard, options->shards);
+        return glint_fail(err, GLINT_BAD_ARGUMENT,
+                          "shard %" PRIu64 " of %" PRIu64 " does not exist", options->shard,
+                          options->shards);
     if (options->stride < 1)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "the stride 0 takes no point");
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "a stride of 0 visits no point");
     if (options->threads < 1 || options->threads > GLINT_DOMAIN_THREADS_MAX)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "%d threads", options->threads);
     return GLINT_OK;
@@ -146,12 +147,12 @@ static glint_status plan_all(plan *plan, const glint_domain_options *options, gl
     make_plan(plan, options);
     if (plan->total == 0)
         return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "circuit %s: its description names no domain for this setting",
+                          "circuit %s: its description has no domain for this setting",
                           options->setting.circuit->name);
     if (plan->blocks == 0)
         return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "nothing to compare: no point of shard %" PRIu64 "/%" PRIu64
-                          " with stride %" PRIu64 " is in %" PRIu64 " to before %" PRIu64,
+                          "nothing to compare: shard %" PRIu64 "/%" PRIu64 " with stride %" PRIu64
+                          " has no point from %" PRIu64 " to below %" PRIu64,
                           options->shard, options->shards, options->stride, options->from,
                           plan->total);
     return GLINT_OK;
@@ -366,7 +367,8 @@ glint_status glint_domain_run(const glint_domain_options *options, glint_domain_
         return status;
     worker *workers = calloc((size_t)options->threads, sizeof *workers);
     if (workers == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the threads of an exhaustion");
+        return glint_fail(err, GLINT_NO_MEMORY,
+                          "not enough memory for the threads of an exhaustive run");
     for (int i = 0; i < options->threads; i++)
         workers[i].work = &work;
     run_threads(workers, options->threads);

@@ -21,8 +21,8 @@ enum {
 };
 
 _Static_assert(RUN / GLINT_LANES_MAX * RUNS_REMEMBERED >= GLINT_HISTORY_CLOCKS,
-               "what is remembered fills a history");
-_Static_assert(QUARTERS >= 1, "there is an n for each value of a colour");
+               "a history holds what a sweep remembers");
+_Static_assert(QUARTERS >= 1, "every colour value has an n");
 
 /* The three sweeps of an n. */
 typedef enum sweep_kind { WHITE, COLORED, MULTIPLIERS, SWEEPS } sweep_kind;
@@ -203,19 +203,20 @@ static glint_status check_options(const glint_exhaustive_options *options, glint
     for (int c = 0; c < options->configs; c++) {
         const int lanes = options->config[c].lanes;
         if (lanes < 1 || lanes > GLINT_LANES_MAX)
-            return glint_fail(err, GLINT_BAD_ARGUMENT, "%d lanes are not 1 to %d", lanes,
+            return glint_fail(err, GLINT_BAD_ARGUMENT,
+                              "the number of lanes, %d, is not from 1 to %d", lanes,
                               GLINT_LANES_MAX);
     }
     if (options->from > GLINT_N_MAX)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "n = %u is not in 0…%u", options->from,
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "n = %u is outside 0…%u", options->from,
                           GLINT_N_MAX);
     if (options->shards < 1 || options->shards > GLINT_N_COUNT || options->shard < 1 ||
         options->shard > options->shards)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no shard %u of %u", options->shard,
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "shard %u of %u does not exist", options->shard,
                           options->shards);
     if (options->stride < 1 || options->stride > GLINT_EXHAUSTIVE_CODES)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "the stride %u is not in 1…%u", options->stride,
-                          GLINT_EXHAUSTIVE_CODES);
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "the stride, %u, is outside 1…%u",
+                          options->stride, GLINT_EXHAUSTIVE_CODES);
     if (options->threads < 1 || options->threads > GLINT_EXHAUSTIVE_THREADS_MAX)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "%d threads", options->threads);
     return GLINT_OK;
@@ -230,15 +231,15 @@ static glint_status plan(work *work, const glint_exhaustive_options *options, gl
     work->first = options->from + (behind != 0 ? options->shards - behind : 0);
     if (work->first > GLINT_N_MAX)
         return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "nothing to compare: no n of shard %u/%u is %u or more", options->shard,
+                          "nothing to compare: shard %u/%u has no n from %u up", options->shard,
                           options->shards, options->from);
     work->parts = (GLINT_N_MAX - work->first) / options->shards + 1;
     work->lists = calloc((size_t)options->configs, sizeof *work->lists);
     if (work->lists == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the W codes");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for the W codes");
     for (int c = 0; c < options->configs; c++)
         if (list_ws(options->config[c].gate, &work->lists[c]) != GLINT_OK)
-            return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no gate number %d",
+            return glint_fail(err, GLINT_BAD_ARGUMENT, "unknown gate number %d",
                               (int)options->config[c].gate);
     work->total = count_points(work);
     return GLINT_OK;
@@ -372,7 +373,7 @@ static glint_status compare_run(worker *worker, int config, uint32_t n,
     glint_status status = glint_specular_batch(gate, material, worker->cos_code, count, model->w,
                                                model->r, model->g, model->b);
     if (status != GLINT_OK)
-        return glint_fail(&worker->err, status, "the C model refuses n = %u", material->n);
+        return glint_fail(&worker->err, status, "the C model rejects n = %u", material->n);
     const glint_points points = {worker->cos_code, count,      circuit->w,
                                  circuit->r,       circuit->g, circuit->b};
     status = glint_rtl_shade(worker->rtl[config], material, &points, &worker->err);
@@ -599,7 +600,7 @@ static glint_status run_planned(work *work, glint_exhaustive_result *result, gli
     while (count < work->options->threads && (workers[count] = make_worker(work)) != NULL)
         count++;
     if (count == 0) {
-        status = glint_fail(err, GLINT_NO_MEMORY, "no memory for a thread's points");
+        status = glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a thread's points");
     } else {
         run_threads(workers, count);
         status = sum_up(work, workers, count, result, err);

@@ -45,7 +45,7 @@ glint_status glint_lockstep_run(const glint_lockstep_options *options,
     glint_twin *twin;
     memset(result, 0, sizeof *result);
     if (options->clocks == 0)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "0 clocks would compare nothing");
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "nothing to compare: 0 clocks");
     glint_status status = glint_twin_create(&options->setting, &twin, err);
     if (status == GLINT_OK)
         status = run_twin(options, twin, result, err);

@@ -25,7 +25,7 @@ glint_status glint_signals_find(const glint_setting *setting, glint_signals *sig
     const int count = glint_setting_signal_count(setting);
     if (count > GLINT_SIGNAL_WORDS_MAX || !glint_signal_places(setting, signals->place))
         return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "circuit %s: its signals have more than %d words of 64 bits",
+                          "circuit %s: its signals take more than %d 64-bit words",
                           setting->circuit->name, GLINT_SIGNAL_WORDS_MAX);
     signals->count = count;
     signals->words = signals->place[count];

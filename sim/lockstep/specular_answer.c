@@ -87,7 +87,7 @@ static glint_status ask(const glint_answer *answer, const glint_setting *setting
         glint_specular_batch((glint_gate)setting->values[GLINT_SPECULAR_GATE], &answer->material,
                              points.cos, points.count, points.w, points.r, points.g, points.b);
     if (status != GLINT_OK)
-        return glint_fail(err, status, "the C model refuses n = %u", answer->material.n);
+        return glint_fail(err, status, "the C model rejects n = %u", answer->material.n);
     *model = value_of(&found, answer);
     status = glint_rtl_open(setting, GLINT_RTL_FAST, &circuit, err);
     if (status == GLINT_OK)

@@ -22,7 +22,7 @@ static glint_status create(const glint_setting *setting, bool with_rtl, glint_tw
         return status;
     glint_twin *created = calloc(1, sizeof *created);
     if (created == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a pair of circuits");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a pair of circuits");
     created->setting = *setting;
     status = glint_signals_find(setting, &created->signals, err);
     if (status == GLINT_OK)

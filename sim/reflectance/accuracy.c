@@ -40,12 +40,13 @@ glint_status glint_accuracy_measure(const glint_reflectance *prepared, double le
 {
     const glint_reflectance_info *info = glint_reflectance_describe(prepared->model);
     if (info->cosine == GLINT_REFLECTANCE_OF_NL || info->cosine == GLINT_REFLECTANCE_OF_GEOMETRY) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "model %s stands for no power of a cosine",
+        return glint_fail(err, GLINT_BAD_ARGUMENT,
+                          "model %s does not approximate a power of the cosine",
                           glint_reflectance_names[prepared->model]);
     }
     if (!(prepared->n > 0.0) || !(level > 0.0 && level < 1.0)) {
         return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "n = %g is not above 0 or the level %g not between 0 and 1", prepared->n,
+                          "n = %g must be above 0, and the level %g between 0 and 1", prepared->n,
                           level);
     }
     const double edge = -expm1(log(level) / prepared->n);

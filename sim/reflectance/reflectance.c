@@ -63,12 +63,12 @@ static glint_status check_parameters(glint_reflectance_model model,
 {
     const glint_reflectance_info *info = glint_reflectance_describe(model);
     if (info == NULL) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no reflectance model number %d",
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "unknown reflectance model number %d",
                           (int)model);
     }
     const char *name = glint_reflectance_names[model];
     if (!(parameters->n >= info->n_min && parameters->n <= info->n_max)) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "model %s: n = %g is not in %g…%g", name,
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "model %s: n = %g is outside %g…%g", name,
                           parameters->n, info->n_min, info->n_max);
     }
     if (info->whole_n && floor(parameters->n) != parameters->n) {
@@ -77,7 +77,7 @@ static glint_status check_parameters(glint_reflectance_model model,
     }
     if (info->cosine == GLINT_REFLECTANCE_OF_GEOMETRY &&
         !(parameters->f0 >= 0.0 && parameters->f0 <= 1.0)) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "model %s: F0 = %g is not in 0…1", name,
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "model %s: F0 = %g is outside 0…1", name,
                           parameters->f0);
     }
     return GLINT_OK;
@@ -117,11 +117,11 @@ glint_status glint_reflectance_eval(glint_reflectance_model model, double n, dou
         return status;
     if (definitions[model]->info.cosine == GLINT_REFLECTANCE_OF_GEOMETRY) {
         return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "model %s is no function of one cosine: it needs the directions",
+                          "model %s is not a function of one cosine: it needs directions",
                           glint_reflectance_names[model]);
     }
     if (!(cosine >= 0.0 && cosine <= 1.0)) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "model %s: the cosine %g is not in 0…1",
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "model %s: the cosine %g is outside 0…1",
                           glint_reflectance_names[model], cosine);
     }
     *value = glint_reflectance_of_cosine(&prepared, cosine);
@@ -137,11 +137,11 @@ glint_status glint_geometry_of(glint_vec3 normal, glint_vec3 light, glint_vec3 v
                                glint_geometry *geometry, glint_error *err)
 {
     if (!is_unit(normal) || !is_unit(light) || !is_unit(viewer))
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "N, L or V is not of unit length");
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "N, L or V does not have unit length");
     const glint_vec3 sum = glint_vec3_add(light, viewer);
     const double length = glint_vec3_length(sum);
     if (length <= UNIT_TOLERANCE)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "L is opposite to V: there is no H");
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "L is opposite to V, so H is undefined");
     const double nl = glint_vec3_dot(normal, light);
     const double nv = glint_vec3_dot(normal, viewer);
     *geometry = (glint_geometry){

@@ -116,14 +116,15 @@ glint_status glint_detail_check(const char *path, const struct aiScene *scene,
         return GLINT_OK;
     if (2 * found.lost <= found.triangles) {
         glint_remark(remarks, "%zu %s", found.meshes,
-                     found.meshes == 1 ? "mesh is too fine for single precision where it lies"
-                                       : "meshes are too fine for single precision where they lie");
+                     found.meshes == 1
+                         ? "mesh is too fine for single precision at its position"
+                         : "meshes are too fine for single precision at their position");
         return GLINT_OK;
     }
-    return glint_fail(
-        err, GLINT_BAD_INPUT,
-        "%.300s: single precision cannot hold it: at coordinates of %.3g it has steps "
-        "of %.2g, too coarse for %zu of %zu triangles of an object of size %.3g: move "
-        "it to the origin, or scale it up",
-        path, found.reach, step_at(found.reach), found.lost, found.triangles, found.size);
+    return glint_fail(err, GLINT_BAD_INPUT,
+                      "%.300s: single precision is not enough: at coordinates near %.3g its steps "
+                      "are %.2g, too coarse for %zu of %zu triangles of an object of size %.3g; "
+                      "move it to the origin or scale it up",
+                      path, found.reach, step_at(found.reach), found.lost, found.triangles,
+                      found.size);
 }

@@ -75,13 +75,12 @@ static glint_status check_extensions(const glint_text *text, const cJSON *json,
     const char *name = first_unread(required, NULL);
     if (name != NULL) {
         return glint_fail(err, GLINT_BAD_INPUT,
-                          "%.300s: it requires the glTF extension %s, which is not read: save it "
-                          "without",
+                          "%.300s: requires the unsupported glTF extension %s: export it without",
                           text->path, glint_word_of(name, strlen(name)).text);
     }
     name = first_unread(used, required);
     if (name != NULL) {
-        glint_remark(remarks, "glTF extension %s is not read",
+        glint_remark(remarks, "glTF extension %s is not supported",
                      glint_word_of(name, strlen(name)).text);
     }
     return GLINT_OK;
@@ -107,7 +106,7 @@ static void look_for_weights(const cJSON *json, glint_remarks *remarks)
         cJSON_ArrayForEach(owner, cJSON_GetObjectItemCaseSensitive(json, owners[i]))
         {
             if (has_weight(owner)) {
-                glint_remark(remarks, "morph targets are not blended in");
+                glint_remark(remarks, "morph targets are ignored");
                 return;
             }
         }
@@ -125,7 +124,7 @@ static void look_for_joints(const cJSON *json, glint_remarks *remarks)
         {
             if (cJSON_HasObjectItem(cJSON_GetObjectItemCaseSensitive(primitive, "attributes"),
                                     "JOINTS_1")) {
-                glint_remark(remarks, "of a vertex' joints only four are used");
+                glint_remark(remarks, "only four joints per vertex are used");
                 return;
             }
         }
@@ -140,10 +139,10 @@ static glint_status check_skins(const glint_text *text, const cJSON *json, glint
     cJSON_ArrayForEach(skin, cJSON_GetObjectItemCaseSensitive(json, "skins"))
     {
         if (cJSON_GetObjectItemCaseSensitive(skin, "inverseBindMatrices") == NULL) {
-            return glint_fail(err, GLINT_BAD_INPUT,
-                              "%.300s: skin %d has no inverseBindMatrices, without which it is not "
-                              "read: write them out",
-                              text->path, at);
+            return glint_fail(
+                err, GLINT_BAD_INPUT,
+                "%.300s: skin %d has no inverseBindMatrices, which are required: export them",
+                text->path, at);
         }
         at++;
     }
@@ -210,8 +209,7 @@ static void look_for_hidden(const cJSON *json, glint_remarks *remarks)
         for (size_t i = 0; i < nodes.count; i++)
             hidden += cJSON_HasObjectItem(nodes.at[i], "mesh") != 0 && !nodes.shown[i] ? 1 : 0;
     }
-    glint_remark_count(remarks, hidden, "mesh that is not of the scene",
-                       "meshes that are not of the scene");
+    glint_remark_count(remarks, hidden, "mesh outside the scene", "meshes outside the scene");
     free(nodes.at);
     free(nodes.shown);
 }

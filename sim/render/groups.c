@@ -109,10 +109,10 @@ glint_status glint_groups_read(const char *path, glint_groups **file, glint_erro
     }
     glint_groups_destroy(made);
     if (failed)
-        return glint_fail(err, GLINT_IO_ERROR, "%.400s: cannot be read to its end", path);
+        return glint_fail(err, GLINT_IO_ERROR, "%.400s: cannot be read to the end", path);
     return done ? GLINT_OK
-                : glint_fail(err, GLINT_NO_MEMORY, "%.400s: no memory for its smoothing groups",
-                             path);
+                : glint_fail(err, GLINT_NO_MEMORY,
+                             "%.400s: not enough memory for its smoothing groups", path);
 }
 
 void glint_groups_destroy(glint_groups *file)

@@ -29,8 +29,7 @@ static glint_status refused(const reading *in)
     char why[256];
     if (beside[0] != '\0') {
         return glint_fail(in->err, GLINT_BAD_INPUT,
-                          "%.200s: it cannot be read without %.200s, which is no regular file",
-                          in->path, beside);
+                          "%.200s: needs %.200s, which is not a regular file", in->path, beside);
     }
     strncpy(why, aiGetErrorString(), sizeof why - 1);
     why[sizeof why - 1] = '\0';
@@ -96,7 +95,7 @@ static glint_status read_checked(reading *in, const struct aiScene **scene)
         return refused(in);
     glint_status status =
         replaced ? glint_fail(in->err, GLINT_BAD_INPUT,
-                              "%.300s: a face names a vertex that is not there", in->path)
+                              "%.300s: a face refers to a vertex that does not exist", in->path)
                  : glint_imported_check(in->path, *scene, in->err);
     if (status == GLINT_OK)
         status = glint_skin_pose(in->path, *scene, in->err);
@@ -114,7 +113,7 @@ static glint_status read_triangles(reading *in, glint_imported *imported)
     glint_left_out(scene, &in->remarks);
     scene = glint_triangulate(scene);
     if (scene == NULL) {
-        return glint_fail(in->err, GLINT_NO_MEMORY, "%.300s: no memory for its triangles",
+        return glint_fail(in->err, GLINT_NO_MEMORY, "%.300s: not enough memory for its triangles",
                           in->path);
     }
     status = glint_detail_check(in->path, scene, &in->remarks, in->err);

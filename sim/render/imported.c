@@ -200,10 +200,10 @@ static glint_status measure_face(reading *in, const struct aiMesh *source,
 {
     for (unsigned k = 0; k < 3; k++) {
         if (face->mIndices[k] >= source->mNumVertices)
-            return bad(in, "a face names a vertex that is not there");
+            return bad(in, "a face refers to a vertex that does not exist");
         const glint_vec3 p = placed(t, &source->mVertices[face->mIndices[k]]);
         if (!usable_point(p))
-            return bad(in, "a node moves a vertex beyond all measure");
+            return bad(in, "a node moves a vertex out of range");
         include(in, p);
     }
     return GLINT_OK;
@@ -237,7 +237,7 @@ static glint_status walk(reading *in, const struct aiNode *node, const transform
     const transform t = combine(outer, &own);
     for (unsigned i = 0; i < node->mNumMeshes; i++) {
         if (node->mMeshes[i] >= in->scene->mNumMeshes)
-            return bad(in, "a node names a mesh that is not there");
+            return bad(in, "a node refers to a mesh that does not exist");
         const bool placed = glint_skin_places(in->scene, in->scene->mMeshes[node->mMeshes[i]]);
         const transform *place = placed ? &identity : &t;
         if (in->to->mesh != NULL) {
@@ -269,8 +269,8 @@ static glint_status make_room(reading *in)
     s->group = malloc(in->triangles * sizeof *s->group);
     s->object = by_groups ? malloc(in->triangles * sizeof *s->object) : NULL;
     if (s->group == NULL || (by_groups && s->object == NULL)) {
-        return glint_fail(in->err, GLINT_NO_MEMORY, "%s: no memory for %zu triangles", in->path,
-                          in->triangles);
+        return glint_fail(in->err, GLINT_NO_MEMORY, "%s: not enough memory for %zu triangles",
+                          in->path, in->triangles);
     }
     return GLINT_OK;
 }
@@ -289,16 +289,16 @@ static glint_status check_groups(reading *in)
 {
     if (in->rule != BY_GROUPS || groups_fit(in->scene, in->groups))
         return GLINT_OK;
-    return bad(in, "damaged: which smoothing group belongs to which triangle cannot be told");
+    return bad(in, "damaged: smoothing groups cannot be assigned to triangles");
 }
 
 static glint_status convert(reading *in)
 {
     if (in->scene->mRootNode == NULL)
-        return bad(in, "no triangles in it");
+        return bad(in, "contains no triangles");
     glint_status status = walk(in, in->scene->mRootNode, &identity, 0);
     if (status == GLINT_OK && in->triangles == 0)
-        return bad(in, "no triangles in it");
+        return bad(in, "contains no triangles");
     if (status == GLINT_OK)
         status = check_groups(in);
     if (status == GLINT_OK) {
@@ -308,7 +308,7 @@ static glint_status convert(reading *in)
     if (status == GLINT_OK)
         status = walk(in, in->scene->mRootNode, &identity, 0);
     if (status == GLINT_OK && in->to->mesh->triangle_count == 0)
-        return bad(in, "each of its triangles has two corners in one place, in single precision");
+        return bad(in, "all of its triangles have two corners that coincide in single precision");
     return status;
 }
 

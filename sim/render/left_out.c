@@ -1,4 +1,4 @@
-/* Counts points, lines and meshes that no node shows, for the remark on what was left out. */
+/* Counts points, lines and meshes that no node uses, for the remark on what was left out. */
 #include "render/left_out.h"
 
 #include <stdbool.h>
@@ -41,6 +41,6 @@ void glint_left_out(const struct aiScene *scene, glint_remarks *remarks)
     }
     glint_remark_count(remarks, thin[1], "point", "points");
     glint_remark_count(remarks, thin[2], "line", "lines");
-    glint_remark_count(remarks, hidden, "mesh that no node shows", "meshes that no node shows");
+    glint_remark_count(remarks, hidden, "mesh that no node uses", "meshes that no node uses");
     free(shown);
 }

@@ -258,14 +258,14 @@ static glint_status explain(const reader *from, int ended, const glint_load_limi
 {
     if (from->left <= 0.0) {
         return glint_fail(from->err, GLINT_BAD_INPUT,
-                          "%.300s: assimp had not read it after %u s and was stopped: damaged, or "
-                          "not what its name says",
+                          "%.300s: assimp was stopped after %u s without finishing: damaged, or "
+                          "not the format its name says",
                           from->path, limits->seconds);
     }
     return glint_fail(from->err, GLINT_BAD_INPUT,
-                      "%.300s: assimp crashed on it (%s): damaged, or not what its name says",
+                      "%.300s: assimp crashed (%s): damaged, or not the format its name says",
                       from->path,
-                      WIFSIGNALED(ended) ? strsignal(WTERMSIG(ended)) : "its answer is not whole");
+                      WIFSIGNALED(ended) ? strsignal(WTERMSIG(ended)) : "its answer is incomplete");
 }
 
 static glint_status be_parent(reader *from, const glint_load_limits *limits, glint_mesh **mesh)
@@ -288,7 +288,7 @@ glint_status glint_mesh_load_within(const char *path, const glint_load_limits *l
 {
     int ends[2];
     if (pipe(ends) != 0) {
-        return glint_fail(err, GLINT_IO_ERROR, "%.300s: cannot make a pipe to read it: %s", path,
+        return glint_fail(err, GLINT_IO_ERROR, "%.300s: cannot create a pipe to read it: %s", path,
                           strerror(errno));
     }
     const pid_t parent = getpid();

@@ -20,8 +20,9 @@ glint_status glint_mesh_new(const char *what, size_t vertices, size_t triangles,
     }
     if (m == NULL || m->position == NULL || m->normal == NULL || m->index == NULL) {
         glint_mesh_destroy(m);
-        return glint_fail(err, GLINT_NO_MEMORY, "%s: no memory for %zu vertices, %zu triangles",
-                          what, vertices, triangles);
+        return glint_fail(err, GLINT_NO_MEMORY,
+                          "%s: not enough memory for %zu vertices, %zu triangles", what, vertices,
+                          triangles);
     }
     *mesh = m;
     return GLINT_OK;

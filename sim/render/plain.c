@@ -10,8 +10,8 @@ glint_status glint_plain_begin(const glint_text *text, size_t *begin, glint_erro
     *begin = text->length >= 3 && memcmp(bytes, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
     if (text->length >= 2 &&
         ((bytes[0] == 0xff && bytes[1] == 0xfe) || (bytes[0] == 0xfe && bytes[1] == 0xff))) {
-        return glint_fail(err, GLINT_BAD_INPUT,
-                          "%.300s: it is text in UTF-16: save it as ASCII or UTF-8", text->path);
+        return glint_fail(err, GLINT_BAD_INPUT, "%.300s: UTF-16 text: save it as ASCII or UTF-8",
+                          text->path);
     }
     return GLINT_OK;
 }
@@ -38,9 +38,9 @@ bool glint_plain_number(const char *word, size_t length, double *value)
 
 void glint_plain_unknown(glint_remarks *remarks, size_t line, glint_word first, size_t count)
 {
-    glint_remark(remarks, "line %zu: unknown word \"%s\" left out", line, first.text);
+    glint_remark(remarks, "line %zu: unknown keyword \"%s\" ignored", line, first.text);
     if (count > 1)
-        glint_remark(remarks, "as are %zu more of the kind", count - 1);
+        glint_remark(remarks, "as are %zu more like it", count - 1);
 }
 
 glint_status glint_plain_no_memory(const glint_text *text, glint_error *err)

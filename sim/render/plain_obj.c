@@ -177,7 +177,7 @@ static glint_status read_numbers(reading *in, word keyword, word rest, bool *rew
     if (count < (is_word(&keyword, "vt") ? 1 : 3)) {
         return bad_line(in, is_word(&keyword, "v")    ? "a vertex needs three coordinates"
                             : is_word(&keyword, "vn") ? "a normal needs three components"
-                                                      : "a texture coordinate without a number");
+                                                      : "a texture coordinate has no number");
     }
     /* A fourth number of a vertex is its weight, more are its colour. */
     const size_t kept = is_word(&keyword, "v") && count == 4 ? 4 : count > 3 ? 3 : count;
@@ -205,8 +205,9 @@ static bool read_corner(word corner, int64_t *vertex)
 static glint_status bad_corner(const reading *in, const word *corner, int64_t vertex)
 {
     return glint_fail(in->err, GLINT_BAD_INPUT,
-                      vertex == 0 ? "%.300s: line %zu: \"%s\" names no vertex: they count from 1"
-                                  : "%.300s: line %zu: \"%s\" names a vertex that is not there",
+                      vertex == 0
+                          ? "%.300s: line %zu: \"%s\" is not a vertex number: they start at 1"
+                          : "%.300s: line %zu: \"%s\" refers to a vertex that does not exist",
                       in->text->path, glint_plain_line(in->text, in->line),
                       glint_word_of(corner->at, corner->length).text);
 }
@@ -218,7 +219,7 @@ static glint_status read_face(reading *in, word rest)
         int64_t vertex;
         if (!read_corner(w, &vertex)) {
             return glint_fail(in->err, GLINT_BAD_INPUT,
-                              "%.300s: line %zu: \"%s\" is no corner of a face", in->text->path,
+                              "%.300s: line %zu: \"%s\" is not a face corner", in->text->path,
                               glint_plain_line(in->text, in->line),
                               glint_word_of(w.at, w.length).text);
         }
@@ -330,7 +331,7 @@ static glint_status check_whole(reading *in)
     if (in->largest > in->vertices) {
         in->line = in->largest_at;
         return glint_fail(in->err, GLINT_BAD_INPUT,
-                          "%.300s: line %zu: a face names vertex %llu, and there are %llu",
+                          "%.300s: line %zu: a face refers to vertex %llu, but there are only %llu",
                           in->text->path, glint_plain_line(in->text, in->line),
                           (unsigned long long)in->largest, (unsigned long long)in->vertices);
     }
@@ -343,7 +344,7 @@ static glint_status check_whole(reading *in)
                             in->unknown);
     }
     if (in->faces == 0) {
-        return glint_fail(in->err, GLINT_BAD_INPUT, "%.300s: no faces in it%s%s", in->text->path,
+        return glint_fail(in->err, GLINT_BAD_INPUT, "%.300s: contains no faces%s%s", in->text->path,
                           in->remarks->text[0] != '\0' ? ": " : "", in->remarks->text);
     }
     return in->plain->failed || in->joined.failed ? glint_plain_no_memory(in->text, in->err)

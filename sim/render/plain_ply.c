@@ -27,7 +27,7 @@ typedef struct reading {
     glint_bytes corners;  /* of faces: their number, then their vertices; 32-bit integers */
     glint_bytes list;     /* the one read last; doubles */
     uint64_t vertex_count, face_count;
-    size_t thin;    /* faces of fewer than three corners */
+    size_t thin;    /* faces with fewer than three corners */
     double largest; /* vertex that a face names */
     int parts;      /* of a vertex: 3, or 6 with a normal */
     glint_remarks *remarks;
@@ -39,11 +39,10 @@ typedef struct reading {
 
 static glint_status ends_early(const reading *in, const glint_ply_element *element, uint64_t at)
 {
-    return glint_fail(
-        in->err, GLINT_BAD_INPUT,
-        "%.300s: it ends in element %s %llu of %llu: cut short, or the header is wrong",
-        in->text->path, glint_word_of(element->name, element->length).text,
-        (unsigned long long)at + 1, (unsigned long long)element->count);
+    return glint_fail(in->err, GLINT_BAD_INPUT,
+                      "%.300s: ends in element %s %llu of %llu: truncated, or the header is wrong",
+                      in->text->path, glint_word_of(element->name, element->length).text,
+                      (unsigned long long)at + 1, (unsigned long long)element->count);
 }
 
 static bool is_space(char c)
@@ -63,7 +62,7 @@ static glint_status take_text_value(reading *in, double *value)
     if (length == 0)
         return GLINT_IO_ERROR;
     if (!glint_plain_number(word, length, value)) {
-        return glint_fail(in->err, GLINT_BAD_INPUT, "%.300s: line %zu: \"%s\" is no number",
+        return glint_fail(in->err, GLINT_BAD_INPUT, "%.300s: line %zu: \"%s\" is not a number",
                           in->text->path, glint_plain_line(in->text, word),
                           glint_word_of(word, length).text);
     }
@@ -120,8 +119,8 @@ static glint_status take_list(reading *in, const glint_ply_property *property)
     in->list.count = 0;
     glint_status status = take_value(in, property->count_type, &count);
     if (status == GLINT_OK && !(count >= 0.0 && count <= (double)LIST_MAX)) {
-        return glint_fail(in->err, GLINT_BAD_INPUT, "%.300s: a list of %g values", in->text->path,
-                          count);
+        return glint_fail(in->err, GLINT_BAD_INPUT, "%.300s: invalid list length %g",
+                          in->text->path, count);
     }
     for (size_t i = 0; status == GLINT_OK && i < (size_t)count; i++) {
         double value;
@@ -151,8 +150,8 @@ static void put_float(glint_bytes *to, float value)
 static glint_status bad_vertex(const reading *in, double vertex)
 {
     return glint_fail(in->err, GLINT_BAD_INPUT,
-                      "%.300s: face %llu names vertex %.0f, which is not there", in->text->path,
-                      (unsigned long long)in->face_count, vertex);
+                      "%.300s: face %llu refers to vertex %.0f, which does not exist",
+                      in->text->path, (unsigned long long)in->face_count, vertex);
 }
 
 static glint_status put_face(reading *in, const double *vertex, size_t count)
@@ -271,8 +270,8 @@ static glint_status read_element(reading *in, const glint_ply_element *element)
         corners = corners >= 0 ? corners : glint_ply_find(element, "vertex_index");
         if (element->count > 0 && (corners < 0 || !element->property[corners].list)) {
             return glint_fail(in->err, GLINT_BAD_INPUT,
-                              "%.300s: element %s has no list of the name vertex_indices",
-                              in->text->path, name.text);
+                              "%.300s: element %s has no list named vertex_indices", in->text->path,
+                              name.text);
         }
     } else if (element->count > 0) {
         glint_remark(in->remarks, "element %s (%llu) left out", name.text,
@@ -286,18 +285,19 @@ static glint_status read_element(reading *in, const glint_ply_element *element)
 
 static glint_status check_whole(const reading *in)
 {
-    glint_remark_count(in->remarks, in->thin, "face of fewer than three corners",
-                       "faces of fewer than three corners");
+    glint_remark_count(in->remarks, in->thin, "face with fewer than three corners",
+                       "faces with fewer than three corners");
     if (in->vertices.failed || in->corners.failed || in->list.failed)
         return glint_plain_no_memory(in->text, in->err);
     if (in->face_count == 0) {
-        return glint_fail(in->err, GLINT_BAD_INPUT, "%.300s: no faces in it%s%s", in->text->path,
+        return glint_fail(in->err, GLINT_BAD_INPUT, "%.300s: contains no faces%s%s", in->text->path,
                           in->remarks->text[0] != '\0' ? ": " : "", in->remarks->text);
     }
     if (in->vertex_count == 0 || in->largest > (double)(in->vertex_count - 1)) {
-        return glint_fail(in->err, GLINT_BAD_INPUT,
-                          "%.300s: a face names vertex %.0f, and there are %llu, from 0 on",
-                          in->text->path, in->largest, (unsigned long long)in->vertex_count);
+        return glint_fail(
+            in->err, GLINT_BAD_INPUT,
+            "%.300s: a face refers to vertex %.0f, but there are only %llu, counted from 0",
+            in->text->path, in->largest, (unsigned long long)in->vertex_count);
     }
     return GLINT_OK;
 }

@@ -25,18 +25,17 @@ static glint_status read_binary(const glint_text *text, glint_bytes *plain, glin
     const uint64_t facets = facets_of(text);
     const uint64_t whole = HEADER + facets * FACET;
     if (facets == 0)
-        return glint_fail(err, GLINT_BAD_INPUT, "%.300s: no facets in it", text->path);
+        return glint_fail(err, GLINT_BAD_INPUT, "%.300s: contains no facets", text->path);
     if (whole > text->length) {
-        return glint_fail(
-            err, GLINT_BAD_INPUT,
-            "%.300s: its header promises %llu facets, and there is room for %llu: cut "
-            "short, or no STL file",
-            text->path, (unsigned long long)facets,
-            (unsigned long long)(text->length - HEADER) / FACET);
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "%.300s: its header announces %llu facets, but there is room for %llu: "
+                          "truncated, or not an STL file",
+                          text->path, (unsigned long long)facets,
+                          (unsigned long long)(text->length - HEADER) / FACET);
     }
     if (whole < text->length) {
-        glint_remark_count(remarks, text->length - (size_t)whole, "byte behind the last facet",
-                           "bytes behind the last facet");
+        glint_remark_count(remarks, text->length - (size_t)whole, "byte after the last facet",
+                           "bytes after the last facet");
         glint_bytes_add(plain, text->at, (size_t)whole);
     }
     return plain->failed ? glint_plain_no_memory(text, err) : GLINT_OK;
@@ -111,7 +110,7 @@ static glint_status unexpected(const reading *in, const char *expected)
 {
     if (in->length == 0) {
         return glint_fail(in->err, GLINT_BAD_INPUT,
-                          "%.300s: ends within a facet, where %s should be: cut short?",
+                          "%.300s: ends inside a facet, where %s should be: truncated?",
                           in->text->path, expected);
     }
     return glint_fail(in->err, GLINT_BAD_INPUT, "%.300s: line %zu: \"%s\" where %s should be",
@@ -211,11 +210,12 @@ static glint_status check_whole(reading *in)
                             in->unknown);
     }
     if (in->facets == 0) {
-        return glint_fail(in->err, GLINT_BAD_INPUT, "%.300s: no facets in it%s%s", in->text->path,
-                          in->remarks->text[0] != '\0' ? ": " : "", in->remarks->text);
+        return glint_fail(in->err, GLINT_BAD_INPUT, "%.300s: contains no facets%s%s",
+                          in->text->path, in->remarks->text[0] != '\0' ? ": " : "",
+                          in->remarks->text);
     }
     if (in->in_solid)
-        glint_remark(in->remarks, "it ends without endsolid: cut short?");
+        glint_remark(in->remarks, "ends without endsolid: truncated?");
     if (in->plain->failed)
         return glint_plain_no_memory(in->text, in->err);
     for (int i = 0; i < 4; i++)
@@ -264,8 +264,7 @@ glint_status glint_plain_stl(const glint_text *text, glint_bytes *plain, glint_r
     if (text->length < HEADER) {
         return glint_fail(
             err, GLINT_BAD_INPUT,
-            "%.300s: it neither begins with \"solid\" nor is long enough for a binary "
-            "STL file",
+            "%.300s: neither starts with \"solid\" nor is long enough for a binary STL file",
             text->path);
     }
     return read_binary(text, plain, remarks, err);

@@ -106,17 +106,17 @@ static glint_status read_format(reading *in)
         }
     }
     return bad_word(in, &in->word[1],
-                    "is no format: it is ascii, binary_little_endian or binary_big_endian");
+                    "is not a format: use ascii, binary_little_endian or binary_big_endian");
 }
 
 static glint_status read_element(reading *in)
 {
     double count;
     if (in->header->element_count == GLINT_PLY_ELEMENTS_MAX)
-        return bad_line(in, "more elements than are read");
+        return bad_line(in, "too many elements");
     if (!glint_plain_number(in->word[2].at, in->word[2].length, &count) || !(count >= 0.0) ||
         count > 1e15)
-        return bad_word(in, &in->word[2], "is no number of elements");
+        return bad_word(in, &in->word[2], "is not a number of elements");
     glint_ply_element *element = &in->header->element[in->header->element_count++];
     *element = (glint_ply_element){
         .name = in->word[1].at, .length = in->word[1].length, .count = (uint64_t)count};
@@ -131,7 +131,7 @@ static glint_status read_type(const reading *in, const word *w, glint_ply_type *
             return GLINT_OK;
         }
     }
-    return bad_word(in, w, "is no type of a property");
+    return bad_word(in, w, "is not a property type");
 }
 
 static glint_status read_property(reading *in)
@@ -140,7 +140,7 @@ static glint_status read_property(reading *in)
         return bad_line(in, "a property before the first element");
     glint_ply_element *element = &in->header->element[in->header->element_count - 1];
     if (element->property_count == GLINT_PLY_PROPERTIES_MAX)
-        return bad_line(in, "more properties than are read");
+        return bad_line(in, "too many properties");
     glint_ply_property *property = &element->property[element->property_count++];
     property->list = is_word(&in->word[1], "list");
     const word *type = &in->word[property->list ? 3 : 1];
@@ -177,7 +177,7 @@ glint_status glint_ply_header_read(const glint_text *text, glint_ply_header *hea
                   .err = err};
     memset(header, 0, sizeof *header);
     if (status == GLINT_OK && (!take_line(&in) || !is_word(&in.word[0], "ply"))) {
-        return glint_fail(err, GLINT_BAD_INPUT, "%.300s: it does not begin with the word ply",
+        return glint_fail(err, GLINT_BAD_INPUT, "%.300s: does not start with the word ply",
                           text->path);
     }
     bool done = false;
@@ -186,7 +186,7 @@ glint_status glint_ply_header_read(const glint_text *text, glint_ply_header *hea
     if (status != GLINT_OK)
         return status;
     if (!done) {
-        return glint_fail(err, GLINT_BAD_INPUT, "%.300s: its header has no end: cut short",
+        return glint_fail(err, GLINT_BAD_INPUT, "%.300s: its header does not end: truncated",
                           text->path);
     }
     header->body = in.next;

@@ -78,7 +78,7 @@ glint_status glint_pool_create(int threads, glint_pool **pool, glint_error *err)
     const size_t members = (size_t)threads - 1;
     glint_pool *p = calloc(1, sizeof *p + members * sizeof p->members[0]);
     if (p == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for %d threads", threads);
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for %d threads", threads);
     pthread_mutex_init(&p->mutex, NULL);
     pthread_cond_init(&p->work, NULL);
     pthread_cond_init(&p->done, NULL);
@@ -86,7 +86,7 @@ glint_status glint_pool_create(int threads, glint_pool **pool, glint_error *err)
         const int error = start_member(p);
         if (error != 0) {
             glint_pool_destroy(p);
-            return glint_fail(err, GLINT_IO_ERROR, "thread %d of %d cannot be started: %s", i + 1,
+            return glint_fail(err, GLINT_IO_ERROR, "cannot start thread %d of %d: %s", i + 1,
                               threads, strerror(error));
         }
     }

@@ -104,7 +104,7 @@ static bool take(frame *f, worker *w, size_t count, size_t *piece)
     if (atomic_load_explicit(&f->failed, memory_order_relaxed))
         return false;
     if (f->stop != NULL && *f->stop) {
-        fail_worker(f, w, GLINT_INTERRUPTED, "the frame was given up: interrupted");
+        fail_worker(f, w, GLINT_INTERRUPTED, "frame abandoned: interrupted");
         return false;
     }
     *piece = atomic_fetch_add_explicit(&f->next, 1, memory_order_relaxed);
@@ -160,7 +160,7 @@ static void triangle_phase(void *context, int worker_index)
         const size_t start = piece * TRIANGLE_RUN;
         if (!glint_setup_triangles(&f->camera, f->mesh, r->extent, r->screen, start,
                                    end_of(start, TRIANGLE_RUN, items), &r->lists[piece]))
-            fail_worker(f, w, GLINT_NO_MEMORY, "no memory for the frame's triangles");
+            fail_worker(f, w, GLINT_NO_MEMORY, "not enough memory for the frame's triangles");
         else if (f->shading == GLINT_SHADING_FLAT)
             light_triangles(f, w, &r->lists[piece]);
     }
@@ -238,15 +238,16 @@ static glint_status make_room(glint_renderer *r, const glint_mesh *mesh, glint_e
         r->screen = malloc(mesh->vertex_count * sizeof *r->screen);
         r->screen_capacity = r->screen != NULL ? mesh->vertex_count : 0;
         if (r->screen == NULL) {
-            return glint_fail(err, GLINT_NO_MEMORY, "no memory for the frame's %zu vertices",
-                              mesh->vertex_count);
+            return glint_fail(err, GLINT_NO_MEMORY,
+                              "not enough memory for the frame's %zu vertices", mesh->vertex_count);
         }
     }
     const size_t lists = pieces(mesh->triangle_count, TRIANGLE_RUN);
     if (r->list_capacity < lists) {
         glint_triangle_list *more = realloc(r->lists, lists * sizeof *more);
         if (more == NULL) {
-            return glint_fail(err, GLINT_NO_MEMORY, "no memory for the frame's %zu triangles",
+            return glint_fail(err, GLINT_NO_MEMORY,
+                              "not enough memory for the frame's %zu triangles",
                               mesh->triangle_count);
         }
         for (size_t i = r->list_capacity; i < lists; i++)
@@ -264,7 +265,7 @@ static glint_status prepare_gouraud(const frame *f, worker *w, glint_error *err)
     if (w->gouraud == NULL) {
         w->gouraud = glint_gouraud_create(f->renderer->extent.width);
         if (w->gouraud == NULL) {
-            return glint_fail(err, GLINT_NO_MEMORY, "no memory for a band of %d pixels' width",
+            return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a band %d pixels wide",
                               f->renderer->extent.width);
         }
     }
@@ -294,8 +295,8 @@ static glint_status prepare_specular(glint_renderer *r, const glint_scene *scene
         return GLINT_OK;
     if (r->kind != GLINT_BACKEND_REAL) {
         return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "highlights by a reflectance model need backend real: the other two are "
-                          "the device");
+                          "highlights from a reflectance model need backend real: the other two "
+                          "are the device itself");
     }
     *specular = &r->specular;
     if (r->prepared && r->specular.model == scene->specular && r->specular.n == (double)scene->n &&
@@ -404,9 +405,9 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, gl
 {
     const double start = now();
     if (image->width != renderer->extent.width || image->height != renderer->extent.height) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "the image is %dx%d, the renderer's frame %dx%d",
-                          image->width, image->height, renderer->extent.width,
-                          renderer->extent.height);
+        return glint_fail(err, GLINT_BAD_ARGUMENT,
+                          "the image is %dx%d but the renderer's frame is %dx%d", image->width,
+                          image->height, renderer->extent.width, renderer->extent.height);
     }
     renderer->recorded = false;
     frame f = {.image = image, .stop = stop};
@@ -426,7 +427,8 @@ static glint_status create_worker(worker *w, int32_t width, const glint_backend_
     glint_visibility_create(&w->band, width);
     const bool shader = glint_shader_create(&w->shader, width);
     if (!shader || w->band.depth == NULL || w->band.triangle == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a band of %d pixels' width", width);
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a band %d pixels wide",
+                          width);
     return glint_backend_create(config, &w->backend, err);
 }
 
@@ -440,8 +442,8 @@ static glint_status create_parts(glint_renderer *r, const glint_backend_config *
     r->record.in_row = malloc((size_t)r->extent.height * sizeof *r->record.in_row);
     if (r->workers == NULL || r->record.cos_code == NULL || r->record.x == NULL ||
         r->record.in_row == NULL) {
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a frame of %dx%d", r->extent.width,
-                          r->extent.height);
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a frame of %dx%d",
+                          r->extent.width, r->extent.height);
     }
     for (int i = 0; i < r->threads; i++) {
         const glint_status status = create_worker(&r->workers[i], r->extent.width, config, err);
@@ -456,8 +458,9 @@ glint_status glint_renderer_create(int width, int height, int threads,
                                    glint_error *err)
 {
     if (width < 1 || width > GLINT_IMAGE_SIDE_MAX || height < 1 || height > GLINT_IMAGE_SIDE_MAX) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "frame size %dx%d: sides are from 1 to %d",
-                          width, height, GLINT_IMAGE_SIDE_MAX);
+        return glint_fail(err, GLINT_BAD_ARGUMENT,
+                          "frame size %dx%d: each side must be from 1 to %d", width, height,
+                          GLINT_IMAGE_SIDE_MAX);
     }
     if (threads < 1 || threads > GLINT_THREADS_MAX) {
         return glint_fail(err, GLINT_BAD_ARGUMENT, "threads is %d, not from 1 to %d", threads,
@@ -465,7 +468,7 @@ glint_status glint_renderer_create(int width, int height, int threads,
     }
     glint_renderer *r = calloc(1, sizeof *r);
     if (r == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a renderer");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a renderer");
     r->extent = (glint_extent){width, height};
     r->threads = threads;
     r->kind = config->kind;

@@ -31,7 +31,7 @@ glint_status glint_scene_check_exponent(glint_reflectance_model model, int n, gl
 {
     const glint_reflectance_info *info = glint_reflectance_describe(model);
     if (info == NULL) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "there is no reflectance model number %d",
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "unknown reflectance model number %d",
                           (int)model);
     }
     const double max = fmin(info->n_max, GLINT_N_MAX);
@@ -69,7 +69,7 @@ static glint_status check_light(const float light[3], glint_error *err)
 static glint_status check_shading(const glint_scene *scene, glint_error *err)
 {
     if ((unsigned)scene->shading >= GLINT_SHADING_COUNT)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: no such shading");
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: unknown shading");
     if (scene->shifts != GLINT_SHIFTS_EXACT &&
         (scene->shifts < GLINT_DIVIDER_SHIFTS_MIN || scene->shifts > GLINT_DIVIDER_SHIFTS_MAX)) {
         return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: shifts is %d, not from %d to %d",

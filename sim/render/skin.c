@@ -115,7 +115,7 @@ static glint_status pose_mesh(const char *path, const struct aiScene *scene, str
     blend *blends = calloc((size_t)mesh->mNumVertices + 1, sizeof *blends);
     glint_status status = GLINT_OK;
     if (blends == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "%.300s: no memory for its skin", path);
+        return glint_fail(err, GLINT_NO_MEMORY, "%.300s: not enough memory for its skin", path);
     for (unsigned i = 0; status == GLINT_OK && i < mesh->mNumBones; i++) {
         const struct aiBone *bone = mesh->mBones[i];
         search s = {.name = bone->mName.data};
@@ -124,7 +124,7 @@ static glint_status pose_mesh(const char *path, const struct aiScene *scene, str
             status =
                 glint_fail(err, GLINT_BAD_INPUT,
                            s.found == 0 ? "%.300s: a joint of its skin is not in the scene: %.60s"
-                                        : "%.300s: two nodes have the name of a joint: %.60s",
+                                        : "%.300s: two nodes share the name of a joint: %.60s",
                            path, bone->mName.data);
         } else {
             add_joint(blends, mesh, bone, &s.place);

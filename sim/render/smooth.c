@@ -354,7 +354,7 @@ glint_status glint_smooth(const char *what, const glint_smoothing *smoothing, gl
         return status;
     w.to->triangle_count = w.from->triangle_count;
     if (!find_all(&w) || !finish_all(&w))
-        status = glint_fail(err, GLINT_NO_MEMORY, "%s: no memory for its normals", what);
+        status = glint_fail(err, GLINT_NO_MEMORY, "%s: not enough memory for its normals", what);
     free(w.point);
     free(w.start);
     free(w.corner);

@@ -92,7 +92,7 @@ static glint_status count_drawn(glint_divider_backend *divider, int shifts, glin
     glint_gouraud *gouraud = glint_gouraud_create(SIDE);
     glint_status status;
     if (gouraud == NULL || band.depth == NULL || band.triangle == NULL) {
-        status = glint_fail(err, GLINT_NO_MEMORY, "no memory for a triangle");
+        status = glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a triangle");
     } else {
         glint_visibility_begin(&band, extent, 0, GLINT_BAND_ROWS - 1);
         glint_visibility_draw(&band, extent, &list);

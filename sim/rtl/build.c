@@ -33,7 +33,7 @@ typedef char parameter_text[160];
 
 static glint_status no_memory(glint_error *err)
 {
-    return glint_fail(err, GLINT_NO_MEMORY, "no memory for building a circuit");
+    return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for building a circuit");
 }
 
 /* Registers that nothing resets begin with 0, as the C models do. */
@@ -112,7 +112,7 @@ static glint_status run_verilator(const build *b, const char *const *arguments, 
     if (status == GLINT_OK)
         status = check_other_ports(b, said, err);
     if (status == GLINT_OK && !success)
-        status = glint_fail(err, GLINT_DEVICE_FAULT, "Verilator fails: %.*s",
+        status = glint_fail(err, GLINT_DEVICE_FAULT, "Verilator failed: %.*s",
                             (int)strcspn(said, "\n"), said);
     free(said);
     return status;

@@ -111,7 +111,7 @@ glint_status glint_rtl_build_all(const glint_setting *settings, int count, glint
 {
     const glint_setting **missing = calloc((size_t)count + 1, sizeof(const glint_setting *));
     if (missing == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a list of circuits");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a list of circuits");
     crew c = {.missing = missing, .kind = kind, .control = control, .status = GLINT_OK};
     glint_status status = find_missing(settings, count, kind, missing, &c.count, err);
     if (status == GLINT_OK) {

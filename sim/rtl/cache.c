@@ -60,17 +60,18 @@ static glint_status make_work(glint_cache_entry *entry, glint_error *err)
     for (int attempt = FIRST_WORK; attempt < LAST_WORK; attempt++) {
         entry->work = glint_temporary_name(entry->path, attempt);
         if (entry->work == NULL)
-            return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+            return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
         if (mkdir(entry->work, 0777) == 0)
             return GLINT_OK;
         const int cause = errno;
         free(entry->work);
         entry->work = NULL;
         if (cause != EEXIST)
-            return glint_fail(err, GLINT_IO_ERROR, "%s: cannot be made: %s", entry->path,
+            return glint_fail(err, GLINT_IO_ERROR, "%s: cannot be created: %s", entry->path,
                               strerror(cause));
     }
-    return glint_fail(err, GLINT_IO_ERROR, "%s: cannot be made: too many are", entry->path);
+    return glint_fail(err, GLINT_IO_ERROR, "%s: cannot be created: too many exist already",
+                      entry->path);
 }
 
 static glint_status lock_and_make(glint_cache_entry *entry, glint_error *err)
@@ -92,7 +93,7 @@ glint_status glint_cache_open(const char *cache, const char *name, glint_cache_e
     if (entry->path == NULL || asprintf(&entry->lock_path, "%s.lock", entry->path) < 0) {
         entry->lock_path = NULL;
         glint_cache_close(entry);
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
     }
     if (access(entry->path, R_OK) == 0)
         return GLINT_OK;
@@ -106,7 +107,7 @@ glint_status glint_cache_commit(glint_cache_entry *entry, const char *made, glin
 {
     char *from;
     if (asprintf(&from, "%s/%s", entry->work, made) < 0)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
     const int failed = rename(from, entry->path);
     const int cause = errno;
     free(from);

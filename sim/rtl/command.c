@@ -63,7 +63,7 @@ glint_status glint_command_start(const char *const *arguments, const char *direc
         return interrupted(err);
     command->words = memfd_create("glint", MFD_CLOEXEC);
     if (command->words < 0)
-        return glint_fail(err, GLINT_IO_ERROR, "%s cannot be started: %s", arguments[0],
+        return glint_fail(err, GLINT_IO_ERROR, "cannot start %s: %s", arguments[0],
                           strerror(errno));
     const pid_t parent = getpid();
     command->process = fork();
@@ -73,7 +73,7 @@ glint_status glint_command_start(const char *const *arguments, const char *direc
         const int cause = errno;
         command->process = 0;
         glint_command_kill(command);
-        return glint_fail(err, GLINT_IO_ERROR, "%s cannot be started: %s", arguments[0],
+        return glint_fail(err, GLINT_IO_ERROR, "cannot start %s: %s", arguments[0],
                           strerror(cause));
     }
     return GLINT_OK;
@@ -118,7 +118,8 @@ static glint_status wait_for(glint_command *command, int *state, glint_error *er
     }
     command->process = 0;
     if (ended < 0)
-        return glint_fail(err, GLINT_IO_ERROR, "a tool's end was not seen: %s", strerror(errno));
+        return glint_fail(err, GLINT_IO_ERROR, "cannot wait for a tool to finish: %s",
+                          strerror(errno));
     if (is_interruption(*state) || is_stopped())
         return interrupted(err);
     return GLINT_OK;
@@ -133,7 +134,7 @@ glint_status glint_command_wait(glint_command *command, bool *success, char **sa
     if (said != NULL) {
         *said = status == GLINT_OK ? read_all(command->words) : NULL;
         if (status == GLINT_OK && *said == NULL)
-            status = glint_fail(err, GLINT_NO_MEMORY, "no memory for a tool's words");
+            status = glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a tool's output");
     }
     glint_command_kill(command);
     return status;

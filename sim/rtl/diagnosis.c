@@ -261,6 +261,6 @@ glint_status glint_diagnose_compiler(const char *said, glint_error *err)
         while (begin > said && begin[-1] != '\n')
             begin--;
     }
-    return glint_fail(err, GLINT_DEVICE_FAULT, "the C++ compiler fails: %.*s",
+    return glint_fail(err, GLINT_DEVICE_FAULT, "the C++ compiler failed: %.*s",
                       (int)(line_end(begin) - begin), begin);
 }

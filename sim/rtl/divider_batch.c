@@ -166,7 +166,7 @@ glint_status glint_rtl_divide(glint_rtl *rtl, const glint_division *divisions, s
 {
     const divider *d = divider_of(rtl);
     if (d == NULL)
-        return glint_fail(err, GLINT_DEVICE_FAULT, "the circuit has not a divider's pins");
+        return glint_fail(err, GLINT_DEVICE_FAULT, "the circuit does not have a divider's pins");
     *d->reset = 0;
     *d->en = 1;
     const size_t done = is_pipelined(rtl) ? run_pipelined(rtl, d, divisions, count, quotients)

@@ -27,7 +27,7 @@ static const layout headers_layout = {TREE "/cmodel", "../include/glint"};
 
 static glint_status no_memory(glint_error *err)
 {
-    return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+    return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
 }
 
 /* base/name when that is there; NULL when not, or without memory. */
@@ -85,19 +85,19 @@ glint_status glint_place_rtl(char **directory, glint_error *err)
     *directory = told != NULL && told[0] != '\0' ? strdup(told) : find(&rtl_layout);
     return *directory != NULL
                ? GLINT_OK
-               : glint_fail(err, GLINT_IO_ERROR,
-                            "Glint's own Verilog is not where this program looks for it "
-                            "(" INSTALLED "/rtl): set GLINT_RTL to its directory");
+               : glint_fail(
+                     err, GLINT_IO_ERROR,
+                     "cannot find Glint's own Verilog where this program expects it (" INSTALLED
+                     "/rtl): set GLINT_RTL to its directory");
 }
 
 static glint_status find_or_fail(const layout *layout, char **directory, glint_error *err)
 {
     *directory = find(layout);
-    return *directory != NULL ? GLINT_OK
-                              : glint_fail(err, GLINT_IO_ERROR,
-                                           "%s is not there, seen from this program: make install "
-                                           "puts it there",
-                                           layout->installed);
+    return *directory != NULL
+               ? GLINT_OK
+               : glint_fail(err, GLINT_IO_ERROR, "%s is missing: make install puts it there",
+                            layout->installed);
 }
 
 glint_status glint_place_shim(char **directory, glint_error *err)
@@ -136,7 +136,7 @@ glint_status glint_place_cache(char **directory, glint_error *err)
     *directory = NULL;
     if (named == NULL)
         return glint_fail(err, GLINT_IO_ERROR,
-                          "there is no place to keep circuits in: set GLINT_CACHE to a directory");
+                          "nowhere to keep circuits: set GLINT_CACHE to a directory");
     const glint_status status = glint_directory_make(named, err);
     if (status == GLINT_OK)
         *directory = realpath(named, NULL);

@@ -22,14 +22,14 @@ static glint_status place(glint_ports *ports, const char *name, bool is_output, 
                           int *of, int *at, glint_error *err)
 {
     if (width < 1 || width > 64 * GLINT_VALUE_WORDS)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "%s has %d bits; 1 to %d are possible", name,
-                          width, 64 * GLINT_VALUE_WORDS);
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "%s has %d bits, not from 1 to %d", name, width,
+                          64 * GLINT_VALUE_WORDS);
     *of = port_named(ports, name, is_output);
     glint_port *port = &ports->port[*of];
     *at = lane > 0 ? lane * width : 0;
     if (*at > port->width || (lane <= 0 && port->width > 0))
         return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "the lanes of port %s are not one behind the other from lane 0 on", name);
+                          "the lanes of port %s are not in sequence from lane 0", name);
     port->width = *at + width;
     return GLINT_OK;
 }
@@ -43,8 +43,8 @@ static glint_status place_all(const glint_setting *setting, glint_ports *ports, 
         status = place(ports, pin.name, false, glint_pin_width(&pin), pin.lane, &ports->of_pin[i],
                        &ports->pin_at[i], err);
         if (status == GLINT_OK && pin.lane > 0 && ports->of_pin[i] != ports->of_pin[i - 1])
-            status = glint_fail(err, GLINT_BAD_ARGUMENT,
-                                "the lanes of pin %s do not stand one behind the other", pin.name);
+            status = glint_fail(err, GLINT_BAD_ARGUMENT, "the lanes of pin %s are not in sequence",
+                                pin.name);
     }
     for (int i = 0; status == GLINT_OK && i < ports->signals; i++) {
         const glint_signal_info signal = circuit->signal(setting->values, i);
@@ -68,7 +68,7 @@ glint_status glint_ports_make(const glint_setting *setting, glint_ports *ports, 
     ports->signal_at = calloc(signals, sizeof *ports->signal_at);
     if (ports->port == NULL || ports->of_pin == NULL || ports->pin_at == NULL ||
         ports->of_signal == NULL || ports->signal_at == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit's ports");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a circuit's ports");
     return place_all(setting, ports, err);
 }
 

@@ -131,7 +131,7 @@ glint_status glint_probe_make(const glint_setting *setting, const glint_ports *p
     *probe = (glint_probe){0};
     writer w = {setting, ports, probe, open_memstream(&probe->text, &probe->size), 0, false};
     if (w.out == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the probe of a circuit");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for the probe of a circuit");
     write_ports(&w);
     write_instance(&w);
     write_signals(&w);
@@ -139,7 +139,7 @@ glint_status glint_probe_make(const glint_setting *setting, const glint_ports *p
     const bool failed = ferror(w.out) != 0;
     if (fclose(w.out) != 0 || failed || w.failed) {
         glint_probe_free(probe);
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the probe of a circuit");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for the probe of a circuit");
     }
     return GLINT_OK;
 }

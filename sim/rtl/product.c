@@ -22,7 +22,7 @@ enum {
 
 static glint_status no_memory(glint_error *err)
 {
-    return glint_fail(err, GLINT_NO_MEMORY, "no memory for building a circuit");
+    return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for building a circuit");
 }
 
 /* A port's member of Verilator's class: of two underlines in a row, the second is written as a

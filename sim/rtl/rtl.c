@@ -185,7 +185,7 @@ void glint_rtl_read(const glint_rtl *rtl, uint64_t *words)
 
 static glint_status no_memory(glint_error *err)
 {
-    return glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit");
+    return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a circuit");
 }
 
 static glint_status list_ports(glint_rtl *rtl, glint_error *err)
@@ -287,7 +287,7 @@ static glint_status place_all(glint_rtl *rtl, const glint_setting *setting,
     glint_status status = good ? list_ports(rtl, err) : no_memory(err);
     if (status == GLINT_OK && !glint_signal_places(setting, word))
         status = glint_fail(err, GLINT_BAD_ARGUMENT,
-                            "the signals have more than %d words of 64 bits in all",
+                            "the signals take more than %d 64-bit words in total",
                             GLINT_SIGNAL_WORDS_MAX);
     if (status == GLINT_OK)
         status = place_inputs(rtl, setting, ports, err);
@@ -303,12 +303,12 @@ static glint_status load_object(glint_rtl *rtl, const char *path, glint_error *e
 {
     rtl->object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (rtl->object == NULL)
-        return glint_fail(err, GLINT_DEVICE_FAULT, "the circuit cannot be loaded: %s", dlerror());
+        return glint_fail(err, GLINT_DEVICE_FAULT, "cannot load the circuit: %s", dlerror());
 #define NAME_OF(symbol) #symbol
 #define TEXT_OF(symbol) NAME_OF(symbol)
     rtl->shim = dlsym(rtl->object, TEXT_OF(GLINT_SHIM_SYMBOL));
     if (rtl->shim == NULL)
-        return glint_fail(err, GLINT_DEVICE_FAULT, "%s is no circuit of Glint", path);
+        return glint_fail(err, GLINT_DEVICE_FAULT, "%s is not a Glint circuit", path);
     rtl->instance = rtl->shim->create();
     return rtl->instance != NULL ? GLINT_OK : no_memory(err);
 }

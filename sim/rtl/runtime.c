@@ -98,7 +98,7 @@ char *glint_compilation_text(const glint_tools *tools, glint_rtl_kind kind)
 
 static glint_status no_memory(glint_error *err)
 {
-    return glint_fail(err, GLINT_NO_MEMORY, "no memory for building a circuit");
+    return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for building a circuit");
 }
 
 /* cache/runtime-HASH, with what it is of in the hash. */
@@ -179,7 +179,7 @@ static glint_status add_source(glint_runtime *runtime, const char *name, char *s
         free(source);
         return is_known ? GLINT_OK
                         : glint_fail(err, GLINT_DEVICE_FAULT,
-                                     "Verilator's runtime has more files than are expected");
+                                     "Verilator's runtime has more files than expected");
     }
     glint_runtime_file *file = &runtime->file[runtime->count++];
     *file = (glint_runtime_file){.source = source, .command = {0, -1}};

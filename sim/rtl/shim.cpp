@@ -40,7 +40,7 @@
 [[noreturn]] static void give_up(const char *file, int line, const char *what)
 {
     std::fflush(stdout);
-    std::fprintf(stderr, "glint: the Verilog cannot be simulated: %s (%s:%d)\n", what, file, line);
+    std::fprintf(stderr, "glint: cannot simulate the Verilog: %s (%s:%d)\n", what, file, line);
     std::fflush(stderr);
     std::_Exit(2);
 }

@@ -21,7 +21,7 @@ static glint_status add_name(glint_sources *sources, const char *name, glint_sou
         sources->file = grown;
     char *copy = grown != NULL ? strdup(name) : NULL;
     if (copy == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit's sources");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a circuit's sources");
     *added = &sources->file[sources->count++];
     **added = (glint_source){copy, NULL, 0};
     return GLINT_OK;
@@ -36,7 +36,7 @@ glint_status glint_sources_add(glint_sources *sources, const char *name, const c
         return status;
     added->text = malloc(size + 1);
     if (added->text == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit's sources");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a circuit's sources");
     memcpy(added->text, text, size);
     added->text[size] = '\0';
     added->size = size;
@@ -63,7 +63,7 @@ glint_status glint_sources_read_file(glint_sources *sources, const char *directo
     glint_source *added = NULL;
     char *path;
     if (asprintf(&path, "%s/%s", directory, name) < 0)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
     glint_status status = add_name(sources, name, &added, err);
     FILE *in = status == GLINT_OK ? fopen(path, "rb") : NULL;
     if (status == GLINT_OK && (in == NULL || !read_stream(in, &added->text, &added->size)))
@@ -107,7 +107,7 @@ glint_status glint_sources_read(glint_sources *sources, const char *directory,
     }
     free(entry);
     if (status == GLINT_OK && sources->count == before)
-        return glint_fail(err, GLINT_IO_ERROR, "%s: no %s file is in this directory", directory,
+        return glint_fail(err, GLINT_IO_ERROR, "%s: no %s file in this directory", directory,
                           endings[0]);
     return status;
 }
@@ -116,7 +116,7 @@ static glint_status write_one(const glint_source *source, const char *directory,
 {
     char *path;
     if (asprintf(&path, "%s/%s", directory, source->name) < 0)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
     FILE *out = fopen(path, "wb");
     bool good = out != NULL && fwrite(source->text, 1, source->size, out) == source->size;
     good = (out == NULL || fclose(out) == 0) && good;

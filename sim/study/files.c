@@ -38,7 +38,7 @@ glint_status glint_study_files_create(const char *directory, glint_study_files *
         return status;
     *files = calloc(1, sizeof **files);
     if (*files == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the files of a study");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for the files of a study");
     (*files)->directory = directory;
     return GLINT_OK;
 }
@@ -113,7 +113,8 @@ static glint_status remove_file(const glint_study_files *files, const char *name
     if (status != GLINT_OK || lstat(path, &info) != 0 || S_ISDIR(info.st_mode) ||
         glint_file_replaceable(path, NULL) != GLINT_OK || unlink(path) == 0)
         return status;
-    return glint_fail(err, GLINT_IO_ERROR, "cannot remove %.400s, of an earlier study: %s", path,
+    return glint_fail(err, GLINT_IO_ERROR,
+                      "cannot remove %.400s, left over from an earlier study: %s", path,
                       strerror(errno));
 }
 

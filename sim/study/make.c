@@ -120,8 +120,9 @@ static glint_status write_json(const making *m, const glint_study_row *rows, gli
     char *text = glint_json_text(json);
     cJSON_Delete(json);
     FILE *stream;
-    glint_status status = text != NULL ? glint_study_files_add(m->files, "study.json", &stream, err)
-                                       : glint_fail(err, GLINT_NO_MEMORY, "no memory for JSON");
+    glint_status status = text != NULL
+                              ? glint_study_files_add(m->files, "study.json", &stream, err)
+                              : glint_fail(err, GLINT_NO_MEMORY, "not enough memory for JSON");
     if (status == GLINT_OK) {
         fprintf(stream, "%s\n", text);
         status = glint_study_files_end(m->files, err);

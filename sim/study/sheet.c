@@ -75,14 +75,14 @@ glint_status glint_sheet_create(int rows, int columns, int width, int height, in
     const int64_t page_width = sheet_width(columns, width, shrink);
     const int64_t page_height = sheet_height(rows, height, shrink);
     if (page_width > GLINT_IMAGE_SIDE_MAX || page_height > GLINT_IMAGE_SIDE_MAX) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "a sheet of %d rows would be %lld by %lld pixels: sides are at most %d",
-                          rows, (long long)page_width, (long long)page_height,
-                          GLINT_IMAGE_SIDE_MAX);
+        return glint_fail(
+            err, GLINT_BAD_ARGUMENT,
+            "a sheet of %d rows would be %lld by %lld pixels: each side may be at most %d", rows,
+            (long long)page_width, (long long)page_height, GLINT_IMAGE_SIDE_MAX);
     }
     glint_sheet *created = calloc(1, sizeof *created);
     if (created == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a sheet");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a sheet");
     created->width = width;
     created->height = height;
     created->shrink = shrink;

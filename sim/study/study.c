@@ -43,17 +43,17 @@ glint_status glint_study_method_parse(const char *text, glint_study_method *meth
     } else if (glint_reflectance_find(who, &parsed.model)) {
         parsed.by_model = true;
     } else {
-        return glint_fail(err, GLINT_BAD_ARGUMENT,
-                          "\"%.60s\" is no method: not c, rtl, real or a reflectance model (glint "
-                          "models lists them)",
-                          who);
+        return glint_fail(
+            err, GLINT_BAD_ARGUMENT,
+            "\"%.60s\" is not a method: use c, rtl, real or one that glint models lists",
+            who);
     }
     if (colon != NULL) {
         if (!find(shadings, GLINT_SHADING_COUNT, colon + 1, &index)) {
-            return glint_fail(err, GLINT_BAD_ARGUMENT,
-                              "\"%.60s\" is no shading: not flat, gouraud, gouraud-perspective or "
-                              "phong",
-                              colon + 1);
+            return glint_fail(
+                err, GLINT_BAD_ARGUMENT,
+                "\"%.60s\" is not a shading: use flat, gouraud, gouraud-perspective or phong",
+                colon + 1);
         }
         parsed.shading = (glint_shading)index;
     }
@@ -114,7 +114,7 @@ static glint_status create_parts(glint_study *study, glint_error *err)
     study->mark = malloc(setup->scene.mesh->triangle_count);
     return study->seen != NULL && study->mark != NULL
                ? GLINT_OK
-               : glint_fail(err, GLINT_NO_MEMORY, "no memory for a study");
+               : glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a study");
 }
 
 glint_status glint_study_create(const glint_study_setup *setup, glint_study **study,
@@ -123,7 +123,7 @@ glint_status glint_study_create(const glint_study_setup *setup, glint_study **st
     *study = NULL;
     glint_study *created = calloc(1, sizeof *created);
     if (created == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a study");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a study");
     created->setup = *setup;
     const glint_status status = create_parts(created, err);
     if (status != GLINT_OK) {
@@ -221,7 +221,7 @@ static glint_status compare_pictures(glint_study *study, int n, const volatile b
         return status;
     if (row->difference.object_pixels == 0) {
         return glint_fail(err, GLINT_BAD_INPUT,
-                          "nothing to compare: no pixel of the object is in the frame");
+                          "nothing to compare: the object is outside the frame");
     }
     return GLINT_OK;
 }

@@ -121,7 +121,7 @@ glint_status glint_wave_scene_make(const glint_setting *setting, glint_wave_scen
     scene->marker = marker_of(setting);
     scene->pins = calloc((size_t)scene->clocks, sizeof *scene->pins);
     if (scene->pins == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a scene");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a scene");
     (setting->circuit == &glint_circuit_specular  ? fill_specular
      : setting->circuit == &glint_circuit_divider ? fill_divider
                                                   : fill_random)(setting, scene);

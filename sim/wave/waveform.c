@@ -138,7 +138,7 @@ static glint_status check_whole(const char *path, glint_wave_format format, glin
 {
     const bool whole = format == GLINT_WAVE_FST ? glint_wave_is_whole(path) : is_whole_vcd(path);
     return whole ? GLINT_OK
-                 : glint_fail(err, GLINT_IO_ERROR, "%s: the waveform did not arrive whole", path);
+                 : glint_fail(err, GLINT_IO_ERROR, "%s: the waveform is incomplete", path);
 }
 
 glint_status glint_wave_write(const char *path, glint_wave_format format,
@@ -146,7 +146,7 @@ glint_status glint_wave_write(const char *path, glint_wave_format format,
 {
     char *part = glint_temporary_name(path, GLINT_TEMPORARY_WAVE);
     if (part == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
     glint_temporary_sweep(path);
     glint_status status = record(context, part, err);
     if (status == GLINT_OK)

@@ -272,7 +272,8 @@ static void pipes_that_nobody_reads(void **state)
         char line[2048];
         line_of(&(writer){.line = commands[i]}, out, line);
         outcome done = abuse_run("a pipe without a reader", line, &(abuse){0});
-        abuse_expect_failure(&done, line, 2, "unread.png: it is a pipe, and in 5 s nobody came");
+        abuse_expect_failure(&done, line, 2,
+                             "unread.png: it is a pipe, and no reader opened it within 5 s");
         abuse_forget(&done);
     }
     abuse_all_tried();

@@ -416,7 +416,7 @@ static void ports_that_the_description_has_not(void **state)
     (void)state;
     write_verilog("input wire en,", "input wire en, input wire hold,");
     assert_refused(GLINT_RTL_OBSERVED, GLINT_DEVICE_FAULT, "counter has an input hold",
-                   "the description has not");
+                   "is missing from the description");
     write_verilog("input wire en,", "input wire en, output wire odd,");
     assert_int_equal(count_of(8, GLINT_RTL_OBSERVED), 15);
     write_verilog("", "");
@@ -479,12 +479,13 @@ static void without_verilator_what_is_built_is_used(void **state)
     assert_int_equal(count_of(8, GLINT_RTL_OBSERVED), 15);
     write_verilog("count + {", "count ^ {");
     assert_refused(GLINT_RTL_OBSERVED, GLINT_IO_ERROR, "VERILATOR=/no/such/verilator",
-                   "no such program");
+                   "program not found");
     assert_int_equal(unsetenv("VERILATOR"), 0);
     assert_int_equal(setenv("PATH", "/no/such/directory", 1), 0);
-    assert_refused(GLINT_RTL_OBSERVED, GLINT_IO_ERROR, "there is no Verilator", "install");
+    assert_refused(GLINT_RTL_OBSERVED, GLINT_IO_ERROR,
+                   "Verilator, which builds the circuit, was not found", "install");
     assert_int_equal(setenv("VERILATOR", kept, 1), 0);
-    assert_refused(GLINT_RTL_OBSERVED, GLINT_IO_ERROR, "there is no C++ compiler", "install");
+    assert_refused(GLINT_RTL_OBSERVED, GLINT_IO_ERROR, "no C++ compiler was found", "install");
     write_verilog("", "");
     assert_int_equal(count_of(8, GLINT_RTL_OBSERVED), 15);
     assert_int_equal(setenv("PATH", path, 1), 0);

@@ -222,13 +222,15 @@ static void make_toy(void)
 /* X(name, what breaks it, what is said behind "circuit toy"). IN: in the standard setting. */
 #define IN " (toy, kind fast, depth 2): "
 #define FAULTS(X)                                                                                  \
-    X(title, toy.title = "", ": it has no title")                                                  \
-    X(clock, toy.clock_port = "1clk", ": clock_port \"1clk\" is no C identifier")                  \
-    X(lane_name, toy.lane_name = "a b", ": lane_name \"a b\" is no C identifier")                  \
-    X(scope_without, toy.lane_scope = "lane", ": lane_scope \"lane\" has not one %d for the lane") \
+    X(title, toy.title = "", " has no title")                                                      \
+    X(clock, toy.clock_port = "1clk", ": clock_port \"1clk\" is not a C identifier")               \
+    X(lane_name, toy.lane_name = "a b", ": lane_name \"a b\" is not a C identifier")               \
+    X(scope_without, toy.lane_scope = "lane",                                                      \
+      ": lane_scope \"lane\" must contain one %d, for the lane")                                   \
     X(scope_twice, toy.lane_scope = "l[%d].m[%d]",                                                 \
-      ": lane_scope \"l[%d].m[%d]\" has not one %d for the lane")                                  \
-    X(scope_text, toy.lane_scope = "l[%s]", ": lane_scope \"l[%s]\" has not one %d for the lane")  \
+      ": lane_scope \"l[%d].m[%d]\" must contain one %d, for the lane")                            \
+    X(scope_text, toy.lane_scope = "l[%s]",                                                        \
+      ": lane_scope \"l[%s]\" must contain one %d, for the lane")                                  \
     X(no_pin_count, toy.pin_count = NULL, ": it has no function pin_count")                        \
     X(no_pin, toy.pin = NULL, ": it has no function pin")                                          \
     X(no_signal_count, toy.signal_count = NULL, ": it has no function signal_count")               \
@@ -240,36 +242,36 @@ static void make_toy(void)
     X(no_clock, toy.clock = NULL, ": it has no function clock")                                    \
     X(no_signals, toy.signals = NULL, ": its C model has create(), and no signals()")              \
     X(half_a_stimulus, toy.stimulus_begin = begin,                                                 \
-      ": of stimulus_begin and stimulus_next it has but one")                                      \
+      ": stimulus_begin and stimulus_next must both be set, or neither")                           \
     X(other_half, toy.stimulus_next = next,                                                        \
-      ": of stimulus_begin and stimulus_next it has but one")                                      \
+      ": stimulus_begin and stimulus_next must both be set, or neither")                           \
     X(large_stimulus, toy.stimulus_size = GLINT_STIMULUS_SIZE_MAX + 1,                             \
-      ": a stimulus_size of 4097 bytes is more than 4096")                                         \
-    X(domain_what, domain.what = NULL, ": its domain lacks one of what, points and put")           \
-    X(domain_points, domain.points = NULL, ": its domain lacks one of what, points and put")       \
-    X(domain_put, domain.put = NULL, ": its domain lacks one of what, points and put")             \
-    X(headings, toy.headings = NULL, ": it has no table of 2 headings")                            \
+      ": stimulus_size is 4097 bytes; at most 4096 are allowed")                                   \
+    X(domain_what, domain.what = NULL, ": its domain needs all of what, points and put")           \
+    X(domain_points, domain.points = NULL, ": its domain needs all of what, points and put")       \
+    X(domain_put, domain.put = NULL, ": its domain needs all of what, points and put")             \
+    X(headings, toy.headings = NULL, ": heading_count is 2, but headings is NULL")                 \
     X(heading_title, headings[1].title = "", ": heading 1 has no title")                           \
-    X(two_headings, headings[1].title = "In", ": two headings \"In\"")                             \
-    X(many_parameters, toy.parameter_count = 9, ": 9 parameters are not in 0 to 8")                \
-    X(parameters, toy.parameters = NULL, ": it has no table of 2 parameters")                      \
+    X(two_headings, headings[1].title = "In", ": heading \"In\" appears twice")                    \
+    X(many_parameters, toy.parameter_count = 9, ": parameter_count is 9, not from 0 to 8")         \
+    X(parameters, toy.parameters = NULL, ": parameter_count is 2, but parameters is NULL")         \
     X(parameter_name, parameters[1].name = "a b",                                                  \
-      ": the name of parameter 1 is not one of letters, digits, _ and -")                          \
+      ": the name of parameter 1 may only contain letters, digits, _ and -")                       \
     X(parameter_verilog, parameters[1].verilog = "",                                               \
-      ": parameter depth: \"\" is no name of a Verilog parameter")                                 \
+      ": parameter depth: \"\" is not a Verilog parameter name")                                   \
     X(parameter_meaning, parameters[0].meaning = NULL, ": parameter kind has no meaning")          \
-    X(two_parameters, parameters[1].name = "kind", ": two parameters kind")                        \
+    X(two_parameters, parameters[1].name = "kind", ": parameter kind appears twice")               \
     X(one_verilog, parameters[0].verilog = "DEPTH",                                                \
-      ": parameters kind and depth are both the Verilog's DEPTH")                                  \
-    X(range, parameters[1].max = 0, ": parameter depth: there is nothing from 1 to 0")             \
+      ": parameters kind and depth both set the Verilog's DEPTH")                                  \
+    X(range, parameters[1].max = 0, ": parameter depth: the range 1 to 0 is empty")                \
     X(standard, parameters[1].standard = 9,                                                        \
-      ": parameter depth: its standard, 9, is not in 1 to 8")                                      \
+      ": parameter depth: its standard, 9, is not from 1 to 8")                                    \
     X(choices, parameters[1].choices = kinds,                                                      \
       ": parameter depth has choices, so its min must be 0, not 1")                                \
     X(choice, kind_names[1] = "";                                                                  \
       parameters[0].choices = kind_names, ": parameter kind: choice 1 has no name")                \
     X(unlisted, parameters[1].listed = NULL;                                                       \
-      parameters[1].max = 70000, ": parameter depth has 70000 values: it must list those to try")  \
+      parameters[1].max = 70000, ": parameter depth has 70000 values: list the ones to try")       \
     X(nothing_listed, parameters[1].listed_count = 0, ": parameter depth lists 0 values")          \
     X(listed, parameters[1].max = 3, ": parameter depth lists 4, which is not in 1 to 3")          \
     X(large_pins, toy.pins_size = 1025, IN "pins_size is 1025, at most 1024 are held")             \
@@ -277,33 +279,38 @@ static void make_toy(void)
     X(nothing_signalled, signal_count_of_toy = 0, IN "0 signals are not 1 to 2048")                \
     X(pin_name, pins[1].name = "a[0]", IN "the name of pin 1, \"a[0]\", is no C identifier")       \
     X(pin_meaning, pins[1].meaning = NULL, IN "pin take has no meaning")                           \
-    X(no_bits, pins[1].int_bits = 0, IN "pin take: 0 + 0 bits are not 1 to 4096")                  \
-    X(many_bits, pins[1].int_bits = 4097, IN "pin take: 4097 + 0 bits are not 1 to 4096")          \
-    X(negative_bits, pins[1].frac_bits = -1, IN "pin take: 2 + -1 bits are not 1 to 4096")         \
+    X(no_bits, pins[1].int_bits = 0, IN "pin take: its width, 0 + 0 bits, is not from 1 to 4096")  \
+    X(many_bits, pins[1].int_bits = 4097,                                                          \
+      IN "pin take: its width, 4097 + 0 bits, is not from 1 to 4096")                              \
+    X(negative_bits, pins[1].frac_bits = -1,                                                       \
+      IN "pin take: its width, 2 + -1 bits, is not from 1 to 4096")                                \
     X(no_sign, pins[3].int_bits = 0;                                                               \
-      pins[3].frac_bits = 9, IN "pin cos is signed, and has no integer bit for the sign")          \
-    X(pin_lane, pins[1].lane = -2, IN "pin take: there is no lane -2")                             \
+      pins[3].frac_bits = 9, IN "pin cos is signed but has no integer bit for the sign")           \
+    X(pin_lane, pins[1].lane = -2, IN "pin take: lane -2 does not exist")                          \
     X(wide_reset, pins[0].int_bits = 2,                                                            \
-      IN "pin reset: a reset, an enable or a strobe has one bit, not 2")                           \
+      IN "pin reset: a reset, enable or strobe has one bit, not 2")                                \
     X(wide_strobe, pins[5].int_bits = 3,                                                           \
-      IN "pin more: a reset, an enable or a strobe has one bit, not 3")                            \
-    X(role, pins[1].role = (glint_pin_role)17, IN "pin take: there is no role number 17")          \
-    X(pin_size, pins[1].size = 3, IN "pin take: 3 bytes are not 1, 2, 4 or 8 a word")              \
-    X(no_size, pins[1].size = 0, IN "pin take: 0 bytes are not 1, 2, 4 or 8 a word")               \
-    X(small_size, pins[2].size = 1, IN "pin cos: its 9 bits do not fit into 1 bytes")              \
-    X(small_words, pins[4].size = 8, IN "pin wide: its 66 bits do not fit into 8 bytes")           \
+      IN "pin more: a reset, enable or strobe has one bit, not 3")                                 \
+    X(role, pins[1].role = (glint_pin_role)17, IN "pin take: unknown role number 17")              \
+    X(pin_size, pins[1].size = 3,                                                                  \
+      IN "pin take: its size, 3 bytes, is neither 1, 2, 4 nor a multiple of 8")                    \
+    X(no_size, pins[1].size = 0,                                                                   \
+      IN "pin take: its size, 0 bytes, is neither 1, 2, 4 nor a multiple of 8")                    \
+    X(small_size, pins[2].size = 1, IN "pin cos: its 9 bits do not fit in 1 bytes")                \
+    X(small_words, pins[4].size = 8, IN "pin wide: its 66 bits do not fit in 8 bytes")             \
     X(outside, pins[5].offset = sizeof(toy_pins),                                                  \
-      IN "pin more: 1 bytes at offset 32 are not in a struct of 32")                               \
-    X(unaligned, pins[2].offset = 3, IN "pin cos: offset 3 is no multiple of its 2 bytes")         \
+      IN "pin more: 1 bytes at offset 32 are outside a struct of 32")                              \
+    X(unaligned, pins[2].offset = 3, IN "pin cos: offset 3 is not a multiple of its 2 bytes")      \
     X(unaligned_words, pins[4].offset = 12,                                                        \
-      IN "pin wide: offset 12 is no multiple of its 8 bytes")                                      \
-    X(lane_missing, pins[2].lane = -1, IN "pin cos: lane 1 does not stand behind lane 0")          \
+      IN "pin wide: offset 12 is not a multiple of its 8 bytes")                                   \
+    X(lane_missing, pins[2].lane = -1, IN "pin cos: lane 1 does not follow lane 0")                \
     X(lane_apart, pins[3] = pins[5]; pins[5] = pins[2];                                            \
-      pins[5].lane = 1, IN "pin cos: lane 1 does not stand behind lane 0")                         \
+      pins[5].lane = 1, IN "pin cos: lane 1 does not follow lane 0")                               \
     X(lane_width, pins[3].frac_bits = 7, IN "pin cos: lanes 0 and 1 differ in width or sign")      \
     X(lane_sign, pins[3].is_signed = 0, IN "pin cos: lanes 0 and 1 differ in width or sign")       \
     X(two_pins, pins[5].name = "take", IN "two pins take")                                         \
-    X(pin_is_clock, pins[5].name = "clk", IN "pin clk is the clock, which is none of the pins")    \
+    X(pin_is_clock, pins[5].name = "clk",                                                          \
+      IN "pin clk is the clock, which must not be among the pins")                                 \
     X(overlap, pins[5].offset = 1, IN "pins take and more lie in the same bytes")                  \
     X(signal_name, signals[2].name = "u.wide",                                                     \
       IN "the name of signal 2, \"u.wide\", is no C identifier: it may be its path")               \
@@ -312,19 +319,21 @@ static void make_toy(void)
     X(signal_not_in_model, toy.create = NULL; toy.destroy = NULL; toy.signals = NULL;              \
       toy.model_size = 8, IN "signal sum: offset 8 is not in a model of 8 bytes")                  \
     X(signal_meaning, signals[2].meaning = NULL, IN "signal wide has no meaning")                  \
-    X(signal_bits, signals[2].int_bits = 5000, IN "signal wide: 5000 + 0 bits are not 1 to 4096")  \
-    X(kind, signals[2].kind = (glint_signal_kind)9, IN "signal wide: there is no kind number 9")   \
-    X(signal_offset, signals[2].offset = 4, IN "signal wide: offset 4 is not that of an int64_t")  \
-    X(two_signals, signals[1].lane = 0, IN "two signals sum of lane 0")                            \
+    X(signal_bits, signals[2].int_bits = 5000,                                                     \
+      IN "signal wide: its width, 5000 + 0 bits, is not from 1 to 4096")                           \
+    X(kind, signals[2].kind = (glint_signal_kind)9, IN "signal wide: unknown kind number 9")       \
+    X(signal_offset, signals[2].offset = 4,                                                        \
+      IN "signal wide: offset 4 is not aligned for an int64_t inside its struct")                  \
+    X(two_signals, signals[1].lane = 0, IN "signal sum of lane 0 appears twice")                   \
     X(heading, signals[2].heading = "Where",                                                       \
-      IN "signal wide: its heading \"Where\" is none of the circuit's")                            \
+      IN "signal wide: the circuit has no heading \"Where\"")                                      \
     X(lanes_without_name, toy.lane_name = NULL,                                                    \
-      IN "signal sum is of lane 0, and the circuit has no lane_name")                              \
+      IN "signal sum belongs to lane 0, but the circuit has no lane_name")                         \
     X(lanes_without_scope, toy.lane_scope = NULL,                                                  \
-      IN "signal sum is of lane 0, and the circuit has no lane_scope")                             \
-    X(path, signals[2].path = "u;v", IN "signal wide: \"u;v\" is no path in Verilog")              \
-    X(output_is_pin, signals[3].name = "take", IN "output take has the name of a pin")             \
-    X(output_lane, signals[3].lane = -1, IN "output out: lane 1 does not come after lane 0")       \
+      IN "signal sum belongs to lane 0, but the circuit has no lane_scope")                        \
+    X(path, signals[2].path = "u;v", IN "signal wide: \"u;v\" is not a Verilog path")              \
+    X(output_is_pin, signals[3].name = "take", IN "output take has the same name as a pin")        \
+    X(output_lane, signals[3].lane = -1, IN "output out: lane 1 does not follow lane 0")           \
     X(output_width, signals[4].int_bits = 8, IN "output out: lanes 0 and 1 differ in width")       \
     X(top_name, top_of_toy = NULL, IN "the name of its top is no C identifier")                    \
     X(latency_below, latency_of_toy = -1, IN "a latency of -1 clocks is below 0")                  \
@@ -402,7 +411,7 @@ static void a_circuit_without_a_usable_name_is_refused(void **state)
     assert_string_equal(err.text, "the circuit has no name");
     toy.name = "my-mac";
     assert_int_equal(glint_circuit_check(&toy, &err), GLINT_BAD_INPUT);
-    assert_string_equal(err.text, "circuit \"my-mac\": its name is no C identifier");
+    assert_string_equal(err.text, "circuit \"my-mac\": its name is not a C identifier");
 }
 
 /* A fault may be there in one of the settings alone: with a depth of 70 the pin has three words. */
@@ -416,8 +425,9 @@ static void all_listed_settings_are_looked_at(void **state)
     parameters[1].listed = deep;
     parameters[1].listed_count = 3;
     assert_int_equal(glint_circuit_check(&toy, &err), GLINT_BAD_INPUT);
-    assert_string_equal(err.text, "circuit toy (toy, kind slow, depth 70): pin wide: its 134 bits "
-                                  "do not fit into 16 bytes");
+    assert_string_equal(
+        err.text,
+        "circuit toy (toy, kind slow, depth 70): pin wide: its 134 bits do not fit in 16 bytes");
 }
 
 static void no_memory_for_the_model_is_no_fault_of_the_description(void **state)
@@ -483,13 +493,13 @@ static void settings_out_of_range_are_refused(void **state)
     assert_int_equal(glint_setting_check(&setting, &err), GLINT_OK);
     setting.values[GLINT_SPECULAR_LANES]++;
     assert_int_equal(glint_setting_check(&setting, &err), GLINT_BAD_ARGUMENT);
-    assert_string_equal(err.text, "lanes: 33 is not in 1 to 32");
+    assert_string_equal(err.text, "lanes: 33 is not from 1 to 32");
     setting.values[GLINT_SPECULAR_GATE] = 3;
     assert_int_equal(glint_setting_check(&setting, &err), GLINT_BAD_ARGUMENT);
-    assert_string_equal(err.text, "gate: there is no number 3 of cosine, sign, drawn");
+    assert_string_equal(err.text, "gate: 3 is not the number of a choice: cosine, sign, drawn");
     setting = glint_setting_divider(GLINT_DIVIDER_PIPELINED, 5);
     assert_int_equal(glint_setting_check(&setting, &err), GLINT_BAD_ARGUMENT);
-    assert_string_equal(err.text, "shifts: 5 is not in 6 to 16");
+    assert_string_equal(err.text, "shifts: 5 is not from 6 to 16");
 }
 
 static int count_of_settings(const glint_circuit *circuit)

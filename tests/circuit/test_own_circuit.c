@@ -196,7 +196,7 @@ static void what_is_wrong_is_said(void **state)
          "GLINT_PIN_OF(pins, in_valid, \"taken\", VALID, 1, 0, 0, -1,",
          "rotate_xor has no pin taken"},
         {"pin", "rotate_xor", "rotate_xor.v", "clk,", "clk, input wire more,",
-         "rotate_xor has an input more that the description has not"},
+         "rotate_xor has an input more that is missing from the description"},
         {"clock", "rotate_xor", "rotate_xor.c", "\"clk\"", "\"clock\"",
          "rotate_xor has no clock clock"},
         {"top", "rotate_xor", "rotate_xor.c", ".name = \"rotate_xor\"", ".name = \"turn\"",
@@ -206,11 +206,11 @@ static void what_is_wrong_is_said(void **state)
         {"verilog", "rotate_xor", "rotate_xor.v", "endmodule", "endmodul", "rotate_xor.v:"},
         {"name", "rotate_xor", "rotate_xor.c", "glint_circuit glint_my_circuit",
          "glint_circuit my_circuit",
-         "none of its *.c defines the circuit, const glint_circuit glint_my_circuit"},
+         "none of the *.c files defines the circuit, const glint_circuit glint_my_circuit"},
         {"no-title", "rotate_xor", "rotate_xor.c", ".title = \"Turned and mixed\",", "",
          "circuit rotate_xor: it has no title"},
         {"heading", "clip_lanes", "clip_lanes.c", "{.title = VALID}", "{.title = \"Valid\"}",
-         "its heading \"Valid bits\" is none of the circuit's"},
+         "the circuit has no heading \"Valid bits\""},
         {"submodule", "ring", "ring.c", "\"u_sum.acc\"", "\"u_sum.sum\"",
          "ring has no signal sum (u_sum.sum)"},
         {"memory", "ring", "ring.c", "\"mem[\" #i", "\"mem[1\" #i",
@@ -220,7 +220,7 @@ static void what_is_wrong_is_said(void **state)
         {"parameter", "wide_sum", "wide_sum.c", "\"WIDTH\"", "\"SIZE\"",
          "wide_sum has no parameter SIZE"},
         {"option", "wide_sum", "wide_sum.c", ".name = \"width\"", ".name = \"seed\"",
-         "a parameter cannot be called seed"},
+         "a parameter cannot be named seed"},
     };
     for (size_t i = 0; i < sizeof faults / sizeof faults[0]; i++) {
         char directory[OWN_PATH], from[OWN_PATH];

@@ -56,7 +56,8 @@ static void a_difference_by_another_name_is_refused(void **state)
     (void)snprintf(options, sizeof options, "--diff %s", scratch_path("difference.gif"));
     outcome done = compare("a.png", "a.png", options);
     assert_int_equal(done.status, 2);
-    assert_says(done.err, "difference.gif: pictures are written as PNG: name it .png\n");
+    assert_says(done.err,
+                "difference.gif: pictures are written as PNG: use a name ending in .png\n");
     assert_int_equal(access(scratch_path("difference.gif"), F_OK), -1);
     forget(&done);
 }
@@ -85,7 +86,7 @@ static void a_differing_mask_is_a_difference(void **state)
     outcome done = compare("a.png", "b.png", "");
     assert_outcome(&done, 1, "");
     assert_says(done.out, "0 differing pixels of 20");
-    assert_says(done.out, "1 pixels are the object's in one picture only\n");
+    assert_says(done.out, "1 pixels belong to the object in one picture only\n");
     assert_says(done.out, "first at x=0 y=0\n");
     forget(&done);
 }
@@ -179,7 +180,7 @@ static void no_input_is_overwritten(void **state)
     (void)snprintf(options, sizeof options, "--diff %s", scratch_path("./kept.png"));
     outcome done = compare("kept.png", "kept.png", options);
     assert_int_equal(done.status, 2);
-    assert_says(done.err, "is one of the pictures compared");
+    assert_says(done.err, "is one of the pictures being compared");
     forget(&done);
     done = compare("kept.png", "kept.png", "");
     assert_outcome(&done, 0, "");

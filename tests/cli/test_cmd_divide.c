@@ -152,11 +152,11 @@ static void malformed_lines_are_named(void **state)
 {
     (void)state;
     static const refusal refusals[] = {
-        {"1\n", 0, "line 1: fewer than the two values difference k"},
-        {"1 2 3\n", 0, "line 1: more than the two values difference k"},
-        {"1 2 # comment\n", 0, "line 1: more than the two values difference k"},
-        {"1;2\n", 0, "line 1: fewer than the two values difference k"},
-        {"1\r2\n", 0, "line 1: fewer than the two values difference k"},
+        {"1\n", 0, "line 1: fewer than two values (difference k)"},
+        {"1 2 3\n", 0, "line 1: more than two values (difference k)"},
+        {"1 2 # comment\n", 0, "line 1: more than two values (difference k)"},
+        {"1;2\n", 0, "line 1: fewer than two values (difference k)"},
+        {"1\r2\n", 0, "line 1: fewer than two values (difference k)"},
         {"difference,length\n", 0, "line 1: this header has no column k"},
         {"difference,k\ndifference,k\n", 0,
          "line 2: difference: \"difference\" is not an integer from -255 to 255"},
@@ -168,19 +168,19 @@ static void malformed_lines_are_named(void **state)
         {"99999999999999999999 2", 0,
          "line 1: difference: \"99999999999999999999\" is not an integer from -255 to 255"},
         {",2", 0, "line 1: difference: \"\" is not an integer from -255 to 255"},
-        {"1,,2", 0, "line 1: more than the two values difference k"},
+        {"1,,2", 0, "line 1: more than two values (difference k)"},
         {"1,", 0, "line 1: k: \"\" is not an integer from 0 to 255"},
-        {"1 2,", 0, "line 1: more than the two values difference k"},
+        {"1 2,", 0, "line 1: more than two values (difference k)"},
         {"1 256", 0, "line 1: k: \"256\" is not an integer from 0 to 255"},
         {"1 -1", 0, "line 1: k: \"-1\" is not an integer from 0 to 255"},
         {"1 k", 0, "line 1: k: \"k\" is not an integer from 0 to 255"},
-        {"1 2\0 3\n", 7, "line 1: a NUL byte is in it: this is not text"},
-        {"# \0\n", 4, "line 1: a NUL byte is in it: this is not text"},
+        {"1 2\0 3\n", 7, "line 1: contains a NUL byte: not text"},
+        {"# \0\n", 4, "line 1: contains a NUL byte: not text"},
         {"1 0\n", 0, "line 1: k = 0 is not in the table (1 to 16)"},
         {"1 17\n", 0, "line 1: k = 17 is not in the table (1 to 16)"},
         {"0 255\n", 0, "line 1: k = 255 is not in the table (1 to 16)"},
         {"\n\n# c\n1 20\n1 2 3\n", 0, "line 4: k = 20 is not in the table (1 to 16)"},
-        {"\n\n# c\n1 2 3\n1 20\n", 0, "line 4: more than the two values difference k"},
+        {"\n\n# c\n1 2 3\n1 20\n", 0, "line 4: more than two values (difference k)"},
     };
     const plumbing none = {0};
     for (size_t i = 0; i < sizeof refusals / sizeof refusals[0]; i++) {
@@ -222,7 +222,7 @@ static void lines_before_the_refused_one_are_answered(void **state)
     (void)state;
     static const char *const rows = HEADER "8,4,12,8192,2,2,0\n8,4,12,8192,2,2,0\n";
     outcome done = run("divide", "8 4\n8 4\n8\n8 4\n");
-    assert_outcome(&done, 2, "glint divide: line 3: fewer than the two values difference k\n");
+    assert_outcome(&done, 2, "glint divide: line 3: fewer than two values (difference k)\n");
     assert_string_equal(done.out, rows);
     forget(&done);
     done = run("divide", "8 4\n8 4\n8 17\n8 4\n");

@@ -144,8 +144,8 @@ static void malformed_lines_are_named(void **state)
 {
     (void)state;
     static const refusal refusals[] = {
-        {"1 1 1 1\n", 0, "line 1: fewer than the five values n cos r g b"},
-        {"1 1 1 1 1 1\n", 0, "line 1: more than the five values n cos r g b"},
+        {"1 1 1 1\n", 0, "line 1: fewer than five values (n cos r g b)"},
+        {"1 1 1 1 1 1\n", 0, "line 1: more than five values (n cos r g b)"},
         {"n,cos,r,g\n", 0, "line 1: this header has no column b"},
         {"n,r,g,b\n", 0, "line 1: this header has no column cos or cos_code"},
         {"\n\nn,cos,r,g,b\nn,cos,r,g,b\n", 0, "line 4: n: \"n\" is not an integer from 0 to 1023"},
@@ -178,13 +178,13 @@ static void malformed_lines_are_named(void **state)
         {"1,,1,1,1", 0, "line 1: cos: \"\" is not a number from 0 to 1 or " CODES},
         {",1,1,1,1", 0, "line 1: n: \"\" is not an integer from 0 to 1023"},
         {"1,1,1,1,", 0, "line 1: b: \"\" is not an integer from 0 to 255"},
-        {"1,1,1,1,1,", 0, "line 1: more than the five values n cos r g b"},
-        {"1;1;1;1;1", 0, "line 1: fewer than the five values n cos r g b"},
-        {"1 1 1 1 1 # comment", 0, "line 1: more than the five values n cos r g b"},
-        {"1 1 1 1\r1\n", 0, "line 1: fewer than the five values n cos r g b"},
-        {"1 1 1 1 1\0 2\n", 13, "line 1: a NUL byte is in it: this is not text"},
-        {"# \0\n", 4, "line 1: a NUL byte is in it: this is not text"},
-        {"\n\n# c\n1 1 1 1 1 1\n", 0, "line 4: more than the five values n cos r g b"},
+        {"1,1,1,1,1,", 0, "line 1: more than five values (n cos r g b)"},
+        {"1;1;1;1;1", 0, "line 1: fewer than five values (n cos r g b)"},
+        {"1 1 1 1 1 # comment", 0, "line 1: more than five values (n cos r g b)"},
+        {"1 1 1 1\r1\n", 0, "line 1: fewer than five values (n cos r g b)"},
+        {"1 1 1 1 1\0 2\n", 13, "line 1: contains a NUL byte: not text"},
+        {"# \0\n", 4, "line 1: contains a NUL byte: not text"},
+        {"\n\n# c\n1 1 1 1 1 1\n", 0, "line 4: more than five values (n cos r g b)"},
     };
     const plumbing none = {0};
     for (size_t i = 0; i < sizeof refusals / sizeof refusals[0]; i++) {
@@ -203,7 +203,7 @@ static void lines_before_the_malformed_one_are_answered(void **state)
 {
     (void)state;
     outcome done = run("eval", "0 1 7 8 9\n0 1 7 8 9\n0 1 7 8\n0 1 7 8 9\n");
-    assert_outcome(&done, 2, "glint eval: line 3: fewer than the five values n cos r g b\n");
+    assert_outcome(&done, 2, "glint eval: line 3: fewer than five values (n cos r g b)\n");
     assert_string_equal(done.out, HEADER "0,262144,262144,7,8,9\n0,262144,262144,7,8,9\n");
     forget(&done);
 }
@@ -572,7 +572,7 @@ static void a_line_without_end_is_refused(void **state)
     for (size_t i = 0; i < 2; i++) {
         outcome done = run_plumbed(commands[i], "", &(plumbing){.in = "/dev/zero"});
         assert_int_equal(done.status, 2);
-        assert_says(done.err, ": line 1: longer than 16 MB: this is not text\n");
+        assert_says(done.err, ": line 1: longer than 16 MB: not text\n");
         forget(&done);
     }
 }

@@ -170,7 +170,8 @@ static void what_cannot_be_is_refused(void **state)
 {
     (void)state;
     outcome done = run("models --coefficients --json", "");
-    assert_outcome(&done, 2, "glint models: --coefficients is CSV: leave out --json\n");
+    assert_outcome(&done, 2,
+                   "glint models: --coefficients prints CSV: it cannot be used with --json\n");
     forget(&done);
     done = run("models --n 0.5", "");
     assert_outcome(&done, 2, "glint models: --n: \"0.5\" is not a number from 1 to 1e+06\n");

@@ -109,7 +109,7 @@ static void what_is_missing_is_said(void **state)
     assert_string_equal(done.err, said);
     forget(&done);
     done = render("missing.png", "--size 4x4 --distance 1000");
-    assert_outcome(&done, 0, "glint render: the frame is empty: no pixel of the object is in it\n");
+    assert_outcome(&done, 0, "glint render: the frame is empty: the object is outside it\n");
     assert_says(done.out, " 0 fragments");
     forget(&done);
 }
@@ -273,7 +273,7 @@ static void names_of_other_pictures_are_refused(void **state)
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         outcome done = render(names[i], "--size 16x16");
         assert_int_equal(done.status, 2);
-        assert_says(done.err, ": pictures are written as PNG: name it .png\n");
+        assert_says(done.err, ": pictures are written as PNG: use a name ending in .png\n");
         assert_int_equal(access(scratch_path(names[i]), F_OK), -1);
         forget(&done);
     }
@@ -284,17 +284,17 @@ static void models_that_do_not_fit_are_refused(void **state)
     (void)state;
     static const char *const refused[][2] = {
         {"--specular blinn",
-         "--specular needs --backend real: the other backends are the device\n"},
+         "--specular needs --backend real: the other backends are the device itself\n"},
         {"--specular blinn --backend rtl",
-         "--specular needs --backend real: the other backends are the device\n"},
+         "--specular needs --backend real: the other backends are the device itself\n"},
         {"--specular blinn --backend both",
-         "--specular needs --backend real: the other backends are the device\n"},
-        {"--specular Blinn --backend real",
-         "--specular: \"Blinn\" is no reflectance model (did you mean blinn?); there are lambert, "
-         "phong, blinn, "},
-        {"--f0 0.5", "--f0 is for --specular cook-torrance and torrance-sparrow\n"},
+         "--specular needs --backend real: the other backends are the device itself\n"},
+        {"--specular Blinn --backend real", "--specular: \"Blinn\" is not a reflectance model (did "
+                                            "you mean blinn?); choose from lambert, "
+                                            "phong, blinn, "},
+        {"--f0 0.5", "--f0 needs --specular cook-torrance or torrance-sparrow\n"},
         {"--f0 0.5 --backend real --specular blinn",
-         "--f0 is for --specular cook-torrance and torrance-sparrow\n"},
+         "--f0 needs --specular cook-torrance or torrance-sparrow\n"},
         {"--n 0 --backend real --specular quadratic",
          "model quadratic takes n from 1 to 1023 here, not 0\n"},
     };
@@ -367,8 +367,7 @@ static void comparing_nothing_is_a_failure(void **state)
     (void)state;
     /* From inside the sphere only back faces are seen. */
     outcome done = render("empty.png", "--backend both --model sphere --distance 0.1 --size 9x9");
-    assert_outcome(&done, 2,
-                   "glint render: nothing to compare: no pixel of the object is in the frame\n");
+    assert_outcome(&done, 2, "glint render: nothing to compare: the object is outside the frame\n");
     forget(&done);
     assert_int_equal(access(scratch_path("empty.png"), F_OK), -1);
 }
@@ -388,8 +387,8 @@ static void what_cannot_be_rendered_is_named(void **state)
         {"--model sphere --density 5", 2, "5"},
         {"--model no-such-file.obj", 2, "no-such-file.obj"},
         {"--model Makefile", 2, "Makefile"},
-        {"--model no-such-file.obj --density 4", 2, "--density is for teapot and sphere"},
-        {"--model quad --density 4", 2, "--density is for teapot and sphere"},
+        {"--model no-such-file.obj --density 4", 2, "--density needs the teapot or the sphere"},
+        {"--model quad --density 4", 2, "--density needs the teapot or the sphere"},
         {"--shading", 2, "flat, gouraud, gouraud-perspective, phong"},
         {"--shading goraud", 2, "flat, gouraud, gouraud-perspective, phong"},
         {"--shifts 5", 2, "an integer from 6 to 16"},
@@ -482,7 +481,7 @@ static void the_model_is_not_overwritten(void **state)
     (void)snprintf(options, sizeof options, "--model %s", scratch_path("./kept.obj"));
     outcome done = render("kept.obj", options);
     assert_int_equal(done.status, 2);
-    assert_says(done.err, "is the model itself");
+    assert_says(done.err, "is the model file itself");
     char *kept = scratch_read(scratch_path("kept.obj"), NULL);
     assert_string_equal(kept, text);
     free(kept);

@@ -286,7 +286,7 @@ static void a_directory_that_cannot_be_is_a_failure(void **state)
     snprintf(command_line, sizeof command_line, "report --chapter divider --out %s",
              scratch_path("file/x"));
     snprintf(expected, sizeof expected,
-             "glint report: %s: cannot make this directory: Not a directory\n",
+             "glint report: %s: cannot create this directory: Not a directory\n",
              scratch_path("file/x"));
     outcome done = run(command_line, "");
     assert_outcome(&done, 2, expected);

@@ -335,13 +335,13 @@ static void what_cannot_be_studied_is_named(void **state)
         int status;
         const char *says;
     } refused[] = {
-        {"--n 10,10", 2, "--n: 10 is there twice"},
-        {"--n 10,", 2, "--n: nothing follows a comma in \"10,\", where an integer from 0 to 1023"},
-        {"--n 10,,20", 2, "--n: nothing follows a comma in \"10,,20\""},
+        {"--n 10,10", 2, "--n: 10 is given twice"},
+        {"--n 10,", 2, "--n: a comma in \"10,\" is not followed by an integer from 0 to 1023"},
+        {"--n 10,,20", 2, "--n: a comma in \"10,,20\""},
         {"--n ,10", 2, "--n: \"\" is not an integer from 0 to 1023"},
         {"--n 5,1024", 2, "--n: \"1024\" is not an integer from 0 to 1023"},
-        {"--a glass", 2, "--a: \"glass\" is no method"},
-        {"--b blinn:smooth", 2, "--b: \"smooth\" is no shading"},
+        {"--a glass", 2, "--a: \"glass\" is not a method"},
+        {"--b blinn:smooth", 2, "--b: \"smooth\" is not a shading"},
         {"--f0 0.5", 2, "--f0 is for cook-torrance and torrance-sparrow"},
         {"--b quadratic --n 5,0 --frames 0", 2,
          "model quadratic takes n from 1 to 1023 here, not 0"},

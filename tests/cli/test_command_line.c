@@ -180,9 +180,9 @@ static void options_are_read_strictly(void **state)
         {"render --out x.png teapot stray", "glint render: unexpected argument \"stray\"\n"},
         {"render --out x.png teapot -- --n", "glint render: unexpected argument \"--n\"\n"},
         {"render --out x.png --model quad teapot",
-         "glint render: --model and \"teapot\": one model can be drawn\n"},
+         "glint render: --model and \"teapot\": only one model can be drawn\n"},
         {"study --out x teapot --model quad",
-         "glint study: --model and \"teapot\": one model can be drawn\n"},
+         "glint study: --model and \"teapot\": only one model can be drawn\n"},
         {"render --out x.png Teapto",
          "glint render: Teapto: No such file or directory; built-in models are teapot, sphere and "
          "quad (did you mean teapot?)\n"},
@@ -251,13 +251,13 @@ static void options_are_read_strictly(void **state)
          "divider\n"},
         {"eval --shifts 5", "glint eval: --shifts: \"5\" is not an integer from 6 to 16\n"},
         {"eval --rtl rtl",
-         "glint eval: --rtl is the Verilog's directory: it goes with --backend rtl\n"},
+         "glint eval: --rtl names the Verilog's directory: use it with --backend rtl\n"},
         {"--circuit-dir nowhere verify", "glint verify: nowhere: No such file or directory\n"},
         {"verify --circuit-dir nowhere", "glint verify: nowhere: No such file or directory\n"},
         {"--circuit-dir rtl",
-         "glint: --circuit-dir DIR stands before a subcommand (see glint --help)\n"},
+         "glint: --circuit-dir DIR must be followed by a subcommand (see glint --help)\n"},
         {"verify --exhaustive --every-lane --circuit divider",
-         "glint verify: --every-lane is for the circuit specular\n"},
+         "glint verify: --every-lane needs --circuit specular\n"},
         {"render --size 640",
          "glint render: --size: \"640\" is not WIDTHxHEIGHT, each from 1 to 16384\n"},
         {"render --size 640x480x2",
@@ -266,12 +266,15 @@ static void options_are_read_strictly(void **state)
          "glint render: --size: \"0x480\" is not WIDTHxHEIGHT, each from 1 to 16384\n"},
         {"render --size 640x16385",
          "glint render: --size: \"640x16385\" is not WIDTHxHEIGHT, each from 1 to 16384\n"},
-        {"render --light 1,2", "glint render: --light: \"1,2\" is not three numbers from -1e+06 to "
-                               "1e+06 with commas between\n"},
-        {"render --light 1,,3", "glint render: --light: \"1,,3\" is not three numbers from -1e+06 "
-                                "to 1e+06 with commas between\n"},
-        {"render --light 1,2,nan", "glint render: --light: \"1,2,nan\" is not three numbers from "
-                                   "-1e+06 to 1e+06 with commas between\n"},
+        {"render --light 1,2",
+         "glint render: --light: \"1,2\" is not three comma-separated numbers from -1e+06 to "
+         "1e+06\n"},
+        {"render --light 1,,3",
+         "glint render: --light: \"1,,3\" is not three comma-separated numbers from -1e+06 "
+         "to 1e+06\n"},
+        {"render --light 1,2,nan",
+         "glint render: --light: \"1,2,nan\" is not three comma-separated numbers from "
+         "-1e+06 to 1e+06\n"},
         {"render --color 1,2,256", COLOR_REFUSAL("1,2,256")},
         {"render --color 1,2,3,4", COLOR_REFUSAL("1,2,3,4")},
         {"render --color 1.5,2,3", COLOR_REFUSAL("1.5,2,3")},

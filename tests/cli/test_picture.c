@@ -60,8 +60,8 @@ static void another_kind_of_file_is_not_overwritten(void **state)
         char expected[1200];
         scratch_write(scratch_path("notes.png"), "notes", 5);
         (void)snprintf(expected, sizeof expected,
-                       "glint %s: %s: %s/notes.png is there and is no PNG picture: take another "
-                       "name, or --force\n",
+                       "glint %s: %s: %s/notes.png exists and is not a PNG picture: use another "
+                       "name or --force\n",
                        names[i], options[i], scratch_directory);
         outcome done = write_to(i, in, "notes.png", "");
         assert_outcome(&done, 2, expected);
@@ -105,7 +105,7 @@ static void a_picture_is_named_png(void **state)
         for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; k++) {
             outcome done = write_to(i, in, wrong[k], " --force");
             assert_outcome(&done, 2, NULL);
-            assert_says(done.err, ": pictures are written as PNG: name it .png\n");
+            assert_says(done.err, ": pictures are written as PNG: use a name ending in .png\n");
             assert_int_equal(access(scratch_path(wrong[k]), F_OK), -1);
             forget(&done);
         }
@@ -131,7 +131,7 @@ static void a_dash_is_standard_output(void **state)
         forget(&done);
         done = write_to(i, "-", "", " --json");
         assert_outcome(&done, 2, NULL);
-        assert_says(done.err, "has taken standard output\n");
+        assert_says(done.err, "both write to standard output\n");
         forget(&done);
     }
     outcome done = run("render --backend both --out -", "");
@@ -151,7 +151,7 @@ static void a_terminal_is_shown_no_picture(void **state)
         (void)snprintf(line, sizeof line, "%.*s-", (int)(at - writers[i]), writers[i]);
         outcome done = run_plumbed(line, "", &shown);
         assert_outcome(&done, 2, NULL);
-        assert_says(done.err, "is a terminal, which shows no picture: redirect it\n");
+        assert_says(done.err, "is a terminal, which cannot show a picture: redirect it\n");
         forget(&done);
         terminal_close(&screen);
     }

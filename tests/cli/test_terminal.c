@@ -139,15 +139,15 @@ static void who_waits_says_for_what(void **state)
     static const struct {
         const char *subcommand, *hint, *typed, *answer;
     } typing[] = {
-        {"eval", "glint eval: waits for points, one a line: n cos r g b", "80 1 9 8 7\n",
+        {"eval", "glint eval: waiting for points, one per line: n cos r g b", "80 1 9 8 7\n",
          "80,262144,262144,9,8,7"},
-        {"divide", "glint divide: waits for divisions, one a line: difference k", "16 2\n",
+        {"divide", "glint divide: waiting for divisions, one per line: difference k", "16 2\n",
          "16,2,12,32768,8,8,0"},
     };
     for (size_t i = 0; i < 2; i++) {
         terminal screen = terminal_open();
         const pid_t child = start_typed(typing[i].subcommand, &screen);
-        terminal_wait_for(&screen, child, "Ctrl-D ends", shown, sizeof shown);
+        terminal_wait_for(&screen, child, "end with Ctrl-D", shown, sizeof shown);
         assert_says(shown, typing[i].hint);
         const size_t length = strlen(typing[i].typed);
         assert_int_equal(write(screen.master, typing[i].typed, length), length);

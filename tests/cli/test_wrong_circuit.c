@@ -147,7 +147,7 @@ static void assert_replayed(const char *said, char *first, size_t size)
                    replay);
     replayed = run(command_line, "");
     assert_outcome(&replayed, 0, "");
-    assert_says(replayed.out, ": gone: C model and Verilog do not differ; ");
+    assert_says(replayed.out, ": gone: the C model and the Verilog agree; ");
     forget(&replayed);
 }
 
@@ -229,7 +229,7 @@ static void a_frame_that_differs_leaves_a_packet(void **state)
                             &x, &y, &c[0], &c[1], &c[2], &rtl[0], &rtl[1], &rtl[2]),
                      8);
     assert_says(done.out, "\ntriangle ");
-    assert_says(done.out, "its highlight there: n 80, cosine 0x");
+    assert_says(done.out, "the highlight there: n 80, cosine 0x");
     assert_says(done.out, own_line("whole:  ", "render --model sphere --size 96x80"));
     glint_image *frame = read_picture(scratch_path("whole-c.png"));
     for (int i = 0; i < 3; i++)
@@ -255,7 +255,7 @@ static void other_shadings_leave_packets_too(void **state)
                       shadings[i], scratch_path("other.png"));
         assert_int_equal(done.status, 1);
         assert_says(done.out, "\ntriangle ");
-        assert_null(strstr(done.out, "its highlight there"));
+        assert_null(strstr(done.out, "the highlight there"));
         assert_packet("other-failure", 7);
         assert_replayed(done.out, first, sizeof first);
         forget(&done);
@@ -343,7 +343,7 @@ static void a_circuit_that_is_not_there_is_told(void **state)
     assert_outcome(&done, 2, "glint verify: --rtl: nowhere: No such file or directory\n");
     forget(&done);
     done = run("verify --rtl Makefile", "");
-    assert_outcome(&done, 2, "glint verify: --rtl: Makefile is no directory\n");
+    assert_outcome(&done, 2, "glint verify: --rtl: Makefile is not a directory\n");
     forget(&done);
 }
 

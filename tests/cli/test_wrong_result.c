@@ -123,7 +123,7 @@ static void a_circuit_that_keeps_an_answer_back_is_summed_up(void **state)
     assert_int_equal(done.status, 1);
     assert_says(done.out, "\n0 mismatches of 0 comparisons: ");
     assert_says(done.out, " 0 values of n, ");
-    assert_says(done.out, " (broken off)\n");
+    assert_says(done.out, " (stopped early)\n");
     assert_says(done.err, "glint verify: the circuit returned 0 of ");
     forget(&done);
     outcome again = run_with(SILENT_DEVICE,
@@ -170,7 +170,7 @@ static void an_earlier_failure_is_told_apart(void **state)
     forget(&done);
     done = run_with(RIGHT, words, scratch_path("mended.png"));
     assert_int_equal(done.status, 0);
-    assert_says(done.out, "mended-failure is of an earlier run\n");
+    assert_says(done.out, "mended-failure is left over from an earlier run\n");
     forget(&done);
     done = run_with(RIGHT, words, scratch_path("never.png"));
     assert_null(strstr(done.out, "earlier run"));

@@ -64,7 +64,7 @@ static glint_status run(const opinion *circuit, const char *directory, uint64_t 
                         uint64_t seed, counts *counts, glint_error *err)
 {
     if (!count_in(directory, circuit))
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the environment");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for the environment");
     glint_status status = run_random(&circuit->setting, clocks, seed, counts, err);
     if (status == GLINT_OK && circuit->setting.circuit == &glint_circuit_specular)
         status = run_sweep(&circuit->setting, seed, counts, err);

@@ -157,8 +157,8 @@ static void lists_are_read_strictly(void **state)
         char command_line[64], expected[128];
         snprintf(command_line, sizeof command_line, "energy --n %s", refused[i]);
         snprintf(expected, sizeof expected,
-                 "glint energy: --n: \"%s\" is not a list of exponents from 0 to 1000000 that "
-                 "ascend, as 1..1000 or "
+                 "glint energy: --n: \"%s\" is not an ascending list of exponents from 0 to "
+                 "1000000, such as 1..1000 or "
                  "1,5,80\n",
                  refused[i]);
         outcome done = run(command_line, "");
@@ -183,7 +183,7 @@ static void lists_are_read_strictly(void **state)
 }
 
 #define MODELS                                                                                     \
-    "; there are lambert, phong, blinn, blinn-normalized, torrance-sparrow, cook-torrance, "       \
+    "; choose from lambert, phong, blinn, blinn-normalized, torrance-sparrow, cook-torrance, "     \
     "schlick, schlick-modified, schlick-modified-angle, schlick-modified-linear, "                 \
     "schlick-modified-squared, schlick-modified-power, quadratic, cosine-quadratic, "              \
     "energy-conserving, lyon-2-minimax, lyon-4, lyon-4-minimax, lyon-8, lyon-8-minimax, lyon-16, " \
@@ -196,30 +196,31 @@ static void the_command_line_is_read_strictly(void **state)
         const char *command_line, *err;
     } refusals[] = {
         {"energy --model blin",
-         "glint energy: --model: \"blin\" is no reflectance model (did you mean "
+         "glint energy: --model: \"blin\" is not a reflectance model (did you mean "
          "blinn?)" MODELS},
-        {"energy --model blinn,", "glint energy: --model: \"\" is no reflectance model" MODELS},
-        {"energy --model blinn,device,blinn", "glint energy: --model: blinn is there twice\n"},
-        {"energy --n 5,4", "glint energy: --n: \"5,4\" is not a list of exponents from 0 to "
-                           "1000000 that ascend, as 1..1000 or "
-                           "1,5,80\n"},
-        {"energy --angle 90", "glint energy: --angle: \"90\" is not a list of degrees from 0 to "
-                              "89.9999 that ascend, as 0..89 or "
-                              "0,45\n"},
-        {"energy --angle 89.99999",
-         "glint energy: --angle: \"89.99999\" is not a list of degrees from 0 to 89.9999 that "
-         "ascend, as 0..89 or 0,45\n"},
-        {"energy --n 1e7",
-         "glint energy: --n: \"1e7\" is not a list of exponents from 0 to 1000000 that ascend, as "
-         "1..1000 or 1,5,80\n"},
+        {"energy --model blinn,", "glint energy: --model: \"\" is not a reflectance model" MODELS},
+        {"energy --model blinn,device,blinn", "glint energy: --model: blinn is given twice\n"},
+        {"energy --n 5,4",
+         "glint energy: --n: \"5,4\" is not an ascending list of exponents from 0 to "
+         "1000000, such as 1..1000 or "
+         "1,5,80\n"},
+        {"energy --angle 90",
+         "glint energy: --angle: \"90\" is not an ascending list of degrees from 0 to "
+         "89.9999, such as 0..89 or "
+         "0,45\n"},
+        {"energy --angle 89.99999", "glint energy: --angle: \"89.99999\" is not an ascending list "
+                                    "of degrees from 0 to 89.9999, such as 0..89 or 0,45\n"},
+        {"energy --n 1e7", "glint energy: --n: \"1e7\" is not an ascending list of exponents from "
+                           "0 to 1000000, such as "
+                           "1..1000 or 1,5,80\n"},
         {"energy --samples 5",
-         "glint energy: --samples and --seed go with --method monte-carlo or both\n"},
+         "glint energy: --samples and --seed need --method monte-carlo or both\n"},
         {"energy --furnace", "glint energy: --furnace needs --out\n"},
         {"energy --furnace --out x --method monte-carlo",
-         "glint energy: --furnace is drawn by quadrature, not by monte-carlo\n"},
+         "glint energy: --furnace needs quadrature: use --method quadrature or both\n"},
         {"energy --furnace --out x --n 1..400",
-         "glint energy: --furnace: 400 spheres side by side are too many (below 150)\n"},
-        {"energy --width 50", "glint energy: --width goes with --furnace\n"},
+         "glint energy: --furnace: 400 spheres side by side are too many (fewer than 150 fit)\n"},
+        {"energy --width 50", "glint energy: --width needs --furnace\n"},
     };
     for (size_t i = 0; i < sizeof refusals / sizeof refusals[0]; i++) {
         outcome done = run(refusals[i].command_line, "");

@@ -115,7 +115,7 @@ static void a_right_circuit_has_none_of_them(void **state)
         put_packet(packets[i]);
         outcome done = replay(RIGHT);
         assert_outcome(&done, 0, "");
-        assert_says(done.out, ": gone: C model and Verilog do not differ; ");
+        assert_says(done.out, ": gone: the C model and the Verilog agree; ");
         forget(&done);
         done = replay(RIGHT " --json --out /nowhere/at/all");
         assert_outcome(&done, 0, ""); /* nothing to write */
@@ -263,7 +263,7 @@ static const edit edits[] = {
     {DIVISIONS, "answer.divisions.0", "[1,2,3]", "divisions is no whole number"},
     {DIVISIONS, "answer.divisions.0.0", "256", "divisions is no whole number"},
     {DIVISIONS, "answer.divisions.0.3", "256", "divisions is no whole number"},
-    {DIVISIONS, "answer.value", "\"W\"", "value is none that a divider has"},
+    {DIVISIONS, "answer.value", "\"W\"", "value is not an output of a divider"},
     {DIVISIONS, "answer.model", "1e99", "model is no whole number"},
 };
 
@@ -400,7 +400,7 @@ static void what_is_no_packet_is_refused(void **state)
     forget(&done);
     scratch_write(scratch_path("packet/" GLINT_PACKET_DATA), nul, sizeof nul - 1);
     done = replay("");
-    assert_refused(&done, "no packet's text", "a NUL byte");
+    assert_refused(&done, "not the text of a packet", "a NUL byte");
     forget(&done);
     put_packet("[]");
     done = replay("");
@@ -492,11 +492,11 @@ static void the_making_of_a_packet_shows_progress_and_can_be_interrupted(void **
     const char *const argv[] = {
         VERIFY_LATE, "--rtl", late_rtl(4000000), "--clocks",           "4000100",
         "--seed",    "2",     "--out",           scratch_path("late"), NULL};
-    interrupt_after(argv, "clocks played again", 1);
+    interrupt_after(argv, "clocks replayed", 1);
     char *said = scratch_read(scratch_path("child.out"), NULL);
     assert_says(said, "gate cosine, pipeline pipelined, lanes 1: ");
     assert_says(said, "\n  clock 4000000: out_valid, an output is valid: model 0x");
-    assert_says(said, "\ninterrupted before it was played again: there is no packet\n");
+    assert_says(said, "\ninterrupted before the replay: no packet was written\n");
     assert_says(said, "\nwhole:  ");
     assert_says(said, " clocks, 1 setting, seed 2, ");
     assert_null(strstr(said, "packet: "));
@@ -516,7 +516,8 @@ static void a_late_fault_is_played_from_the_beginning(void **state)
     assert_int_equal(child_run(find, 120), 1);
     char *said = scratch_read(scratch_path("child.out"), NULL);
     assert_says(said, "\n>    4000000 ");
-    assert_says(said, "\nplayed from clock 1: no part of the run shows the mismatch by itself\n");
+    assert_says(said,
+                "\nreplayed from clock 1: no shorter part of the run reproduces the mismatch\n");
     free(said);
     const char *const again[] = {glint_under_test(), "replay", packet, "--rtl", rtl, NULL};
     assert_int_equal(child_run(again, 120), 1);

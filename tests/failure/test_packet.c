@@ -196,7 +196,7 @@ static void without_a_shorter_way_the_whole_run_is_played(void **state)
     assert_true(capture->clock[capture->failing].clock == LATE);
     assert_done(glint_packet_write(failure, NULL, scratch_path("whole"), &err), &err);
     char *report = scratch_read(scratch_path("whole/" GLINT_PACKET_REPORT), NULL);
-    assert_non_null(strstr(report, "played from clock 1: no part of the run"));
+    assert_non_null(strstr(report, "replayed from clock 1: no shorter part of the run"));
     free(report);
     glint_failure *read;
     assert_done(glint_packet_read(scratch_path("whole"), NULL, &read, &err), &err);
@@ -279,7 +279,7 @@ static void the_text_tells_all_of_it(void **state)
         assert_says("%s: model 0x", m->signal.meaning);
         assert_table();
         assert_says("\nseed: %" PRIu64 "\n", seed);
-        assert_says("\nplayed from clock %" PRIu64 ", %zu clocks\n", failure->first_clock,
+        assert_says("\nreplayed from clock %" PRIu64 ", %zu clocks\n", failure->first_clock,
                     failure->pin_count);
         assert_says("\nwhole:  build/glint verify whole\n");
         assert_says("\nlook:   gtkwave some/where/wave.vcd some/where/wave.gtkw\n");
@@ -589,7 +589,7 @@ static void nothing_but_a_packet_is_replaced(void **state)
     assert_int_equal(access(scratch_path("old/" GLINT_PACKET_OLD_WAVE), F_OK), -1);
     scratch_write(scratch_path("old/mine"), "x", 1);
     assert_int_equal(glint_packet_write(failure, NULL, scratch_path("old"), &err), GLINT_IO_ERROR);
-    assert_non_null(strstr(err.text, "old: not replaced, as it holds mine"));
+    assert_non_null(strstr(err.text, "old: not replaced, because it contains mine"));
     assert_int_equal(access(scratch_path("old/" GLINT_PACKET_WAVE), R_OK), 0);
     assert_int_equal(scratch_count(), before + 1);
 }
@@ -604,7 +604,7 @@ static void no_link_is_replaced(void **state)
     assert_int_equal(symlink("linked", scratch_path("link")), 0);
     const int before = scratch_count();
     assert_int_equal(glint_packet_write(failure, NULL, scratch_path("link"), &err), GLINT_IO_ERROR);
-    assert_non_null(strstr(err.text, "link: not replaced, as it is a link"));
+    assert_non_null(strstr(err.text, "link: not replaced, because it is a link"));
     assert_int_equal(access(scratch_path("linked/" GLINT_PACKET_DATA), F_OK), 0);
     assert_int_equal(scratch_count(), before);
     assert_int_equal(unlink(scratch_path("link")), 0);

@@ -329,7 +329,7 @@ static void a_pipe_that_nobody_reads_is_refused(void **state)
     assert_true(child_seconds() - start >= GLINT_NEW_FILE_PATIENCE);
     assert_null(file);
     assert_non_null(strstr(err.text, path));
-    assert_non_null(strstr(err.text, "in 5 s nobody came to read it"));
+    assert_non_null(strstr(err.text, "in 5 s"));
 }
 
 static void waiting_for_a_reader_can_be_stopped(void **state)

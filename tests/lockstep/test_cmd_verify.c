@@ -141,8 +141,8 @@ static void the_first_verdict_comes_first(void **state)
     assert_int_equal(firsts, 2);
     assert_memory_equal(all.out, of_specular, sizeof of_specular - 1);
     assert_memory_equal(second, of_divider, sizeof of_divider - 1);
-    assert_says(all.out, " s; still to try: 51 settings\n");
-    assert_says(second, " s; still to try: 50 settings\n");
+    assert_says(all.out, " s; 51 settings to go\n");
+    assert_says(second, " s; 50 settings to go\n");
     assert_int_equal(json.out[0], '{');
     (void)skip_first_verdicts(one.out, &firsts);
     assert_int_equal(firsts, 0);
@@ -180,7 +180,7 @@ static void a_circuit_that_does_not_build_is_told_at_once(void **state)
     assert_says(done.err, "/color_multiplier.v:");
     assert_null(strchr(strchr(done.err, '\n') + 1, '\n'));
     assert_int_equal(read_summary(done.out).settings, 22);
-    assert_says(done.out, "\nnot tried: 29 settings of specular, whose first failed\n");
+    assert_says(done.out, "\nskipped: 29 settings of specular, after its first one failed\n");
     forget(&done);
     (void)snprintf(line, sizeof line, "verify --circuit specular --rtl %s", scratch_path("broken"));
     done = run(line, "");
@@ -296,10 +296,10 @@ static void what_was_reached_is_told(void **state)
     }
     assert_reach(json, &least, &sum);
     (void)snprintf(words, sizeof words,
-                   "reached by each setting: %" PRIu64 " clocks without a reset, %" PRIu64
-                   " enabled; %" PRIu64 " stalls in a row\n"
-                   "by all together: %" PRIu64 " resets, %" PRIu64 " of them in mid-flow; %" PRIu64
-                   " changes of material, %" PRIu64 " with points in flight\n"
+                   "reached in every setting: %" PRIu64 " clocks without a reset, %" PRIu64
+                   " enabled; %" PRIu64 " stalls in a row\nin total: %" PRIu64 " resets, %" PRIu64
+                   " of them mid-flow; %" PRIu64 " changes of material, %" PRIu64
+                   " with points in flight\n"
                    "valid lanes: each alone, %" PRIu64 " of 65535 patterns of 16\n",
                    least.run, least.run_enabled, least.stall, sum.resets, sum.resets_in_flight,
                    sum.changes, sum.changes_in_flight, patterns);
@@ -320,7 +320,7 @@ static void what_a_divider_reached_is_told(void **state)
     outcome done = run("verify --shifts 7 --clocks 30000 --seed 12 --json", "");
     assert_outcome(&told, 0, "");
     assert_outcome(&done, 0, "");
-    (void)snprintf(words, sizeof words, " of them in mid-flow; %" PRIu64 " starts while busy\n",
+    (void)snprintf(words, sizeof words, " of them mid-flow; %" PRIu64 " starts while busy\n",
                    reach.ignored);
     assert_says(told.out, words);
     cJSON *json = cJSON_Parse(done.out);

@@ -103,8 +103,7 @@ static void a_result_says_what_it_reaches(void **state)
         {" --stride 97 --seed 1", "pin 1 in 97, ", "each lane saw 1 in 16, turning from n to n\n"},
     };
     static const char not [] =
-        "not reached: material changes in flight, lanes valid one by one, stalls, resets, "
-        "registers\n";
+        "not reached: material changes in flight, partly valid lanes, stalls, resets, registers\n";
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         char command_line[128];
         (void)snprintf(command_line, sizeof command_line, "verify --exhaustive --shard 9/1024%s",
@@ -227,7 +226,7 @@ static void progress_tells_rate_and_time_left(void **state)
     assert_says(shown, "\rglint verify: ");
     assert_says(shown, " points, ");
     const double total = number_before(shown, " points, ");
-    const double rate = number_before(shown, " million a second, ");
+    const double rate = number_before(shown, " million per second, ");
     const double left = number_before(shown, " s left");
     assert_true(rate > 0);
     /* The first line comes after one value of n: the time left is that of nearly all points. */

@@ -70,7 +70,7 @@ static glint_status create_pair(const mutation_netlist_table *netlist, const cir
     pair->point = effort->point;
     pair->instance = netlist->create(mutant, ones);
     if (pair->instance == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for the netlist of %s",
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for the netlist of %s",
                           netlist->circuit);
     glint_random_pins_begin(&pair->random, whole, effort->seed);
     return glint_model_create(whole, &pair->model, err);

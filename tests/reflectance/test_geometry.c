@@ -69,11 +69,11 @@ static void directions_that_are_none_are_refused(void **state)
     glint_geometry g;
     glint_error err;
     assert_int_equal(glint_geometry_of(longer, up, up, &g, &err), GLINT_BAD_ARGUMENT);
-    assert_string_equal(err.text, "N, L or V is not of unit length");
+    assert_string_equal(err.text, "N, L or V does not have unit length");
     assert_int_equal(glint_geometry_of(up, zero, up, &g, NULL), GLINT_BAD_ARGUMENT);
     assert_int_equal(glint_geometry_of(up, up, none, &g, NULL), GLINT_BAD_ARGUMENT);
     assert_int_equal(glint_geometry_of(up, up, down, &g, &err), GLINT_BAD_ARGUMENT);
-    assert_string_equal(err.text, "L is opposite to V: there is no H");
+    assert_string_equal(err.text, "L is opposite to V, so H is undefined");
 }
 
 static void each_model_takes_the_cosine_it_says(void **state)

@@ -230,11 +230,11 @@ static void what_stands_for_no_power_is_refused(void **state)
     const glint_reflectance flat = prepared(GLINT_REFLECTANCE_BLINN, 0);
     const glint_reflectance blinn = prepared(GLINT_REFLECTANCE_BLINN, 5);
     assert_int_equal(glint_accuracy_measure(&lambert, 0.6, &accuracy, &err), GLINT_BAD_ARGUMENT);
-    assert_string_equal(err.text, "model lambert stands for no power of a cosine");
+    assert_string_equal(err.text, "model lambert does not approximate a power of the cosine");
     assert_int_equal(glint_accuracy_measure(&facets, 0.6, &accuracy, NULL), GLINT_BAD_ARGUMENT);
     assert_int_equal(glint_accuracy_measure(&flat, 0.6, &accuracy, NULL), GLINT_BAD_ARGUMENT);
     assert_int_equal(glint_accuracy_measure(&blinn, 1.0, &accuracy, &err), GLINT_BAD_ARGUMENT);
-    assert_string_equal(err.text, "n = 5 is not above 0 or the level 1 not between 0 and 1");
+    assert_string_equal(err.text, "n = 5 must be above 0, and the level 1 between 0 and 1");
 }
 
 int main(void)

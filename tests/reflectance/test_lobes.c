@@ -53,19 +53,19 @@ static void arguments_outside_the_domain_are_refused(void **state)
         double n, cosine;
         const char *message;
     } refusals[] = {
-        {GLINT_REFLECTANCE_SCHLICK, 0.5, 0.5, "model schlick: n = 0.5 is not in 1…1e+06"},
-        {GLINT_REFLECTANCE_QUADRATIC, 0, 0.5, "model quadratic: n = 0 is not in 1…1e+06"},
-        {GLINT_REFLECTANCE_BLINN, -1, 0.5, "model blinn: n = -1 is not in 0…1e+06"},
-        {GLINT_REFLECTANCE_BLINN, NAN, 0.5, "model blinn: n = nan is not in 0…1e+06"},
-        {GLINT_REFLECTANCE_LYON_8, 2e6, 0.5, "model lyon-8: n = 2e+06 is not in 0…1e+06"},
-        {GLINT_REFLECTANCE_DEVICE, 1024, 0.5, "model device: n = 1024 is not in 0…1023"},
+        {GLINT_REFLECTANCE_SCHLICK, 0.5, 0.5, "model schlick: n = 0.5 is outside 1…1e+06"},
+        {GLINT_REFLECTANCE_QUADRATIC, 0, 0.5, "model quadratic: n = 0 is outside 1…1e+06"},
+        {GLINT_REFLECTANCE_BLINN, -1, 0.5, "model blinn: n = -1 is outside 0…1e+06"},
+        {GLINT_REFLECTANCE_BLINN, NAN, 0.5, "model blinn: n = nan is outside 0…1e+06"},
+        {GLINT_REFLECTANCE_LYON_8, 2e6, 0.5, "model lyon-8: n = 2e+06 is outside 0…1e+06"},
+        {GLINT_REFLECTANCE_DEVICE, 1024, 0.5, "model device: n = 1024 is outside 0…1023"},
         {GLINT_REFLECTANCE_DEVICE, 2.5, 0.5, "model device: n = 2.5 is not an integer"},
-        {GLINT_REFLECTANCE_BLINN, 5, 1.01, "model blinn: the cosine 1.01 is not in 0…1"},
-        {GLINT_REFLECTANCE_BLINN, 5, -0.01, "model blinn: the cosine -0.01 is not in 0…1"},
-        {GLINT_REFLECTANCE_BLINN, 5, NAN, "model blinn: the cosine nan is not in 0…1"},
+        {GLINT_REFLECTANCE_BLINN, 5, 1.01, "model blinn: the cosine 1.01 is outside 0…1"},
+        {GLINT_REFLECTANCE_BLINN, 5, -0.01, "model blinn: the cosine -0.01 is outside 0…1"},
+        {GLINT_REFLECTANCE_BLINN, 5, NAN, "model blinn: the cosine nan is outside 0…1"},
         {GLINT_REFLECTANCE_COOK_TORRANCE, 5, 0.5,
-         "model cook-torrance is no function of one cosine: it needs the directions"},
-        {GLINT_REFLECTANCE_COUNT, 5, 0.5, "there is no reflectance model number 23"},
+         "model cook-torrance is not a function of one cosine: it needs directions"},
+        {GLINT_REFLECTANCE_COUNT, 5, 0.5, "unknown reflectance model number 23"},
     };
     for (size_t i = 0; i < sizeof refusals / sizeof refusals[0]; i++) {
         double value = 7;
@@ -82,7 +82,7 @@ static void arguments_outside_the_domain_are_refused(void **state)
     assert_int_equal(
         glint_reflectance_prepare(GLINT_REFLECTANCE_TORRANCE_SPARROW, &bright, &r, &err),
         GLINT_BAD_ARGUMENT);
-    assert_string_equal(err.text, "model torrance-sparrow: F0 = 1.5 is not in 0…1");
+    assert_string_equal(err.text, "model torrance-sparrow: F0 = 1.5 is outside 0…1");
 }
 
 static void a_lobe_is_one_at_its_centre_and_never_rises_with_the_angle(void **state)

@@ -146,9 +146,9 @@ static void obj_is_read_however_it_is_written(void **state)
         {"points.obj", V "p 1 2\nf 1 2 3\n", "2 points left out"},
         {"curve.obj", V "cstype bezier\ndeg 3\ncurv 0 1 1 2 3\nend\nf 1 2 3\n",
          "1 curve or surface left out"},
-        {"call.obj", V "call other.obj\nf 1 2 3\n", "line 4: unknown word \"call\" left out"},
+        {"call.obj", V "call other.obj\nf 1 2 3\n", "line 4: unknown keyword \"call\" ignored"},
         {"words.obj", "hello\n" V "f 1 2 3\nV 1 1 1\n",
-         "line 1: unknown word \"hello\" left out; as are 1 more of the kind"},
+         "line 1: unknown keyword \"hello\" ignored; as are 1 more like it"},
     };
     expect_read(files, COUNT(files), one, 1);
 }
@@ -157,22 +157,24 @@ static void obj_is_refused_by_its_cause(void **state)
 {
     (void)state;
     static const reading files[] = {
-        {"utf16.obj", "\xff\xfev", "it is text in UTF-16"},
+        {"utf16.obj", "\xff\xfev", "UTF-16 text"},
         {"capitals.obj", "V 0 0 0\nV 1 0 0\nV 0 1 0\nF 1 2 3\n",
-         "no faces in it: line 1: unknown word \"V\""},
-        {"cloud.obj", V "p 1 2 3\n", "no faces in it: 3 points left out"},
+         "contains no faces: line 1: unknown keyword \"V\""},
+        {"cloud.obj", V "p 1 2 3\n", "contains no faces: 3 points left out"},
         {"corners.obj", V "f 1 2\nf 1 2 3\n", "line 4: a face needs three corners"},
         {"corners_on.obj", V "f 1 \\\n2\nf 1 2 3\n", "line 4: a face needs three corners"},
         {"flat.obj", "v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n", "line 1: a vertex needs three coordinates"},
         {"normal.obj", V "vn 0 1\nf 1 2 3\n", "line 4: a normal needs three components"},
-        {"texture.obj", V "vt\nf 1 2 3\n", "line 4: a texture coordinate without a number"},
-        {"commas.obj", V "f 1,2,3\n", "line 4: \"1,2,3\" is no corner of a face"},
-        {"reals.obj", V "f 1.0 2.0 3.0\n", "line 4: \"1.0\" is no corner of a face"},
-        {"parts.obj", V "f 1/2/3/4 2 3\n", "line 4: \"1/2/3/4\" is no corner of a face"},
-        {"beyond.obj", V "f 1 2 3\r\nf 1 2 4\n", "line 5: a face names vertex 4, and there are 3"},
-        {"huge.obj", V "f 1 2 99999999999999999999999\n", "line 4: a face names vertex "},
-        {"zero.obj", V "f 0 1 2\n", "line 4: \"0\" names no vertex: they count from 1"},
-        {"too_negative.obj", V "f -1 -2 -4\n", "line 4: \"-4\" names a vertex that is not there"},
+        {"texture.obj", V "vt\nf 1 2 3\n", "line 4: a texture coordinate has no number"},
+        {"commas.obj", V "f 1,2,3\n", "line 4: \"1,2,3\" is not a face corner"},
+        {"reals.obj", V "f 1.0 2.0 3.0\n", "line 4: \"1.0\" is not a face corner"},
+        {"parts.obj", V "f 1/2/3/4 2 3\n", "line 4: \"1/2/3/4\" is not a face corner"},
+        {"beyond.obj", V "f 1 2 3\r\nf 1 2 4\n",
+         "line 5: a face refers to vertex 4, but there are only 3"},
+        {"huge.obj", V "f 1 2 99999999999999999999999\n", "line 4: a face refers to vertex "},
+        {"zero.obj", V "f 0 1 2\n", "line 4: \"0\" is not a vertex number: they start at 1"},
+        {"too_negative.obj", V "f -1 -2 -4\n",
+         "line 4: \"-4\" refers to a vertex that does not exist"},
     };
     expect_refused(files, COUNT(files));
 }
@@ -208,8 +210,8 @@ static void stl_is_read_however_it_is_written(void **state)
          "1.0E+00 -0\rendloop\rendfacet\rendsolid a\r",
          ""},
         {"comment.stl", "solid a\n; by hand\n" UP "color 1 0 0\nendsolid a\n",
-         "line 2: unknown word \";\" left out; as are 1 more of the kind"},
-        {"open.stl", "solid a\n" UP, "it ends without endsolid: cut short?"},
+         "line 2: unknown keyword \";\" ignored; as are 1 more like it"},
+        {"open.stl", "solid a\n" UP, "ends without endsolid: truncated?"},
     };
     expect_read(files, COUNT(files), one, 1);
 }
@@ -224,10 +226,10 @@ static void stl_is_refused_by_its_cause(void **state)
          "0 1 0\nendloop\nendfacet\nendsolid a\n",
          "line 7: \"vertex\" where endloop should be"},
         {"cut.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0",
-         "ends within a facet, where a number should be: cut short?"},
+         "ends inside a facet, where a number should be: truncated?"},
         {"text.stl", "solid a\nfacet normal 0 0 up\n", "line 2: \"up\" where a number should be"},
-        {"nothing.stl", "solid a\nendsolid a\n", "no facets in it"},
-        {"short.stl", "good morning\n", "it neither begins with \"solid\" nor is long enough"},
+        {"nothing.stl", "solid a\nendsolid a\n", "contains no facets"},
+        {"short.stl", "good morning\n", "neither starts with \"solid\" nor is long enough"},
     };
     expect_refused(files, COUNT(files));
 }
@@ -247,15 +249,14 @@ static void binary_stl_is_held_to_its_count(void **state)
     for (size_t more = 0; more < 8; more += 7) {
         glint_mesh *mesh = load(write_bytes("binary.stl", bytes, 84 + 50 + more));
         expect_triangles("binary.stl", mesh, one, 1);
-        assert_string_equal(mesh->remarks,
-                            more > 0 ? "7 bytes behind the last facet left out" : "");
+        assert_string_equal(mesh->remarks, more > 0 ? "7 bytes after the last facet left out" : "");
         glint_mesh_destroy(mesh);
     }
     glint_mesh *mesh = NULL;
     glint_error err = {""};
     const char *path = write_bytes("cut_binary.stl", bytes, 84 + 49);
     assert_int_equal(glint_mesh_load(path, NULL, &mesh, &err), GLINT_BAD_INPUT);
-    assert_non_null(strstr(err.text, "its header promises 1 facets, and there is room for 0"));
+    assert_non_null(strstr(err.text, "its header announces 1 facets, but there is room for 0"));
 }
 
 /* ---- .ply ---------------------------------------------------------------------------------------
@@ -317,7 +318,7 @@ static void ply_is_read_however_it_is_written(void **state)
              FACE(1) "end_header\n2 0.1 0.2 7\n" P "3 0 1 2\n",
          "element camera (1) left out"},
         {"thin.ply", ASCII VERTEX(3) FACE(3) "end_header\n" P "2 0 1\n3 0 1 2\n0\n",
-         "2 faces of fewer than three corners left out"},
+         "2 faces with fewer than three corners left out"},
         {"empty_element.ply",
          ASCII "element nothing 4294967295\n" VERTEX(3) FACE(1) "end_header\n" P "3 0 1 2\n", ""},
     };
@@ -382,39 +383,39 @@ static void ply_is_refused_by_its_cause(void **state)
 {
     (void)state;
     static const reading files[] = {
-        {"cut_header.ply", "ply\nformat ascii 1", "its header has no end: cut short"},
-        {"no_magic.ply", "format ascii 1.0\n", "it does not begin with the word ply"},
-        {"word.ply", "ply\nformat ascii 1.0\ngood morning\n", "its header has no end: cut short"},
-        {"format.ply", "ply\nformat text 1.0\n", "line 2: \"text\" is no format"},
+        {"cut_header.ply", "ply\nformat ascii 1", "its header does not end: truncated"},
+        {"no_magic.ply", "format ascii 1.0\n", "does not start with the word ply"},
+        {"word.ply", "ply\nformat ascii 1.0\ngood morning\n", "its header does not end: truncated"},
+        {"format.ply", "ply\nformat text 1.0\n", "line 2: \"text\" is not a format"},
         {"no_format.ply", "ply\n" VERTEX(3) FACE(1) "end_header\n" P "3 0 1 2\n",
          "its header has no format line"},
         {"type.ply", ASCII "element vertex 3\nproperty real x\nend_header\n",
-         "line 4: \"real\" is no type of a property"},
+         "line 4: \"real\" is not a property type"},
         {"count.ply", ASCII "element vertex many\nend_header\n",
-         "line 3: \"many\" is no number of elements"},
+         "line 3: \"many\" is not a number of elements"},
         {"orphan.ply", ASCII "property float x\nend_header\n",
          "line 3: a property before the first element"},
         {"no_z.ply",
          ASCII "element vertex 3\nproperty float x\nproperty float y\n" FACE(1) "end_header\n",
          "its vertices have no z"},
         {"no_list.ply", ASCII VERTEX(3) "element face 1\nproperty int a\nend_header\n" P "1\n",
-         "element face has no list of the name vertex_indices"},
-        {"cut_text.ply", ASCII VERTEX(4) FACE(1) "end_header\n" P,
-         "it ends in element vertex 4 of 4"},
+         "element face has no list named vertex_indices"},
+        {"cut_text.ply", ASCII VERTEX(4) FACE(1) "end_header\n" P, "ends in element vertex 4 of 4"},
         {"cut_binary.ply",
          "ply\nformat binary_little_endian 1.0\n" VERTEX(3) FACE(1) "end_header\n0123456789",
-         "it ends in element vertex 1 of 3"},
+         "ends in element vertex 1 of 3"},
         {"huge.ply", ASCII VERTEX(4294967295) FACE(1) "end_header\n" P "3 0 1 2\n",
-         "it ends in element vertex "},
-        {"list.ply", ASCII VERTEX(3) FACE(1) "end_header\n" P "-1 0 1 2\n", "a list of -1 values"},
+         "ends in element vertex "},
+        {"list.ply", ASCII VERTEX(3) FACE(1) "end_header\n" P "-1 0 1 2\n",
+         "invalid list length -1"},
         {"number.ply", ASCII VERTEX(3) FACE(1) "end_header\n0 0 0\n1 0 0\n0 one 0\n3 0 1 2\n",
-         "line 12: \"one\" is no number"},
+         "line 12: \"one\" is not a number"},
         {"beyond.ply", ASCII VERTEX(3) FACE(1) "end_header\n" P "3 0 1 3\n",
-         "a face names vertex 3, and there are 3, from 0 on"},
+         "a face refers to vertex 3, but there are only 3, counted from 0"},
         {"negative.ply", ASCII VERTEX(3) FACE(1) "end_header\n" P "3 0 1 -2\n",
-         "face 0 names vertex -2, which is not there"},
+         "face 0 refers to vertex -2, which does not exist"},
         {"cloud.ply", ASCII VERTEX(3) "element edge 1\nproperty int a\nend_header\n" P "1\n",
-         "no faces in it: element edge (1) left out"},
+         "contains no faces: element edge (1) left out"},
     };
     expect_refused(files, COUNT(files));
 }
@@ -449,7 +450,7 @@ static void gltf_modes_are_triangles(void **state)
              PRIMITIVE(",\"indices\":1") "," PRIMITIVE(",\"mode\":1") "," PRIMITIVE(",\"mode\":0")),
          "4 points left out; 2 lines left out"},
         {"hidden.gltf", GLTF("", SHOWN ",{\"mesh\":0}", PRIMITIVE(",\"mode\":5")),
-         "1 mesh that is not of the scene left out"},
+         "1 mesh outside the scene left out"},
         {"lit.gltf",
          GLTF("\"extensionsRequired\":[\"KHR_materials_unlit\"],\"extensionsUsed\":[\"KHR_"
               "materials_unlit\"],",
@@ -458,9 +459,9 @@ static void gltf_modes_are_triangles(void **state)
         {"used.gltf",
          GLTF("\"extensionsUsed\":[\"KHR_texture_transform\",\"EXT_mesh_gpu_instancing\"],", SHOWN,
               PRIMITIVE(",\"mode\":5")),
-         "glTF extension EXT_mesh_gpu_instancing is not read"},
+         "glTF extension EXT_mesh_gpu_instancing is not supported"},
         {"weights.gltf", GLTF("", "{\"mesh\":0,\"weights\":[0,0.5]}", PRIMITIVE(",\"mode\":5")),
-         "morph targets are not blended in"},
+         "morph targets are ignored"},
     };
     expect_read(files, COUNT(files), two, 2);
 }
@@ -472,12 +473,12 @@ static void gltf_is_refused_by_its_cause(void **state)
         {"quantized.gltf",
          GLTF("\"extensionsRequired\":[\"KHR_materials_unlit\",\"KHR_mesh_quantization\"],", SHOWN,
               PRIMITIVE("")),
-         "requires the glTF extension KHR_mesh_quantization, which is not read"},
+         "requires the unsupported glTF extension KHR_mesh_quantization"},
         {"meshopt.gltf",
          GLTF("\"extensionsRequired\":[\"EXT_meshopt_compression\"],", SHOWN, PRIMITIVE("")),
-         "requires the glTF extension EXT_meshopt_compression"},
+         "requires the unsupported glTF extension EXT_meshopt_compression"},
         {"unheard.gltf", GLTF("\"extensionsRequired\":[\"A\\nB\"],", SHOWN, PRIMITIVE("")),
-         "requires the glTF extension A?B, which"},
+         "requires the unsupported glTF extension A?B: export"},
         {"skin.gltf", GLTF("\"skins\":[{\"joints\":[0]}],", SHOWN, PRIMITIVE("")),
          "skin 0 has no inverseBindMatrices"},
     };
@@ -529,7 +530,7 @@ static void a_skin_is_where_its_joints_are(void **state)
     const reading named = {"named.gltf", SKIN("\"name\":\"a\",", "\"name\":\"b\","), ""};
     expect_read(&named, 1, posed, 1);
     const reading twins = {"twins.gltf", SKIN("\"name\":\"m\",", ""),
-                           "two nodes have the name of a joint: m"};
+                           "two nodes share the name of a joint: m"};
     expect_refused(&twins, 1);
 }
 
@@ -549,7 +550,8 @@ static void glb_is_looked_through(void **state)
     glint_error err = {""};
     const char *path = write_bytes("a.glb", file, whole);
     assert_int_equal(glint_mesh_load(path, NULL, &mesh, &err), GLINT_BAD_INPUT);
-    assert_non_null(strstr(err.text, "requires the glTF extension KHR_mesh_quantization"));
+    assert_non_null(
+        strstr(err.text, "requires the unsupported glTF extension KHR_mesh_quantization"));
 }
 
 /* ---- Files beside the file ----------------------------------------------------------------------
@@ -570,7 +572,7 @@ static void a_pipe_beside_it_is_not_waited_for(void **state)
                 "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"bufferViews\":[{"
                 "\"buffer\":0,"
                 "\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"pipe\"}]}",
-        "pipe, which is no regular file"};
+        "pipe, which is not a regular file"};
     expect_refused(&buffer, 1);
 }
 

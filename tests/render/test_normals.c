@@ -499,7 +499,7 @@ static void expect_refused(const char *path)
     glint_error err = {""};
     assert_int_equal(glint_mesh_load(path, NULL, &mesh, &err), GLINT_BAD_INPUT);
     print_message("%s\n", err.text);
-    assert_non_null(strstr(err.text, "single precision cannot hold it"));
+    assert_non_null(strstr(err.text, "single precision is not enough"));
     assert_null(strchr(err.text, '\n'));
 }
 
@@ -557,14 +557,14 @@ static void a_trifle_beside_the_object_refuses_nothing(void **state)
 {
     (void)state;
     expect_aside("v 0 0 0\nv 0 0 0\nv 0 0 0\nf -1 -2 -3\n", 0, "");
-    expect_aside("f 1 1 1\n", 0, "1 mesh is too fine for single precision where it lies");
+    expect_aside("f 1 1 1\n", 0, "1 mesh is too fine for single precision at its position");
     expect_aside("v 9 9 9\nv 9 9 9.00001\nv 9 9.00001 9\nf -1 -2 -3\n", 1,
-                 "1 mesh is too fine for single precision where it lies");
+                 "1 mesh is too fine for single precision at its position");
     glint_mesh *mesh = NULL;
     glint_error err = {""};
     put("v 0 0 0\nv 1e-46 0 0\nv 0 1e-46 0\nf 1 2 3\n");
     assert_int_equal(glint_mesh_load(put_down("nothing.obj"), NULL, &mesh, &err), GLINT_BAD_INPUT);
-    assert_non_null(strstr(err.text, "two corners in one place, in single precision"));
+    assert_non_null(strstr(err.text, "two corners that coincide in single precision"));
 }
 
 int main(void)
