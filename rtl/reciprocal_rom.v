@@ -250,7 +250,7 @@ module reciprocal_rom #(
                     default: bits = 17'd0;
                 endcase
         end else begin : g_table
-            // There is no such module: elaboration stops here.
+            // No such module: elaboration stops here.
             SHIFTS_must_be_6_to_16 error();
         end
     endgenerate
