@@ -48,7 +48,7 @@ static glint_status check_number(const described *d, const number *n, int index)
 {
     const int64_t width = (int64_t)n->int_bits + n->frac_bits;
     if (!glint_is_identifier(n->name))
-        return wrong(d, "the name of %s %d, \"%.40s\", is no C identifier%s", n->sort, index,
+        return wrong(d, "the name of %s %d, \"%.40s\", is not a C identifier%s", n->sort, index,
                      n->name != NULL ? n->name : "", n->has_path ? ": it may be its path" : "");
     if (n->meaning == NULL)
         return wrong(d, "%s %s has no meaning", n->sort, n->name);

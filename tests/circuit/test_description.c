@@ -231,15 +231,15 @@ static void make_toy(void)
       ": lane_scope \"l[%d].m[%d]\" must contain one %d, for the lane")                            \
     X(scope_text, toy.lane_scope = "l[%s]",                                                        \
       ": lane_scope \"l[%s]\" must contain one %d, for the lane")                                  \
-    X(no_pin_count, toy.pin_count = NULL, ": it has no function pin_count")                        \
-    X(no_pin, toy.pin = NULL, ": it has no function pin")                                          \
-    X(no_signal_count, toy.signal_count = NULL, ": it has no function signal_count")               \
-    X(no_signal, toy.signal = NULL, ": it has no function signal")                                 \
+    X(no_pin_count, toy.pin_count = NULL, " has no function pin_count")                            \
+    X(no_pin, toy.pin = NULL, " has no function pin")                                              \
+    X(no_signal_count, toy.signal_count = NULL, " has no function signal_count")                   \
+    X(no_signal, toy.signal = NULL, " has no function signal")                                     \
     X(no_create, toy.create = NULL, ": its C model has neither a model_size nor create()")         \
     X(both_models, toy.model_size = 8,                                                             \
       ": its C model has create(), and model_size or begin() as well")                             \
     X(no_destroy, toy.destroy = NULL, ": of create() and destroy() it has but one")                \
-    X(no_clock, toy.clock = NULL, ": it has no function clock")                                    \
+    X(no_clock, toy.clock = NULL, " has no function clock")                                        \
     X(no_signals, toy.signals = NULL, ": its C model has create(), and no signals()")              \
     X(half_a_stimulus, toy.stimulus_begin = begin,                                                 \
       ": stimulus_begin and stimulus_next must both be set, or neither")                           \
@@ -273,11 +273,11 @@ static void make_toy(void)
     X(unlisted, parameters[1].listed = NULL;                                                       \
       parameters[1].max = 70000, ": parameter depth has 70000 values: list the ones to try")       \
     X(nothing_listed, parameters[1].listed_count = 0, ": parameter depth lists 0 values")          \
-    X(listed, parameters[1].max = 3, ": parameter depth lists 4, which is not in 1 to 3")          \
-    X(large_pins, toy.pins_size = 1025, IN "pins_size is 1025, at most 1024 are held")             \
-    X(negative_pins, pin_count_of_toy = -1, IN "-1 pins are not 0 to 1024")                        \
-    X(nothing_signalled, signal_count_of_toy = 0, IN "0 signals are not 1 to 2048")                \
-    X(pin_name, pins[1].name = "a[0]", IN "the name of pin 1, \"a[0]\", is no C identifier")       \
+    X(listed, parameters[1].max = 3, ": parameter depth lists 4, which is not from 1 to 3")        \
+    X(large_pins, toy.pins_size = 1025, IN "pins_size is 1025; at most 1024 is allowed")           \
+    X(negative_pins, pin_count_of_toy = -1, IN "it has -1 pins, not from 0 to 1024")               \
+    X(nothing_signalled, signal_count_of_toy = 0, IN "it has 0 signals, not from 1 to 2048")       \
+    X(pin_name, pins[1].name = "a[0]", IN "the name of pin 1, \"a[0]\", is not a C identifier")    \
     X(pin_meaning, pins[1].meaning = NULL, IN "pin take has no meaning")                           \
     X(no_bits, pins[1].int_bits = 0, IN "pin take: its width, 0 + 0 bits, is not from 1 to 4096")  \
     X(many_bits, pins[1].int_bits = 4097,                                                          \
@@ -308,12 +308,12 @@ static void make_toy(void)
       pins[5].lane = 1, IN "pin cos: lane 1 does not follow lane 0")                               \
     X(lane_width, pins[3].frac_bits = 7, IN "pin cos: lanes 0 and 1 differ in width or sign")      \
     X(lane_sign, pins[3].is_signed = 0, IN "pin cos: lanes 0 and 1 differ in width or sign")       \
-    X(two_pins, pins[5].name = "take", IN "two pins take")                                         \
+    X(two_pins, pins[5].name = "take", IN "pin take appears twice")                                \
     X(pin_is_clock, pins[5].name = "clk",                                                          \
       IN "pin clk is the clock, which must not be among the pins")                                 \
-    X(overlap, pins[5].offset = 1, IN "pins take and more lie in the same bytes")                  \
+    X(overlap, pins[5].offset = 1, IN "pins take and more share bytes")                            \
     X(signal_name, signals[2].name = "u.wide",                                                     \
-      IN "the name of signal 2, \"u.wide\", is no C identifier: it may be its path")               \
+      IN "the name of signal 2, \"u.wide\", is not a C identifier: it may be its path")            \
     X(signal_size, signals[2].size = 8,                                                            \
       IN "signal wide: its 100 bits want an array of uint64_t, not 8 bytes")                       \
     X(signal_not_in_model, toy.create = NULL; toy.destroy = NULL; toy.signals = NULL;              \
@@ -335,10 +335,10 @@ static void make_toy(void)
     X(output_is_pin, signals[3].name = "take", IN "output take has the same name as a pin")        \
     X(output_lane, signals[3].lane = -1, IN "output out: lane 1 does not follow lane 0")           \
     X(output_width, signals[4].int_bits = 8, IN "output out: lanes 0 and 1 differ in width")       \
-    X(top_name, top_of_toy = NULL, IN "the name of its top is no C identifier")                    \
-    X(latency_below, latency_of_toy = -1, IN "a latency of -1 clocks is below 0")                  \
-    X(latency_of_wires, toy.clock_port = NULL, IN "it has no clock, and a latency of 1")           \
-    X(pace_below, pace_of_toy = 0, IN "a pace of 0 clocks is below 1")                             \
+    X(top_name, top_of_toy = NULL, IN "the name of its top module is not a C identifier")          \
+    X(latency_below, latency_of_toy = -1, IN "its latency is negative: -1 clocks")                 \
+    X(latency_of_wires, toy.clock_port = NULL, IN "it has no clock but a latency of 1")            \
+    X(pace_below, pace_of_toy = 0, IN "its pace is below 1: 0 clocks")                             \
     X(refused, status_of_toy = GLINT_BAD_ARGUMENT,                                                 \
       IN "create() of the C model returns the error 1")                                            \
     X(model_signals, toy.signals = no_signals, IN "signals() of the C model returns NULL")
