@@ -36,7 +36,7 @@ static const char style[] =
     "pre{overflow-x:auto;background:var(--soft);padding:.7em}"
     "nav{background:var(--soft);padding:.7em 1em}nav ol{margin:0;columns:2}"
     ".holds{color:#1a7f37}.not{color:#c62828}.open{color:#9a6700}"
-    "@media(max-width:50em){figure{width:100%}nav ol{columns:1}}"
+    "@media screen and (max-width:50em){figure{width:100%}nav ol{columns:1}}"
     "@media print{body{font-size:9px;max-width:none;margin:0}h2{margin-top:1.2em}"
     "table{display:table;overflow:visible}figure,tr{break-inside:avoid}}"
     "@page{margin:12mm}";

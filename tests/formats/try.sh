@@ -21,7 +21,7 @@ unset MAKEFLAGS MFLAGS MAKELEVEL BUILD VERILATED SANITIZE
 
 rm -rf "$scratch"
 mkdir -p "$scratch"
-cp -rp Makefile cmodel rtl sim tests "$scratch"
+cp -rp Makefile cmodel docs rtl sim tests "$scratch"
 cd "$scratch"
 
 [ "$(grep -c "^#define $name  *[0-9][0-9]*\$" $formats)" -eq 1 ] ||
