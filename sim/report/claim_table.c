@@ -62,7 +62,7 @@ const glint_claim glint_claim_table[] = {
      "Schlick's function (2.1): largest relative error in the epicentre 10 %", GLINT_ROUNDS_TO,
      10.0, 0, GLINT_PER_CENT, "lobes.schlick.relative", "{lobes.schlick.relative:.2%}"},
     {"lobes", "2.1",
-     "Schlick's function falls too slowly: at the end of the zone of decay, where cos^n is 0.01, "
+     "Schlick's function falls too slowly: at the end of the zone of decay, where cosⁿ is 0.01, "
      "it is above that",
      GLINT_ABOVE, 0.01, 2, GLINT_PLAIN, "lobes.schlick.at-end-of-decay",
      "up to {lobes.schlick.at-end-of-decay:.3f}"},
@@ -101,14 +101,14 @@ const glint_claim glint_claim_table[] = {
      "{lobes.quadratic.absolute:.3f}"},
     {"lobes", "2.2", "Quadratic: its error is spread evenly over the epicentre", GLINT_AT_MOST, 0.0,
      0, GLINT_NO_NUMBER, NULL,
-     "it says no measure of even: the quadratic is up to {lobes.quadratic.above:.1%} above cos^n "
+     "it says no measure of even: the quadratic is up to {lobes.quadratic.above:.1%} above cosⁿ "
      "and {lobes.quadratic.below:.1%} below"},
     {"lobes", "2.2",
-     "Quadratic: it falls too sharply in the zone of blooming: it is zero where cos^n is still "
+     "Quadratic: it falls too sharply in the zone of blooming: it is zero where cosⁿ is still "
      "above 0.01",
      GLINT_ABOVE, 0.01, 2, GLINT_PLAIN, "lobes.quadratic.end-level",
-     "it reaches zero where cos^n is {lobes.quadratic.end-level:.3f}, from n = 3 on; for n = 1 and "
-     "2 it is cos^n itself"},
+     "it reaches zero where cosⁿ is {lobes.quadratic.end-level:.3f}, from n = 3 on; for n = 1 and "
+     "2 it is cosⁿ itself"},
     {"lobes", "(2.8)", "a can be tabulated for n = 1…1000 by (2.8)", GLINT_AT_MOST, 0.0, 0,
      GLINT_PLAIN, "lobes.a.undefined",
      "{lobes.a.undefined} of {lobes.a.count} divides by zero, the first at n = "
@@ -117,7 +117,7 @@ const glint_claim glint_claim_table[] = {
 
     /* ---- 2.3: the cosine-quadratic ---- */
     {"lobes", "(2.13), (2.14)",
-     "With σ = (n+1)/3 the integral of W over its lobe is that of cos^n, 1/(n+1)", GLINT_AT_MOST,
+     "With σ = (n+1)/3 the integral of W over its lobe is that of cosⁿ, 1/(n+1)", GLINT_AT_MOST,
      1e-9, 9, GLINT_PLAIN, "lobes.integral.apart",
      "equal to within {lobes.integral.apart:.1e}, by Simpson's rule to the zero of W; what of the "
      "lobe is in front of the surface has up to {lobes.integral.in-front-short:.1%} less, at n = "
@@ -126,13 +126,13 @@ const glint_claim glint_claim_table[] = {
      GLINT_AT_MOST, 0.1, 1, GLINT_PLAIN, "lobes.cosine-quadratic.absolute-from-2",
      "{lobes.cosine-quadratic.absolute-from-2:.4f} at n = "
      "{lobes.cosine-quadratic.absolute-from-2.n}, c = "
-     "{lobes.cosine-quadratic.absolute-from-2.cosine:.6g}, where cos^n is "
+     "{lobes.cosine-quadratic.absolute-from-2.cosine:.6g}, where cosⁿ is "
      "{lobes.cosine-quadratic.absolute-from-2.level:.4f} and W "
      "{lobes.cosine-quadratic.absolute-from-2.w:.4f}"},
     {"lobes", "2.3", "Cosine-quadratic (2.15): absolute error at most 0.1, n = 1", GLINT_AT_MOST,
      0.1, 1, GLINT_PLAIN, "lobes.cosine-quadratic.absolute-at-1",
      "{lobes.cosine-quadratic.absolute-at-1:.4f} at c = "
-     "{lobes.cosine-quadratic.absolute-at-1.cosine:.6g}, where cos^n is "
+     "{lobes.cosine-quadratic.absolute-at-1.cosine:.6g}, where cosⁿ is "
      "{lobes.cosine-quadratic.absolute-at-1.level:.4f} and W "
      "{lobes.cosine-quadratic.absolute-at-1.w:.4f}"},
     {"lobes", "2.7, 3.1, Conclusions",
@@ -143,21 +143,21 @@ const glint_claim glint_claim_table[] = {
     {"lobes", "2.7, 3.1, Conclusions", "Cosine-quadratic: the same 3 % in the zone of decay",
      GLINT_AT_MOST, 3.0, 0, GLINT_PER_CENT, "lobes.cosine-quadratic.decay",
      "{lobes.cosine-quadratic.decay:.0%} at n = {lobes.cosine-quadratic.decay.n}; from n = 2 on "
-     "{lobes.cosine-quadratic.decay-from-2:.0%}: W reaches zero where cos^n is still "
+     "{lobes.cosine-quadratic.decay-from-2:.0%}: W reaches zero where cosⁿ is still "
      "{lobes.place.end-level:.3f}"},
     {"lobes", "2.3",
-     "The relative error W/cos^n − 1 has its maximum at tan γ = √(1+2n)/n, n = 3…1000",
+     "The relative error W/cosⁿ − 1 has its maximum at tan γ = √(1+2n)/n, n = 3…1000",
      GLINT_AT_MOST, 1e-4, 4, GLINT_PLAIN, "lobes.place.apart",
      "the maximum is at most {lobes.place.apart:.1e} of the lobe's width 1/(n+1) from it; at n = 1 "
-     "the error there is {lobes.place.there-at-1:.1%}, the least; at n = 2 W is cos^n itself"},
+     "the error there is {lobes.place.there-at-1:.1%}, the least; at n = 2 W is cosⁿ itself"},
     {"lobes", "2.3", "tan γ = √(1+2n)/n is at a level of 0.2 or more", GLINT_REACHES, 0.2, 1,
-     GLINT_PLAIN, "lobes.place.level", "cos^n = {lobes.place.level:.3f}, n from 3 on"},
+     GLINT_PLAIN, "lobes.place.level", "cosⁿ = {lobes.place.level:.3f}, n from 3 on"},
     {"lobes", "2.3", "tan γ = √(1+2n)/n is at a level of 0.4 or less, so below 0.45", GLINT_BELOW,
      0.45, 1, GLINT_PLAIN, "lobes.place.level",
-     "cos^n = {lobes.place.level:.3f}, n from 3 on; {lobes.place.level-at-1:.2f} at n = 1"},
+     "cosⁿ = {lobes.place.level:.3f}, n from 3 on; {lobes.place.level-at-1:.2f} at n = 1"},
     {"lobes", "2.3", "That is the largest relative error of all", GLINT_AT_MOST, 1.0, 0,
      GLINT_PLAIN, "lobes.place.end-to-there",
-     "there it is up to {lobes.place.there:.1%}; where W is zero and cos^n is not, "
+     "there it is up to {lobes.place.there:.1%}; where W is zero and cosⁿ is not, "
      "{lobes.place.at-end:.0%}: {lobes.place.end-to-there:.2f} times that"},
     {"lobes", "2.3", "The absolute error is largest at tan γ = √(6n−3)/(n−2)", GLINT_ROUNDS_TO, 1.0,
      2, GLINT_PLAIN, "lobes.place.absolute-to-end",
@@ -301,10 +301,10 @@ const glint_claim glint_claim_table[] = {
      "frames.cosine-quadratic.nmse", "the same numbers"},
     {"frames", "3.1", "The device: " UNSEEN, GLINT_BELOW, 0.0001, 4, GLINT_PLAIN, "frames.rtl.nmse",
      FRAMES("rtl", "nmse")},
-    {"frames", "3.4", "All the functions: visually identical to cos^n, NMSE below 0.0001",
+    {"frames", "3.4", "All the functions: visually identical to cosⁿ, NMSE below 0.0001",
      GLINT_BELOW, 0.0001, 4, GLINT_PLAIN, "frames.all.nmse",
      "{frames.all.nmse:.2g} by scene, the worst of the functions of Table 3.2 and Schlick's"},
-    {"frames", "3.4, figure 3.13", "Productivity up to 20 % higher than with cos^n", GLINT_REACHES,
+    {"frames", "3.4, figure 3.13", "Productivity up to 20 % higher than with cosⁿ", GLINT_REACHES,
      20.0, 0, GLINT_PER_CENT, "frames.time.gain", FRAME_GAIN},
     {"frames", "2.7", "Perspective-correct Gouraud shading raises realism", GLINT_AT_MOST, 0.0, 0,
      GLINT_NO_NUMBER, NULL,
