@@ -4,6 +4,8 @@
 
 #include <string.h>
 
+#include "render/pick.h"
+
 /* The frame rendered again. */
 typedef struct again {
     glint_renderer *renderer;

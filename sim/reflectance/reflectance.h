@@ -21,7 +21,7 @@
 #include <stddef.h>
 
 #include "glint_status.h"
-#include "render/vec3.h"
+#include "reflectance/vec3.h"
 
 /* X(enumerator, definition, name): the name is the one of command lines and tables. */
 #define GLINT_REFLECTANCE_MODELS(X)                                                                \

@@ -2,8 +2,8 @@
 #ifndef GLINT_SIM_RENDER_CAMERA_H
 #define GLINT_SIM_RENDER_CAMERA_H
 
+#include "reflectance/vec3.h"
 #include "render/render.h"
-#include "render/vec3.h"
 
 /* Nothing nearer to the camera than this many radii of the object is drawn. */
 #define GLINT_NEAR (1.0 / 1024.0)

@@ -4,7 +4,7 @@
 #include <float.h>
 #include <stdbool.h>
 
-#include "render/vec3.h"
+#include "reflectance/vec3.h"
 
 /* An object that is so many steps of its coordinates' rounding large is where precision is at home:
  * what is too fine there, nobody sees. */

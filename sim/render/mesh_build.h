@@ -3,8 +3,8 @@
 #ifndef GLINT_SIM_RENDER_MESH_BUILD_H
 #define GLINT_SIM_RENDER_MESH_BUILD_H
 
+#include "reflectance/vec3.h"
 #include "render/mesh.h"
-#include "render/vec3.h"
 
 /* An empty mesh with room for that many vertices and triangles. `what` names it in the error. */
 glint_status glint_mesh_new(const char *what, size_t vertices, size_t triangles, glint_mesh **mesh,

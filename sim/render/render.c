@@ -9,55 +9,12 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "render/gouraud.h"
 #include "render/paint.h"
-#include "render/points.h"
-#include "render/pool.h"
-#include "render/raster.h"
+#include "render/renderer.h"
 #include "render/scene.h"
-#include "render/setup.h"
-#include "render/shade.h"
 
 #define VERTEX_RUN   GLINT_POINTS_RUN
 #define TRIANGLE_RUN 256
-
-/* One thread's own things. */
-typedef struct worker {
-    glint_backend *backend;
-    glint_visibility band;
-    glint_shader shader;
-    glint_lit_points points;
-    glint_gouraud *gouraud; /* made, with the divider, for the first frame that needs it */
-    glint_divider_backend *divider;
-    int divider_shifts;
-    uint64_t fragments, highlights; /* of this frame, like the next two */
-    glint_span_operations operations;
-    uint64_t clocks_before; /* of the divider */
-    glint_status status;
-    glint_error error;
-} worker;
-
-struct glint_renderer {
-    glint_extent extent;
-    int threads;
-    glint_backend_kind kind;
-    const char *verilog;             /* as in the configuration of the backends */
-    glint_backend_watch *watch;      /* of one thread, or NULL */
-    glint_render_progress *progress; /* or NULL */
-    void *progress_context;
-    glint_pool *pool;
-    worker *workers;
-    glint_record record;
-    glint_material material; /* of the last frame */
-    bool recorded;           /* the record holds a frame */
-    bool prepared;           /* specular is of some frame, with f0 its parameter */
-    glint_reflectance specular;
-    float f0;
-    glint_screen_vertex *screen;
-    size_t screen_capacity;
-    glint_triangle_list *lists; /* one for each run of the mesh's triangles */
-    size_t list_count, list_capacity;
-};
 
 /* A frame in the making. */
 typedef struct frame {
@@ -73,14 +30,14 @@ typedef struct frame {
     atomic_bool failed;
 } frame;
 
-static void fail_worker(frame *f, worker *w, glint_status status, const char *why)
+static void fail_worker(frame *f, glint_render_worker *w, glint_status status, const char *why)
 {
     w->status = glint_fail(&w->error, status, "%s", why);
     atomic_store(&f->failed, true);
 }
 
 /* Keeps a failure whose text is in the worker already. */
-static void note(frame *f, worker *w, glint_status status)
+static void note(frame *f, glint_render_worker *w, glint_status status)
 {
     if (status != GLINT_OK) {
         w->status = status;
@@ -99,7 +56,7 @@ static bool colors_at_vertices(const frame *f)
 }
 
 /* Takes the next of count pieces; false when there are none left or the frame is given up. */
-static bool take(frame *f, worker *w, size_t count, size_t *piece)
+static bool take(frame *f, glint_render_worker *w, size_t count, size_t *piece)
 {
     if (atomic_load_explicit(&f->failed, memory_order_relaxed))
         return false;
@@ -124,7 +81,7 @@ static size_t end_of(size_t start, size_t run, size_t items)
 static void vertex_phase(void *context, int worker_index)
 {
     frame *f = context;
-    worker *w = &f->renderer->workers[worker_index];
+    glint_render_worker *w = &f->renderer->workers[worker_index];
     const size_t items = f->mesh->vertex_count;
     size_t piece;
     while (take(f, w, pieces(items, VERTEX_RUN), &piece)) {
@@ -141,7 +98,7 @@ static void vertex_phase(void *context, int worker_index)
     }
 }
 
-static void light_triangles(frame *f, worker *w, glint_triangle_list *list)
+static void light_triangles(frame *f, glint_render_worker *w, glint_triangle_list *list)
 {
     const glint_point_light light = point_light(f);
     uint64_t count = 0;
@@ -153,7 +110,7 @@ static void triangle_phase(void *context, int worker_index)
 {
     frame *f = context;
     glint_renderer *r = f->renderer;
-    worker *w = &r->workers[worker_index];
+    glint_render_worker *w = &r->workers[worker_index];
     const size_t items = f->mesh->triangle_count;
     size_t piece;
     while (take(f, w, r->list_count, &piece)) {
@@ -166,7 +123,7 @@ static void triangle_phase(void *context, int worker_index)
     }
 }
 
-static glint_status shade_band(frame *f, worker *w)
+static glint_status shade_band(frame *f, glint_render_worker *w)
 {
     uint64_t fragments = 0;
     glint_status status = GLINT_OK;
@@ -191,7 +148,7 @@ static glint_status shade_band(frame *f, worker *w)
     return status;
 }
 
-static void draw_band(frame *f, worker *w, size_t band)
+static void draw_band(frame *f, glint_render_worker *w, size_t band)
 {
     glint_renderer *r = f->renderer;
     const int32_t first_y = (int32_t)band * GLINT_BAND_ROWS;
@@ -209,7 +166,7 @@ static void draw_band(frame *f, worker *w, size_t band)
 static void band_phase(void *context, int worker_index)
 {
     frame *f = context;
-    worker *w = &f->renderer->workers[worker_index];
+    glint_render_worker *w = &f->renderer->workers[worker_index];
     const size_t bands = pieces((size_t)f->renderer->extent.height, GLINT_BAND_ROWS);
     size_t band;
     while (take(f, w, bands, &band)) {
@@ -220,11 +177,11 @@ static void band_phase(void *context, int worker_index)
 }
 
 /* Runs one phase on all threads and returns the first worker's failure, if any. */
-static glint_status run_phase(frame *f, glint_pool_task *phase, glint_error *err)
+static glint_status run_phase(frame *f, glint_crew_task *phase, glint_error *err)
 {
     glint_renderer *r = f->renderer;
     atomic_store(&f->next, 0);
-    glint_pool_run(r->pool, phase, f);
+    glint_crew_run(r->crew, phase, f);
     for (int i = 0; i < r->threads; i++)
         if (r->workers[i].status != GLINT_OK)
             return glint_fail(err, r->workers[i].status, "%s", r->workers[i].error.text);
@@ -260,7 +217,7 @@ static glint_status make_room(glint_renderer *r, const glint_mesh *mesh, glint_e
 }
 
 /* What Gouraud's shading needs of a worker: room, and a divider with the frame's shifts. */
-static glint_status prepare_gouraud(const frame *f, worker *w, glint_error *err)
+static glint_status prepare_gouraud(const frame *f, glint_render_worker *w, glint_error *err)
 {
     if (w->gouraud == NULL) {
         w->gouraud = glint_gouraud_create(f->renderer->extent.width);
@@ -315,7 +272,7 @@ static glint_status prepare_workers(const frame *f, glint_error *err)
 {
     glint_status status = GLINT_OK;
     for (int i = 0; status == GLINT_OK && i < f->renderer->threads; i++) {
-        worker *w = &f->renderer->workers[i];
+        glint_render_worker *w = &f->renderer->workers[i];
         w->status = GLINT_OK;
         w->fragments = 0;
         w->highlights = 0;
@@ -359,7 +316,7 @@ static void collect_stats(const frame *f, double seconds, glint_render_stats *st
     for (size_t i = 0; i < r->list_count; i++)
         stats->drawn += r->lists[i].count;
     for (int i = 0; i < r->threads; i++) {
-        const worker *w = &r->workers[i];
+        const glint_render_worker *w = &r->workers[i];
         stats->fragments += w->fragments;
         stats->highlights += w->highlights;
         add_operations(&stats->operations, &w->operations);
@@ -421,8 +378,8 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, gl
     return GLINT_OK;
 }
 
-static glint_status create_worker(worker *w, int32_t width, const glint_backend_config *config,
-                                  glint_error *err)
+static glint_status create_worker(glint_render_worker *w, int32_t width,
+                                  const glint_backend_config *config, glint_error *err)
 {
     glint_visibility_create(&w->band, width);
     const bool shader = glint_shader_create(&w->shader, width);
@@ -450,7 +407,7 @@ static glint_status create_parts(glint_renderer *r, const glint_backend_config *
         if (status != GLINT_OK)
             return status;
     }
-    return glint_pool_create(r->threads, &r->pool, err);
+    return glint_crew_create(r->threads, &r->crew, err);
 }
 
 glint_status glint_renderer_create(int width, int height, int threads,
@@ -486,7 +443,7 @@ void glint_renderer_destroy(glint_renderer *renderer)
 {
     if (renderer == NULL)
         return;
-    glint_pool_destroy(renderer->pool);
+    glint_crew_destroy(renderer->crew);
     for (int i = 0; renderer->workers != NULL && i < renderer->threads; i++) {
         glint_backend_destroy(renderer->workers[i].backend);
         glint_divider_backend_destroy(renderer->workers[i].divider);
@@ -508,7 +465,7 @@ void glint_renderer_destroy(glint_renderer *renderer)
 glint_status glint_renderer_watch(glint_renderer *renderer, glint_backend_watch *watch,
                                   glint_error *err)
 {
-    worker *only = &renderer->workers[0];
+    glint_render_worker *only = &renderer->workers[0];
     if (renderer->threads != 1) {
         return glint_fail(err, GLINT_BAD_ARGUMENT, "%d threads cannot share one watch",
                           renderer->threads);
@@ -518,56 +475,4 @@ glint_status glint_renderer_watch(glint_renderer *renderer, glint_backend_watch 
     if (only->divider != NULL)
         glint_divider_backend_set_watch(only->divider, watch);
     return GLINT_OK;
-}
-
-bool glint_renderer_fragment(const glint_renderer *renderer, int x, int y, uint32_t *cos_code,
-                             glint_material *material)
-{
-    if (!renderer->recorded || x < 0 || x >= renderer->extent.width || y < 0 ||
-        y >= renderer->extent.height)
-        return false;
-    const int band_y = y - y % GLINT_BAND_ROWS;
-    size_t at = (size_t)band_y * (size_t)renderer->extent.width;
-    for (int row = band_y; row < y; row++)
-        at += renderer->record.in_row[row];
-    const size_t end = at + renderer->record.in_row[y];
-    while (at < end && renderer->record.x[at] < x)
-        at++;
-    if (at == end || renderer->record.x[at] != x)
-        return false;
-    *cos_code = renderer->record.cos_code[at];
-    *material = renderer->material;
-    return true;
-}
-
-bool glint_renderer_triangle(glint_renderer *renderer, int x, int y, uint32_t *triangle)
-{
-    const glint_extent extent = renderer->extent;
-    if (x < 0 || x >= extent.width || y < 0 || y >= extent.height)
-        return false;
-    glint_visibility *band = &renderer->workers[0].band;
-    glint_visibility_begin(band, extent, y, y);
-    for (size_t i = 0; i < renderer->list_count; i++)
-        glint_visibility_draw(band, extent, &renderer->lists[i]);
-    const glint_triangle *seen = band->triangle[x];
-    if (seen == NULL)
-        return false;
-    *triangle = seen->source;
-    return true;
-}
-
-void glint_renderer_triangles(glint_renderer *renderer, uint32_t *seen)
-{
-    const glint_extent extent = renderer->extent;
-    glint_visibility *band = &renderer->workers[0].band;
-    for (int32_t y = 0; y < extent.height; y += GLINT_BAND_ROWS) {
-        const int32_t after = y + GLINT_BAND_ROWS;
-        glint_visibility_begin(band, extent, y,
-                               (after < extent.height ? after : extent.height) - 1);
-        for (size_t i = 0; i < renderer->list_count; i++)
-            glint_visibility_draw(band, extent, &renderer->lists[i]);
-        const size_t pixels = (size_t)extent.width * (size_t)(band->last_y - y + 1);
-        for (size_t i = 0; i < pixels; i++)
-            *seen++ = band->triangle[i] != NULL ? band->triangle[i]->source : GLINT_NO_TRIANGLE;
-    }
 }

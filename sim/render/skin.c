@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "render/imported.h"
-#include "render/vec3.h"
+#include "reflectance/vec3.h"
 
 #define DEPTH_MAX 256 /* of nodes; those below are refused later */
 

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/pick.h"
+
 static const char *const shadings[] = {
     [GLINT_SHADING_FLAT] = "flat",
     [GLINT_SHADING_GOURAUD] = "gouraud",

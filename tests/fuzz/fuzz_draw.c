@@ -5,7 +5,7 @@
 #include "fuzz.h"
 #include "render/clip.h"
 #include "render/render.h"
-#include "render/vec3.h"
+#include "reflectance/vec3.h"
 
 #define WIDTH  40
 #define HEIGHT 30

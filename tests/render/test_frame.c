@@ -10,7 +10,8 @@
 
 #include <cmocka.h>
 
-#include "render/vec3.h"
+#include "reflectance/vec3.h"
+#include "render/pick.h"
 #include "studio.h"
 
 #define RADIANS (3.14159265358979323846 / 180.0)

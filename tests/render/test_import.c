@@ -17,7 +17,7 @@
 #include "render/load.h"
 #include "render/mesh.h"
 #include "render/render.h"
-#include "render/vec3.h"
+#include "reflectance/vec3.h"
 
 #define GLMARK "/usr/share/glmark2/models/"
 #define ASSIMP "/usr/share/assimp/models/"

@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "render/mesh.h"
-#include "render/vec3.h"
+#include "reflectance/vec3.h"
 
 static glint_mesh *sphere(int density)
 {

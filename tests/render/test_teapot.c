@@ -12,7 +12,7 @@
 
 #include "render/mesh.h"
 #include "render/teapot_data.h"
-#include "render/vec3.h"
+#include "reflectance/vec3.h"
 
 #define RIM      0
 #define BODY     4

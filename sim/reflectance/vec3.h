@@ -1,6 +1,6 @@
 /* Vectors of three doubles, for the work that is done once a frame or once a mesh. */
-#ifndef GLINT_SIM_RENDER_VEC3_H
-#define GLINT_SIM_RENDER_VEC3_H
+#ifndef GLINT_SIM_REFLECTANCE_VEC3_H
+#define GLINT_SIM_REFLECTANCE_VEC3_H
 
 #include <math.h>
 
