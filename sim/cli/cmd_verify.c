@@ -2,7 +2,6 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include <inttypes.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +19,7 @@
 #include "failure/shell.h"
 #include "lockstep/lockstep.h"
 #include "lockstep/mismatch.h"
+#include "thread/crew.h"
 
 #define SETTINGS_MAX 4096
 #define THREADS_MAX  64
@@ -206,9 +206,8 @@ static verification *choose_settings(const verify_options *chosen)
     return all;
 }
 
-static void *verify_settings(void *context)
+static void verify_settings(verification *all)
 {
-    verification *all = context;
     int i;
     while ((i = all->next++) < all->turns) {
         task *task = &all->tasks[all->turn[i]];
@@ -217,7 +216,6 @@ static void *verify_settings(void *context)
         task->has_ended = true;
     }
     all->finished++;
-    return NULL;
 }
 
 /* Whether it came to nothing, for a reason of its own. */
@@ -275,21 +273,38 @@ static void watch(verification *all, int threads, const verify_options *chosen, 
     glint_progress_end(&progress);
 }
 
-/* Runs those whose turn it is on the threads asked for; with none to be had, on this one. */
+typedef struct turn {
+    verification *all;
+    const verify_options *chosen;
+    bool first;
+    int threads; /* that verify */
+} turn;
+
+/* The caller's thread watches; with none but it to be had, it verifies before that. */
+static void take_turn(void *context, int worker)
+{
+    const turn *turn = context;
+    if (worker != 0 || turn->threads == 0)
+        verify_settings(turn->all);
+    if (worker == 0)
+        watch(turn->all, turn->threads != 0 ? turn->threads : 1, turn->chosen, turn->first);
+}
+
+/* Runs those whose turn it is on the threads asked for. */
 static void run_turn(verification *all, const verify_options *chosen, bool first)
 {
-    pthread_t threads[THREADS_MAX];
-    int started = 0;
+    const int threads = chosen->threads < all->turns ? (int)chosen->threads : all->turns;
+    turn turn = {.all = all, .chosen = chosen, .first = first};
+    glint_crew *crew;
     all->next = 0;
     all->finished = 0;
-    while (started < chosen->threads && started < all->turns &&
-           pthread_create(&threads[started], NULL, verify_settings, all) == 0)
-        started++;
-    if (started == 0)
-        (void)verify_settings(all);
-    watch(all, started != 0 ? started : 1, chosen, first);
-    for (int i = 0; i < started; i++)
-        pthread_join(threads[i], NULL);
+    if (glint_crew_create(threads + 1, &crew, NULL) != GLINT_OK) {
+        take_turn(&turn, 0);
+        return;
+    }
+    turn.threads = glint_crew_size(crew) - 1;
+    glint_crew_run(crew, take_turn, &turn);
+    glint_crew_destroy(crew);
 }
 
 /* What the first of a circuit did not build of, none of its others will: told once. */

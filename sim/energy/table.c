@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "circuit/random.h"
-#include "render/pool.h"
+#include "thread/crew.h"
 
 #define DEGREE (3.14159265358979323846 / 180.0)
 
@@ -118,12 +118,9 @@ static glint_status check(const glint_energy_plan *plan, glint_error *err)
 static glint_status run(work *all, glint_error *err)
 {
     const glint_energy_plan *plan = &all->table->plan;
-    glint_pool *pool;
-    const glint_status status = glint_pool_create(plan->threads, &pool, err);
+    const glint_status status = glint_crew_once(plan->threads, fill, all, err);
     if (status != GLINT_OK)
         return status;
-    glint_pool_run(pool, fill, all);
-    glint_pool_destroy(pool);
     if (all->failed)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "%s", all->err.text);
     return stopped(plan) ? glint_fail(err, GLINT_INTERRUPTED, "interrupted") : GLINT_OK;

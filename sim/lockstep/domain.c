@@ -4,13 +4,13 @@
 #include "lockstep/domain.h"
 
 #include <inttypes.h>
-#include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "circuit/random.h"
 #include "lockstep/mismatch.h"
+#include "thread/crew.h"
 
 /* The chosen points are first, first + step, …: `items` of them, `each` in a block. */
 typedef struct plan {
@@ -32,7 +32,6 @@ typedef struct work {
 
 typedef struct worker {
     work *work;
-    pthread_t thread;
     uint64_t model[GLINT_SIGNAL_WORDS_MAX], rtl[GLINT_SIGNAL_WORDS_MAX];
     glint_domain_result found; /* its next: the number of the block that failed */
     glint_status status;
@@ -287,22 +286,10 @@ static void work_on(worker *worker, void (*progress)(void *, uint64_t, uint64_t)
         work->failed = true;
 }
 
-static void *work_in_thread(void *context)
+static void work_as(void *context, int i)
 {
-    work_on(context, NULL);
-    return NULL;
-}
-
-/* The caller's thread works too; where no more threads are to be had, fewer do. */
-static void run_threads(worker *workers, int count)
-{
-    int started = 1;
-    while (started < count &&
-           pthread_create(&workers[started].thread, NULL, work_in_thread, &workers[started]) == 0)
-        started++;
-    work_on(&workers[0], workers[0].work->plan.options->progress);
-    for (int i = 1; i < started; i++)
-        pthread_join(workers[i].thread, NULL);
+    worker *worker = &((struct worker *)context)[i];
+    work_on(worker, i == 0 ? worker->work->plan.options->progress : NULL);
 }
 
 /* ---- What came of it ----------------------------------------------------------------------------
@@ -371,8 +358,9 @@ glint_status glint_domain_run(const glint_domain_options *options, glint_domain_
                           "not enough memory for the threads of an exhaustive run");
     for (int i = 0; i < options->threads; i++)
         workers[i].work = &work;
-    run_threads(workers, options->threads);
-    status = sum_up(&work, workers, options->threads, result, err);
+    status = glint_crew_once(options->threads, work_as, workers, err);
+    if (status == GLINT_OK)
+        status = sum_up(&work, workers, options->threads, result, err);
     free(workers);
     return status;
 }

@@ -3,13 +3,13 @@
 
 #include "lockstep/exhaustive.h"
 
-#include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "circuit/random.h"
 #include "rtl/batch.h"
+#include "thread/crew.h"
 
 enum {
     RUN = 4096,        /* points shaded at a time, at most: small enough for the caches */
@@ -83,7 +83,6 @@ typedef struct memory {
 
 typedef struct worker {
     work *work;
-    pthread_t thread;
     glint_rtl *rtl[GLINT_EXHAUSTIVE_CIRCUITS_MAX];
     bool (*seen)[GLINT_EXHAUSTIVE_WS]; /* the W codes that occurred, for each config */
     memory *memory;                    /* for each config; NULL: no history is wanted */
@@ -466,12 +465,6 @@ static void work_on(worker *worker, void (*progress)(void *, uint64_t, uint64_t)
         glint_rtl_destroy(worker->rtl[c]);
 }
 
-static void *work_in_thread(void *context)
-{
-    work_on(context, NULL);
-    return NULL;
-}
-
 static void free_worker(worker *worker)
 {
     if (worker == NULL)
@@ -500,16 +493,10 @@ static worker *make_worker(work *work)
     return made;
 }
 
-/* The caller's thread works too; where no more threads are to be had, fewer do. */
-static void run_threads(worker *const *workers, int count)
+static void work_as(void *context, int i)
 {
-    int started = 1;
-    while (started < count &&
-           pthread_create(&workers[started]->thread, NULL, work_in_thread, workers[started]) == 0)
-        started++;
-    work_on(workers[0], workers[0]->work->options->progress);
-    for (int i = 1; i < started; i++)
-        pthread_join(workers[i]->thread, NULL);
+    worker *worker = ((struct worker **)context)[i];
+    work_on(worker, i == 0 ? worker->work->options->progress : NULL);
 }
 
 /* ---- What came of it ----------------------------------------------------------------------------
@@ -602,8 +589,9 @@ static glint_status run_planned(work *work, glint_exhaustive_result *result, gli
     if (count == 0) {
         status = glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a thread's points");
     } else {
-        run_threads(workers, count);
-        status = sum_up(work, workers, count, result, err);
+        status = glint_crew_once(count, work_as, workers, err);
+        if (status == GLINT_OK)
+            status = sum_up(work, workers, count, result, err);
     }
     for (int i = 0; i < count; i++)
         free_worker(workers[i]);

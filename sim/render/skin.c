@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/imported.h"
 #include "reflectance/vec3.h"
+#include "render/imported.h"
 
 #define DEPTH_MAX 256 /* of nodes; those below are refused later */
 

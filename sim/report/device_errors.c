@@ -7,8 +7,8 @@
 #include <stdlib.h>
 
 #include "circuit/circuits.h"
-#include "render/pool.h"
 #include "rtl/batch.h"
+#include "thread/crew.h"
 
 #define CODES (GLINT_COS_ONE + 1u)
 
@@ -182,12 +182,12 @@ static glint_status run(sweep *sweep, int threads, glint_device_errors *errors, 
         status = create_worker(&sweep->workers[i], err);
     if (status != GLINT_OK)
         return status;
-    glint_pool *pool;
-    status = glint_pool_create(threads, &pool, err);
+    glint_crew *crew;
+    status = glint_crew_create(threads, &crew, err);
     if (status != GLINT_OK)
         return status;
-    glint_pool_run(pool, measure_some, sweep);
-    glint_pool_destroy(pool);
+    glint_crew_run(crew, measure_some, sweep);
+    glint_crew_destroy(crew);
     return collect(sweep, threads, errors, err);
 }
 

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "render/pick.h"
+
 /* The thesis's average triangle has 100 pixels; here one of these counts as average. */
 #define AVERAGE_LEAST 90
 #define AVERAGE_MOST  110

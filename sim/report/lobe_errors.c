@@ -5,7 +5,7 @@
 #include <stdatomic.h>
 #include <stdio.h>
 
-#include "render/pool.h"
+#include "thread/crew.h"
 #include "render/render.h"
 
 static const double few[] = {1, 2, 3, 5, 8, 13, 20, 35, 50, 80, 100, 200, 500, 1000};
@@ -91,12 +91,12 @@ glint_status glint_lobe_errors(const glint_report *report, glint_reflectance_mod
 {
     sweep sweep = {
         .report = report, .model = model, .level = level, .exponents = exponents, .by_n = by_n};
-    glint_pool *pool;
-    const glint_status status = glint_pool_create(report->threads, &pool, err);
+    glint_crew *crew;
+    const glint_status status = glint_crew_create(report->threads, &crew, err);
     if (status != GLINT_OK)
         return status;
-    glint_pool_run(pool, measure_some, &sweep);
-    glint_pool_destroy(pool);
+    glint_crew_run(crew, measure_some, &sweep);
+    glint_crew_destroy(crew);
     for (int i = 0; sweep.failed != 0 && i < GLINT_THREADS_MAX; i++)
         if (sweep.err[i].text[0] != '\0')
             return glint_fail(err, (glint_status)sweep.failed, "%s", sweep.err[i].text);

@@ -7,10 +7,11 @@
 #include <unistd.h>
 
 #include "rtl/build.h"
+#include "thread/crew.h"
 
 enum { THREADS_MAX = 64, MANY = 6 };
 
-typedef struct crew {
+typedef struct order {
     const glint_setting *const *missing;
     int count;
     glint_rtl_kind kind;
@@ -19,76 +20,79 @@ typedef struct crew {
     int next;
     glint_status status; /* of the first that failed */
     glint_error error;
-} crew;
+} order;
 
-static bool is_stopped(const crew *c)
+static bool is_stopped(const order *o)
 {
-    return c->control->stop != NULL && *c->control->stop;
+    return o->control->stop != NULL && *o->control->stop;
 }
 
-static void fail(crew *c, glint_status status, const char *text)
+static void fail(order *o, glint_status status, const char *text)
 {
-    if (c->status != GLINT_OK)
+    if (o->status != GLINT_OK)
         return;
-    c->status = status;
-    (void)glint_fail(&c->error, status, "%s", text);
+    o->status = status;
+    (void)glint_fail(&o->error, status, "%s", text);
 }
 
 /* The next one to build; NULL: no more. */
-static const glint_setting *take(crew *c)
+static const glint_setting *take(order *o)
 {
     const glint_setting *taken = NULL;
-    pthread_mutex_lock(&c->mutex);
-    if (is_stopped(c))
-        fail(c, GLINT_INTERRUPTED, "interrupted");
-    if (c->status == GLINT_OK && c->next < c->count) {
-        taken = c->missing[c->next++];
-        if (c->control->show != NULL)
-            c->control->show(c->control->context, c->next, c->count, taken);
+    pthread_mutex_lock(&o->mutex);
+    if (is_stopped(o))
+        fail(o, GLINT_INTERRUPTED, "interrupted");
+    if (o->status == GLINT_OK && o->next < o->count) {
+        taken = o->missing[o->next++];
+        if (o->control->show != NULL)
+            o->control->show(o->control->context, o->next, o->count, taken);
     }
-    pthread_mutex_unlock(&c->mutex);
+    pthread_mutex_unlock(&o->mutex);
     return taken;
 }
 
-static void *work(void *argument)
+static void build_some(order *o)
 {
-    crew *c = argument;
     const glint_setting *setting;
-    while ((setting = take(c)) != NULL) {
+    while ((setting = take(o)) != NULL) {
         char *path;
         glint_error error = {""};
-        const glint_status status = glint_rtl_build(setting, c->kind, &path, &error);
+        const glint_status status = glint_rtl_build(setting, o->kind, &path, &error);
         free(path);
         if (status != GLINT_OK) {
-            pthread_mutex_lock(&c->mutex);
-            fail(c, status, error.text);
-            pthread_mutex_unlock(&c->mutex);
+            pthread_mutex_lock(&o->mutex);
+            fail(o, status, error.text);
+            pthread_mutex_unlock(&o->mutex);
         }
     }
-    return NULL;
 }
 
 /* As many as are asked for, or there is work for; this thread is one of them. */
-static int threads_of(const crew *c)
+static int threads_of(const order *o)
 {
-    long threads = c->control->threads > 0 ? c->control->threads : sysconf(_SC_NPROCESSORS_ONLN);
-    if (threads > c->count)
-        threads = c->count;
+    long threads = o->control->threads > 0 ? o->control->threads : sysconf(_SC_NPROCESSORS_ONLN);
+    if (threads > o->count)
+        threads = o->count;
     return threads < 1 ? 1 : threads > THREADS_MAX ? THREADS_MAX : (int)threads;
 }
 
 /* With many to build, one thread precompiles the headers first; that this fails is no matter. */
-static void build_missing(crew *c)
+static void work(void *context, int worker)
 {
-    pthread_t helper[THREADS_MAX];
-    int helpers = 0;
-    while (helpers < threads_of(c) - 1 && pthread_create(&helper[helpers], NULL, work, c) == 0)
-        helpers++;
-    if (c->count >= MANY && !is_stopped(c))
-        (void)glint_rtl_precompile(c->kind, NULL);
-    (void)work(c);
-    for (int i = 0; i < helpers; i++)
-        pthread_join(helper[i], NULL);
+    order *o = context;
+    if (worker == 0 && o->count >= MANY && !is_stopped(o))
+        (void)glint_rtl_precompile(o->kind, NULL);
+    build_some(o);
+}
+
+static glint_status build_missing(order *o, glint_error *err)
+{
+    pthread_mutex_init(&o->mutex, NULL);
+    const glint_status status = glint_crew_once(threads_of(o), work, o, err);
+    pthread_mutex_destroy(&o->mutex);
+    if (status == GLINT_OK && o->status != GLINT_OK)
+        return glint_fail(err, o->status, "%s", o->error.text);
+    return status;
 }
 
 static glint_status find_missing(const glint_setting *settings, int count, glint_rtl_kind kind,
@@ -112,15 +116,10 @@ glint_status glint_rtl_build_all(const glint_setting *settings, int count, glint
     const glint_setting **missing = calloc((size_t)count + 1, sizeof(const glint_setting *));
     if (missing == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a list of circuits");
-    crew c = {.missing = missing, .kind = kind, .control = control, .status = GLINT_OK};
-    glint_status status = find_missing(settings, count, kind, missing, &c.count, err);
-    if (status == GLINT_OK) {
-        pthread_mutex_init(&c.mutex, NULL);
-        build_missing(&c);
-        pthread_mutex_destroy(&c.mutex);
-        if (c.status != GLINT_OK)
-            status = glint_fail(err, c.status, "%s", c.error.text);
-    }
+    order o = {.missing = missing, .kind = kind, .control = control, .status = GLINT_OK};
+    glint_status status = find_missing(settings, count, kind, missing, &o.count, err);
+    if (status == GLINT_OK)
+        status = build_missing(&o, err);
     free(missing);
     return status;
 }

@@ -75,7 +75,7 @@ glint_status glint_crew_create(int threads, glint_crew **crew, glint_error *err)
     const size_t members = (size_t)threads - 1;
     glint_crew *c = calloc(1, sizeof *c + members * sizeof c->members[0]);
     if (c == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for %d threads", threads);
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for %d threads", threads);
     pthread_mutex_init(&c->mutex, NULL);
     pthread_cond_init(&c->work, NULL);
     pthread_cond_init(&c->done, NULL);

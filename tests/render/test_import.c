@@ -14,10 +14,10 @@
 #include <cmocka.h>
 
 #include "../scratch.h"
+#include "reflectance/vec3.h"
 #include "render/load.h"
 #include "render/mesh.h"
 #include "render/render.h"
-#include "reflectance/vec3.h"
 
 #define GLMARK "/usr/share/glmark2/models/"
 #define ASSIMP "/usr/share/assimp/models/"

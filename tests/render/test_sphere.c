@@ -9,8 +9,8 @@
 
 #include <cmocka.h>
 
-#include "render/mesh.h"
 #include "reflectance/vec3.h"
+#include "render/mesh.h"
 
 static glint_mesh *sphere(int density)
 {

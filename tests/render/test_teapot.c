@@ -10,9 +10,9 @@
 
 #include <cmocka.h>
 
+#include "reflectance/vec3.h"
 #include "render/mesh.h"
 #include "render/teapot_data.h"
-#include "reflectance/vec3.h"
 
 #define RIM      0
 #define BODY     4
