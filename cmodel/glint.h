@@ -5,7 +5,7 @@
  *   glint_specular_device.h   the same clock by clock, every register visible
  *   glint_divider.h           the shift-accumulate divider as a pure function
  *   glint_divider_device.h    the same clock by clock, in its two forms
- *   glint_signal.h            a signal, as a comparer or a waveform needs it
+ *   glint_signal.h a signal, described for comparison and waveforms
  *   glint_status.h            what functions that can fail return */
 #ifndef GLINT_CMODEL_GLINT_H
 #define GLINT_CMODEL_GLINT_H

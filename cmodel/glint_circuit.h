@@ -1,16 +1,15 @@
-/* A circuit as a description: what it is called, its parameters, pins and signals, and its C model.
+/* The description of a circuit: its name, parameters, pins and signals, and its C model.
  *
- * Everything else follows from one `glint_circuit`: the Verilog is built and loaded by it
- * (sim/rtl), and lockstep, exhaustion, packets and replay, waveforms and save files, `glint eval`,
- * options, help and JSON are loops over its tables. docs/your-circuit.md writes one from nothing.
+ * Everything else follows from one `glint_circuit`: sim/rtl builds and loads the Verilog from it,
+ * and lockstep, exhaustive runs, packets and replay, waveforms and save files, `glint eval`,
+ * options, help and JSON are loops over its tables. docs/your-circuit.md develops one from scratch.
  *
- * A *setting* is a circuit and a value for each of its parameters, `values[i]` that of
- * parameters[i]. What depends on the setting is a function of values.
+ * A *setting* is a circuit with a value for each of its parameters, `values[i]` for parameters[i].
+ * Whatever depends on the setting is a function of values.
  *
- * Values. A pin or a signal of at most 64 bits is an integer in memory, of the size its table says
- * (a signal: int64_t), signed where the table says so; a wider one is an array of uint64_t, the
- * lowest word first. Its bits are as many as its width, two's complement; what lies above is
- * ignored. */
+ * Values. A pin or a signal of at most 64 bits is an integer in memory, of the size and signedness
+ * given in its table (for a signal: int64_t); a wider one is an array of uint64_t, lowest word
+ * first. Only as many bits as its width count, in two's complement; higher bits are ignored. */
 #ifndef GLINT_CMODEL_CIRCUIT_H
 #define GLINT_CMODEL_CIRCUIT_H
 
@@ -29,12 +28,12 @@ extern "C" {
 
 typedef struct glint_parameter {
     const char *name;    /* of its option and in JSON: "lanes" is --lanes */
-    const char *verilog; /* the Verilog's parameter; NULL: it has none (the top depends on it) */
+    const char *verilog; /* the Verilog parameter; NULL: none (the top module depends on it) */
     const char *meaning; /* for --help */
-    const char *const *choices; /* names of the values 0…max, min is 0; NULL: a number */
+    const char *const *choices; /* names of the values 0…max, with min 0; NULL: a number */
     int min, max;
     int standard;      /* when nothing is said */
-    const int *listed; /* the values that `verify` tries unasked, listed_count; NULL: min…max */
+    const int *listed; /* the listed_count values that `verify` tries by default; NULL: min…max */
     int listed_count;
 } glint_parameter;
 
@@ -44,19 +43,19 @@ typedef enum glint_pin_role {
     GLINT_PIN_RESET_LOW,  /* 0 resets */
     GLINT_PIN_ENABLE,     /* 0 freezes everything but reset */
     GLINT_PIN_ENABLE_LOW, /* 1 does */
-    GLINT_PIN_VALID,      /* 1 (of several bits: any): something is taken */
-    GLINT_PIN_STROBE,     /* a one-bit control that random pins draw 1 or 0 */
-    GLINT_PIN_DATA,       /* numbers: what `eval` reads, in this order */
+    GLINT_PIN_VALID,      /* 1 (for several bits: any 1): input is accepted */
+    GLINT_PIN_STROBE,     /* a one-bit control, driven at random */
+    GLINT_PIN_DATA,       /* numbers, which `eval` reads in this order */
 } glint_pin_role;
 
-/* An input pin; the clock is none of them. The port `name` of the Verilog has this pin alone (lane
- * −1), or those of all lanes side by side, lane 0 lowest. */
+/* An input pin other than the clock. The Verilog port `name` carries this pin alone (lane −1) or
+ * those of all lanes side by side, lane 0 lowest. */
 typedef struct glint_pin_info {
     const char *name;
     glint_pin_role role;
-    int int_bits, frac_bits, is_signed; /* width: int_bits + frac_bits; int_bits has the sign */
+    int int_bits, frac_bits, is_signed; /* width: int_bits + frac_bits; int_bits include the sign */
     int lane;
-    size_t offset, size; /* in the struct of pins: bytes, 1, 2, 4 or 8; wider: 8 a word */
+    size_t offset, size; /* size in the pin struct: 1, 2, 4 or 8 bytes; wider pins: 8 per word */
     const char *meaning;
 } glint_pin_info;
 
@@ -67,13 +66,15 @@ typedef struct glint_heading {
     int every_lane; /* of one signal a lane, which stands below its lane's own heading as well */
 } glint_heading;
 
-/* Where `verify --exhaustive` walks: every input of a circuit that has not too many. Point p is
- * taken by one clock (of a circuit with lanes: by one lane). The C model and the Verilog are
- * clocked with the same pins and every signal of kind OUTPUT is compared after every clock. */
+/* What `verify --exhaustive` enumerates: every input of a circuit that has few enough of them.
+ * Point p goes in on one clock (and, in a circuit with lanes, through one lane). The C model and
+ * the Verilog are clocked with the same pins, and every signal of kind OUTPUT is compared after
+ * every clock. */
 typedef struct glint_domain {
-    const char *what; /* "every k with every difference": for help and verdict */
+    const char *what; /* "every k with every difference", for the help and the verdict */
     uint64_t (*points)(const int *values);
-    /* On pins that are 0, but enables, valid pins' lowest bit and active-low resets 1. */
+    /* Called with all pins 0 except enables, the lowest bit of valid pins and active-low resets,
+     * which are 1. */
     void (*put)(const int *values, uint64_t point, void *pins);
 } glint_domain;
 
@@ -105,41 +106,41 @@ typedef struct glint_block_info {
 } glint_block_info;
 
 typedef struct glint_circuit {
-    const char *name;       /* of --circuit, of files and in JSON: a C identifier */
+    const char *name;       /* used in --circuit, file names and JSON: a C identifier */
     const char *title;      /* for people: "Specular-colour device" */
     const char *clock_port; /* the clock's port, rising edge; NULL: a circuit without one */
-    /* The Verilog's top module, in the file of that name; NULL: `name`. */
+    /* The top module, in the Verilog file of the same name; NULL: `name`. */
     const char *(*top)(const int *values);
 
     const glint_parameter *parameters;
     int parameter_count; /* 0…GLINT_PARAMETERS_MAX */
-    /* A setting for people: "divider sequential, 12 shifts". NULL: "name, width 16, depth 4". */
+    /* A human-readable setting: "divider sequential, 12 shifts". NULL: "name, width 16, depth
+     * 4". */
     void (*describe)(const int *values, char *text, size_t size);
 
-    /* Pins 0…count−1. All of a port's lanes stand one behind the other. */
+    /* Pins 0…count−1. The lanes of a port must be consecutive. */
     int (*pin_count)(const int *values);
     glint_pin_info (*pin)(const int *values, int index);
     size_t pins_size; /* of the struct that they lie in; 0 is every pin's rest but reset-low's */
 
-    /* Signals 0…count−1: what is compared after every clock. One of kind GLINT_SIGNAL_OUTPUT is the
-     * output port of that name, or a lane's part of it; any other is found below the top by its
-     * path: signal.path, or its name, behind the scope of its lane. */
+    /* Signals 0…count−1, which are compared after every clock. One of kind GLINT_SIGNAL_OUTPUT is
+     * the output port of that name, or a lane's part of it; any other is found below the top module
+     * by its path (signal.path, or else its name), prefixed with its lane's scope. */
     int (*signal_count)(const int *values);
     glint_signal_info (*signal)(const int *values, int index);
     const char *lane_name;  /* "lane", "stage": what signal.lane counts; NULL: none does */
     const char *lane_scope; /* "lane[%d].u": %d is signal.lane */
 
-    /* In the order of waveforms; signal.heading is one of these. NULL: the signals', as they come.
-     */
+    /* In waveform order; signal.heading is one of these. NULL: the signals' headings in order of
+     * appearance. */
     const glint_heading *headings;
     int heading_count;
 
-    /* Clocks from the edge that takes something to the one after which its result is out, both
-     * counted; 0: the outputs are those of the pins, with no register between. NULL: 1, without a
-     * clock 0. */
+    /* Clocks from the edge that accepts an input to the one after which its result is out, both
+     * counted; 0: outputs follow the pins with no register in between. NULL: 1, without a clock
+     * 0. */
     int (*latency)(const int *values);
-    /* Clocks from an edge that takes something to the next edge that can, that one counted; NULL:
-     * 1, at every edge. */
+    /* Clocks from an edge that accepts an input to the next edge that can; NULL: 1, every edge. */
     int (*pace)(const int *values);
 
     /* The C model. Either its size, and what makes the reset state of so many zeros (NULL: they are
@@ -153,14 +154,14 @@ typedef struct glint_circuit {
     void (*clock)(void *model, const void *pins);
     const void *(*signals)(const void *model);
 
-    /* Random pins of one's own, from a state of stimulus_size bytes, at most
-     * GLINT_STIMULUS_SIZE_MAX; NULL: every pin by its role, data anywhere and at the ends of its
-     * range. The same seed gives the same pins. */
+    /* The circuit's own random pins, from a state of stimulus_size bytes, at most
+     * GLINT_STIMULUS_SIZE_MAX; NULL: every pin by its role, with data anywhere and at the ends of
+     * its range. The same seed gives the same pins. */
     size_t stimulus_size;
     void (*stimulus_begin)(void *stimulus, const int *values, uint64_t seed);
     void (*stimulus_next)(void *stimulus, void *pins);
 
-    const glint_domain *domain; /* NULL: exhaustion says that there is none */
+    const glint_domain *domain; /* NULL: `verify --exhaustive` reports that there is none */
 
     /* The drawing's blocks 0…count−1, as the data flows: an input from a later row is feedback. The
      * outputs and the pins that feed something need no rows. NULL: `glint draw` has nothing. */
@@ -168,7 +169,7 @@ typedef struct glint_circuit {
     glint_block_info (*block)(const int *values, int index);
 } glint_circuit;
 
-/* What a directory of one's own defines (glint --circuit-dir): one circuit. */
+/* What a user's directory must define (glint --circuit-dir): one circuit. */
 extern const glint_circuit glint_my_circuit;
 
 #ifdef __cplusplus

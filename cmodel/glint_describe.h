@@ -1,5 +1,6 @@
-/* Shorthand for a circuit's description: rows that name a member of a struct once, the two
- * functions that a table of rows is to glint_circuit.h, and what stands of them in the circuit.
+/* Shorthand for a circuit's description: rows that name a struct member just once, the two
+ * functions that glint_circuit.h wants for a table of rows, and the members of the circuit that
+ * refer to them.
  *
  *     typedef struct mac_pins {
  *         uint8_t reset;
@@ -89,7 +90,7 @@
         return (int)(sizeof rows / sizeof rows[0]);                                                \
     }
 
-/* The values of a parameter that `verify` tries unasked. */
+/* The values of a parameter that `verify` tries by default. */
 #define GLINT_LISTED(...)                                                                          \
     .listed = (const int[]){__VA_ARGS__},                                                          \
     .listed_count = sizeof(const int[]){__VA_ARGS__} / sizeof(int)

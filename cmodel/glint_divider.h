@@ -5,12 +5,12 @@
  *
  *     1/k ≈ i₁/2 + i₂/4 + … + iₙ/2ⁿ,  iⱼ ∈ {0, 1}                                       (2.18)
  *
- * with the bits iⱼ from a table indexed by k: those of 2ⁿ/k rounded to nearest, half up. The
- * sum cannot reach 1/1: for k = 1 alone the table has one more bit, i₀ of weight 1. Nothing that is
- * shifted out is lost: the quotient is the exact sum, with n fraction bits.
+ * with the bits iⱼ from a table indexed by k: those of 2ⁿ/k rounded to nearest, half up. The sum
+ * cannot reach 1/1, so for k = 1 the table has one more bit, i₀ of weight 1. No shifted-out bit is
+ * lost: the quotient is the exact sum, with n fraction bits.
  *
- * Here the circuit is a pure function. Its two forms clock by clock, sequential (one bit a clock)
- * and pipelined (one division a clock, three components), are in glint_divider_device.h. */
+ * Here the circuit is a pure function. glint_divider_device.h has its two forms clock by clock:
+ * sequential (one bit per clock) and pipelined (one division of three components per clock). */
 #ifndef GLINT_CMODEL_DIVIDER_H
 #define GLINT_CMODEL_DIVIDER_H
 
@@ -25,8 +25,8 @@
 extern "C" {
 #endif
 
-/* Number of shifts n. The thesis has 6, 7 and 8; with the default the last pixel of every span
- * within the table is within half an 8-bit level (docs/divider.md). */
+/* Number of shifts n. The thesis uses 6, 7 and 8; with the default, the last pixel of every span in
+ * the table is within half an 8-bit level (docs/divider.md). */
 #define GLINT_DIVIDER_SHIFTS_MIN     6
 #define GLINT_DIVIDER_SHIFTS_MAX     16
 #define GLINT_DIVIDER_SHIFTS_DEFAULT 12
@@ -39,10 +39,10 @@ extern "C" {
 #define GLINT_DIVIDER_DIFFERENCE_BITS (1 + GLINT_COLOR_BITS)
 #define GLINT_DIVIDER_DIFFERENCE_MAX  ((int)GLINT_COLOR_MAX)
 
-/* Colour components that the pipelined form divides at once, by one k. */
+/* Colour components that the pipelined form divides at once by the same k. */
 #define GLINT_DIVIDER_COMPONENTS 3
 
-/* The counter of the sequential form: the bits of a number 0…GLINT_DIVIDER_SHIFTS_MAX. */
+/* Width of the sequential form's counter, which counts 0…GLINT_DIVIDER_SHIFTS_MAX. */
 #define GLINT_DIVIDER_LEFT_BITS 5
 
 GLINT_REQUIRE(GLINT_DIVIDER_SHIFTS_MAX >> GLINT_DIVIDER_LEFT_BITS == 0,
@@ -59,19 +59,19 @@ GLINT_REQUIRE(GLINT_DIVIDER_K_MAX >= 1 && GLINT_DIVIDER_K_MAX + 1 < 1 << GLINT_D
               "GLINT_DIVIDER_K_BITS must hold GLINT_DIVIDER_K_MAX, and some k beyond the table");
 
 /* The bits i₀ i₁ … iₙ of the table for k as one number, iₙ the lowest: 2ⁿ/k rounded to nearest,
- * half up. 0 where k is 0 or beyond the table. shifts: GLINT_DIVIDER_SHIFTS_MIN…MAX. */
+ * half up. 0 if k is 0 or past the end of the table. shifts: GLINT_DIVIDER_SHIFTS_MIN…MAX. */
 uint32_t glint_divider_bits(int shifts, uint32_t k);
 
 /* Whether k is in the table. */
 bool glint_divider_in_table(uint32_t k);
 
 /* Divides: *quotient is difference · glint_divider_bits(shifts, k), a code with `shifts` fraction
- * bits, S9.n. k out of the table: *quotient 0 and *out_of_table 1, as the circuit flags it.
+ * bits, S9.n. For k outside the table, *quotient is 0 and *out_of_table 1, as in the circuit.
  * GLINT_BAD_ARGUMENT for shifts, difference or k (more than its input's bits) out of range. */
 glint_status glint_divide(int shifts, int32_t difference, uint32_t k, int32_t *quotient,
                           bool *out_of_table);
 
-/* Divisions of three components by one length, as the pipelined form takes them. */
+/* A division of three components by one length, the pipelined form's input. */
 typedef struct glint_division {
     int16_t difference[GLINT_DIVIDER_COMPONENTS]; /* −255…255 */
     uint8_t k;

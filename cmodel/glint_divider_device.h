@@ -1,9 +1,9 @@
-/* The divider of figure 2.13 clock by clock, in its two forms, every register and every named
+/* The divider of figure 2.13 clock by clock, in its two forms: every register and every named
  * value.
  *
  * The twins of rtl/shift_divider.v and rtl/pipelined_divider.v. One call of a …_clock() is one
  * rising edge; afterwards every signal holds what the Verilog signal of the same name holds just
- * after it. en = 0 freezes everything; reset = 1 clears everything, whatever en says. */
+ * after it. en = 0 freezes everything; reset = 1 clears everything regardless of en. */
 #ifndef GLINT_CMODEL_DIVIDER_DEVICE_H
 #define GLINT_CMODEL_DIVIDER_DEVICE_H
 
@@ -15,8 +15,8 @@ extern "C" {
 #endif
 
 typedef enum glint_divider_form {
-    GLINT_DIVIDER_SEQUENTIAL, /* figure 2.13: one bit of the reciprocal a clock */
-    GLINT_DIVIDER_PIPELINED,  /* one division a clock, three components at once */
+    GLINT_DIVIDER_SEQUENTIAL, /* figure 2.13: one bit of the reciprocal per clock */
+    GLINT_DIVIDER_PIPELINED,  /* one division per clock, three components at once */
     GLINT_DIVIDER_FORM_COUNT
 } glint_divider_form;
 
@@ -25,7 +25,7 @@ typedef struct glint_divider_inputs {
     uint8_t reset, en;
     uint8_t start; /* sequential: start; pipelined: in_valid */
     uint8_t k;
-    int16_t difference[GLINT_DIVIDER_COMPONENTS]; /* sequential: the first alone */
+    int16_t difference[GLINT_DIVIDER_COMPONENTS]; /* sequential: only the first */
 } glint_divider_inputs;
 
 /* Widths that depend on the number of shifts n, in the lists below: n bits, n + 1 bits. */
@@ -53,7 +53,7 @@ typedef struct glint_divider_inputs {
     X(out_of_table, OUTPUT, 1, 0, 0, "k was 0 or past the end of the table")                       \
     X(quotient, OUTPUT, GLINT_DIVIDER_DIFFERENCE_BITS, GLINT_DIVIDER_FRAC_N, 1, "the quotient")
 
-/* The pipelined form: signals of the whole circuit, then those of a stage 1…n. */
+/* The pipelined form: signals of the whole circuit, then those of each stage 1…n. */
 #define GLINT_DIVIDER_PIPELINED_SIGNALS(X)                                                         \
     X(s0_valid, REGISTER, 1, 0, 0, "the input registers hold a division")                          \
     X(s0_k, REGISTER, GLINT_DIVIDER_K_BITS, 0, 0, "k")                                             \
@@ -113,12 +113,11 @@ glint_divider_device_sequential(const glint_divider_device *device);
 const glint_divider_pipelined_signals *
 glint_divider_device_pipelined(const glint_divider_device *device);
 
-/* Clocks from the edge that takes a division to the edge after which its quotient is out, both
+/* Clocks from the edge that accepts a division to the edge after which its quotient is out, both
  * counted; the same for both forms. */
 int glint_divider_latency(int shifts);
 
-/* The signals by index 0…count−1: those of the whole circuit, then stage after stage (lane = 1…n).
- */
+/* The signals by index 0…count−1: those of the whole circuit, then stage by stage (lane = 1…n). */
 int glint_divider_signal_count(glint_divider_form form, int shifts);
 glint_signal_info glint_divider_signal_info(glint_divider_form form, int shifts, int index);
 

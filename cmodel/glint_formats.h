@@ -1,17 +1,17 @@
-/* The one definition of every width, binary point, latency and limit of the specular device.
+/* The single definition of every width, binary point, latency and limit of the specular device.
  *
  * C includes this file; the Verilog header rtl/glint_formats.vh is generated from it (glint-gen),
  * and a test fails when the two disagree. Formats are written U<i>.<f> (unsigned, i integer and f
  * fraction bits) or S<i>.<f> (two's complement; the first of the i integer bits is the sign).
- * docs/formats.md gives the reason for each number, and says how to change one.
+ * docs/formats.md gives the reason for each number and explains how to change one.
  *
  * Four are chosen: the fraction bits of the cosine and of σ, the bits of n and of a colour. The
- * others follow from them; where a comment here or elsewhere names one as digits, it is for the
- * choice as it is. */
+ * others follow from them; where a comment spells one out in digits, it assumes the current
+ * choice. */
 #ifndef GLINT_CMODEL_FORMATS_H
 #define GLINT_CMODEL_FORMATS_H
 
-/* A condition between numbers, and what to do where it does not hold. */
+/* A condition between numbers, and what to do if it fails. */
 #ifdef __cplusplus
 #define GLINT_REQUIRE(condition, text) static_assert(condition, text)
 #else
@@ -45,7 +45,7 @@
 
 /* Multiplier 10, key block 12: W = t², rounded half up, U1.18 for the gates `cosine` and `sign`: it
  * drops as many fraction bits as t has. For the gate `drawn` the square keeps its integer bits,
- * U17.18, and saturates to 1.0 after: t² is below 2^20/9. */
+ * U17.18, and saturates to 1.0 afterwards: t² is below 2^20/9. */
 #define GLINT_W_FRAC_BITS      GLINT_T_FRAC_BITS
 #define GLINT_W_BITS           (1 + GLINT_W_FRAC_BITS)
 #define GLINT_W_ONE            (1u << GLINT_W_FRAC_BITS)
@@ -63,10 +63,10 @@
 #define GLINT_LATENCY_COMBINATIONAL 1
 #define GLINT_LATENCY_PIPELINED     4
 
-/* Cosines a clock with one material. */
+/* Cosines per clock, all with one material. */
 #define GLINT_LANES_MAX 32
 
-/* What follows from other numbers above is not to be given one of its own. */
+/* Derived numbers, which must not be defined independently. */
 GLINT_REQUIRE(
     GLINT_T_FRAC_BITS == GLINT_COS_FRAC_BITS,
     "GLINT_T_FRAC_BITS must be GLINT_COS_FRAC_BITS: multiplier 7 drops the bits of sigma");
@@ -81,7 +81,7 @@ GLINT_REQUIRE(GLINT_T_INT_BITS == 1 + GLINT_SIGMA_INT_BITS,
 GLINT_REQUIRE((GLINT_N_COUNT / 3u) * (GLINT_N_COUNT / 3u) >> GLINT_W_DRAWN_INT_BITS == 0,
               "GLINT_W_DRAWN_INT_BITS must hold the square of (GLINT_N_MAX + 1) / 3");
 
-/* What the types that hold them, in C, allow. cmodel/blocks.h has those of the arithmetic. */
+/* Limits set by the C types that hold them; cmodel/blocks.h has those of the arithmetic. */
 GLINT_REQUIRE(GLINT_COS_FRAC_BITS >= 10 && GLINT_COS_FRAC_BITS <= 20,
               "GLINT_COS_FRAC_BITS must be 10 to 20: above, glint_block_mul10() needs more than 32 "
               "bits; below, the codes 1000 above 1.0 that waveforms show are none");

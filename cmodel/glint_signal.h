@@ -1,4 +1,4 @@
-/* A signal of a circuit as a comparer, a waveform or a document needs it. */
+/* A signal of a circuit, as comparisons, waveforms and documents need it. */
 #ifndef GLINT_CMODEL_SIGNAL_H
 #define GLINT_CMODEL_SIGNAL_H
 
@@ -8,18 +8,18 @@
 extern "C" {
 #endif
 
-/* What a signal is, to a reader of the figure. */
+/* The kinds of signal that the figure distinguishes. */
 typedef enum glint_signal_kind {
     GLINT_SIGNAL_REGISTER, /* a numbered register of the figure */
     GLINT_SIGNAL_BLOCK,    /* the output of a numbered combinational block */
-    GLINT_SIGNAL_STAGE,    /* a pipeline register, or the wire in its place */
+    GLINT_SIGNAL_STAGE,    /* a pipeline register, or a wire in its place */
     GLINT_SIGNAL_OUTPUT,
 } glint_signal_kind;
 
 /* A signal as a comparer, a waveform or a document needs it. */
 typedef struct glint_signal_info {
     const char *name;
-    int block; /* number in figure 3.1; 0: the figure gives it none */
+    int block; /* number in figure 3.1; 0: none */
     glint_signal_kind kind;
     int int_bits, frac_bits;
     int is_signed;
@@ -28,8 +28,8 @@ typedef struct glint_signal_info {
     size_t offset;       /* of its int64_t, or its uint64_t words, in the model's signals */
     size_t size;         /* of those, bytes; 0: enough, as the circuit's own tables have it */
     const char *path;    /* below the top, or the lane's scope: "u.acc"; NULL: its name */
-    const char *heading; /* that it stands under in a waveform; NULL: none, or its lane's alone */
-    int is_copy;         /* repeats another signal in this setting: waveforms leave it out */
+    const char *heading; /* its heading in a waveform; NULL: none, or only its lane's */
+    int is_copy;         /* duplicates another signal in this setting: waveforms omit it */
 } glint_signal_info;
 
 #ifdef __cplusplus

@@ -4,11 +4,11 @@
  * afterwards every signal holds what the Verilog signal of the same name holds just after that
  * edge.
  *
- * Each clock, on an enabled edge: n and (R, G, B) are taken where their strobe is 1, and each lane
- * whose in_valid bit is 1 takes its cosine; a material written together with a cosine applies to
- * that cosine and later ones. Results leave in order, `latency` clocks later, in out_w, out_r,
- * out_g, out_b, marked in out_valid. en = 0 freezes everything; reset = 1 clears everything,
- * whatever en says. */
+ * On each enabled edge, n and (R, G, B) are loaded if their strobe is 1, and each lane whose
+ * in_valid bit is 1 accepts its cosine; a material written together with a cosine applies to that
+ * cosine and to later ones. Results leave in order, `latency` clocks later, in out_w, out_r, out_g,
+ * out_b, marked in out_valid. en = 0 freezes everything; reset = 1 clears everything regardless of
+ * en. */
 #ifndef GLINT_CMODEL_SPECULAR_DEVICE_H
 #define GLINT_CMODEL_SPECULAR_DEVICE_H
 
@@ -19,8 +19,8 @@
 extern "C" {
 #endif
 
-/* The one list of the device's signals: X(name, block, kind, int bits, frac bits, signed, meaning).
- * int bits include the sign. A width of GLINT_LANES_WIDTH is one bit a lane; GLINT_MUL10_WIDTH is
+/* The list of the device's signals: X(name, block, kind, int bits, frac bits, signed, meaning). int
+ * bits include the sign. A width of GLINT_LANES_WIDTH means one bit per lane; GLINT_MUL10_WIDTH is
  * 1 integer bit, or GLINT_W_DRAWN_INT_BITS with gate drawn. */
 #define GLINT_LANES_WIDTH 0
 #define GLINT_MUL10_WIDTH (-1)
@@ -86,7 +86,7 @@ typedef struct glint_specular_inputs {
     uint8_t rgb_we;                /* strobe of registers 3, 4, 5 */
     uint8_t r, g, b;               /* already multiplied by Ks */
     uint32_t in_valid;             /* bit i: lane i takes cos[i] */
-    uint32_t cos[GLINT_LANES_MAX]; /* information input 32, U1.18, a code a lane */
+    uint32_t cos[GLINT_LANES_MAX]; /* information input 32, U1.18, one code per lane */
 } glint_specular_inputs;
 
 typedef struct glint_specular_config {
@@ -102,19 +102,18 @@ glint_status glint_specular_device_create(const glint_specular_config *config,
                                           glint_specular_device **device);
 void glint_specular_device_destroy(glint_specular_device *device); /* NULL is allowed */
 
-/* One rising edge of the clock. Inputs wider than their pins are cut to the pins' width. */
+/* One rising edge of the clock. Inputs wider than their pins are truncated. */
 void glint_specular_device_clock(glint_specular_device *device,
                                  const glint_specular_inputs *inputs);
 
 /* The signals as the last edge left them; valid until the device is destroyed. */
 const glint_specular_signals *glint_specular_device_signals(const glint_specular_device *device);
 
-/* Clocks from the edge that takes a cosine to the edge after which its result is out, both counted:
- * GLINT_LATENCY_COMBINATIONAL or GLINT_LATENCY_PIPELINED. */
+/* Clocks from the edge that accepts a cosine to the edge after which its result is out, both
+ * counted: GLINT_LATENCY_COMBINATIONAL or GLINT_LATENCY_PIPELINED. */
 int glint_specular_latency(glint_pipeline pipeline);
 
-/* Number of signals of a device with these settings: the shared ones first, then lane after lane.
- */
+/* Number of signals of a device with these settings: the shared ones first, then lane by lane. */
 int glint_specular_signal_count(const glint_specular_config *config);
 
 /* Describes signal `index` (0…count−1) under these settings. */

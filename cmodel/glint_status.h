@@ -1,7 +1,7 @@
-/* What every Glint function that can fail returns, and how it says why.
+/* The return type of every Glint function that can fail, and how the reason is reported.
  *
- * Library code never prints: it returns a glint_status and, where the caller passed a
- * glint_error, fills it with one line that says what went wrong, where, and what to do. */
+ * Library code never prints: it returns a glint_status and, where the caller passed a glint_error,
+ * fills it with one line: what went wrong, where, and what to do. */
 #ifndef GLINT_CMODEL_STATUS_H
 #define GLINT_CMODEL_STATUS_H
 
@@ -12,10 +12,10 @@ extern "C" {
 typedef enum glint_status {
     GLINT_OK = 0,
     GLINT_BAD_ARGUMENT, /* a value outside the range that the function's header states */
-    GLINT_BAD_INPUT,    /* a file or a line whose content cannot be used */
+    GLINT_BAD_INPUT,    /* a file or line with unusable content */
     GLINT_IO_ERROR,     /* the operating system refused: missing file, full disk, permissions */
     GLINT_NO_MEMORY,
-    GLINT_DEVICE_FAULT, /* a circuit did not answer as its contract says */
+    GLINT_DEVICE_FAULT, /* a circuit violated its contract */
     GLINT_INTERRUPTED,  /* the caller's stop flag was raised; what was produced so far is discarded
                          */
 } glint_status;

@@ -1,10 +1,9 @@
-/* GLINT_MULTIVERSION before a hot loop has it compiled for plain x86-64, AVX2 and AVX-512; the
- * widest that the machine can run is chosen when the program is loaded. All give the same bits: the
- * project is built without contraction or reordering of floating-point operations.
+/* GLINT_MULTIVERSION in front of a hot loop compiles it for plain x86-64, AVX2 and AVX-512; the
+ * widest version that the machine supports is chosen when the program loads. All give the same
+ * bits: the project is built without contraction or reordering of floating-point operations.
  *
- * glibc's loader makes the choice. musl's cannot, and sanitizers are not ready yet when it is made,
- * so their builds have the plain loop only.
- */
+ * glibc's loader makes the choice. musl's cannot, and sanitizers are not initialised yet at that
+ * point, so those builds get only the plain loop. */
 #ifndef GLINT_CMODEL_MULTIVERSION_H
 #define GLINT_CMODEL_MULTIVERSION_H
 

@@ -1,7 +1,6 @@
-/* The one interface between whoever has differences to divide by a length and whatever divides.
+/* The interface between callers that divide differences by a length and backends that do it.
  *
- * A backend serves one thread at a time; several may live at once, each with a circuit of its own.
- */
+ * A backend serves one thread at a time; several can exist at once, each with its own circuit. */
 #ifndef GLINT_SIM_BACKEND_DIVIDER_BACKEND_H
 #define GLINT_SIM_BACKEND_DIVIDER_BACKEND_H
 
@@ -13,7 +12,8 @@ typedef struct glint_divider_config {
                                 rounded half up to the same fraction bits */
     glint_divider_form form; /* kind rtl only; both give the same quotients */
     int shifts;              /* GLINT_DIVIDER_SHIFTS_MIN…MAX */
-    const char *verilog; /* kind rtl: the directory with the Verilog, to stay; NULL: Glint's own */
+    const char *verilog; /* kind rtl: the Verilog's directory, which must outlive the backend; NULL:
+                          * Glint's own */
 } glint_divider_config;
 
 typedef struct glint_divider_backend glint_divider_backend;
@@ -25,8 +25,8 @@ void glint_divider_backend_destroy(glint_divider_backend *backend); /* NULL is a
 /* As glint_backend_set_watch(). */
 void glint_divider_backend_set_watch(glint_divider_backend *backend, glint_backend_watch *watch);
 
-/* Divides count times. Quotients are codes with `shifts` fraction bits, S9.n. A k that is 0 or
- * beyond the table gives quotient 0 and out_of_table, with every kind. */
+/* Divides count times. Quotients are codes with `shifts` fraction bits, S9.n. With every kind, a k
+ * of 0 or past the end of the table gives quotient 0 and out_of_table. */
 glint_status glint_divider_backend_divide(glint_divider_backend *backend,
                                           const glint_division *divisions, size_t count,
                                           glint_quotients *quotients, glint_error *err);

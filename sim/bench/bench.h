@@ -1,7 +1,7 @@
-/* How many fragments, clocks and frames a second: all in one run, so that ratios mean something on
- * a machine that others use too. Every candidate is run in turn, round after round; a rate is the
- * median of the rounds, a ratio the median of the ratios within a round. verilog: the directory of
- * the circuits' Verilog, NULL for Glint's own. */
+/* Fragments, clocks and frames per second, all measured in one run so that ratios are meaningful on
+ * a shared machine. The candidates take turns, round after round; a rate is the median over the
+ * rounds, a ratio the median of the ratios within a round. verilog: the directory of the circuits'
+ * Verilog, NULL for Glint's own. */
 #ifndef GLINT_SIM_BENCH_BENCH_H
 #define GLINT_SIM_BENCH_BENCH_H
 
@@ -13,8 +13,8 @@
 #include "glint_divider.h"
 
 #define GLINT_BENCH_N      60   /* exponent of all kernels */
-#define GLINT_BENCH_POINTS 8192 /* cosines of a pass, evenly random in GLINT_BENCH_LOWEST…1 */
-#define GLINT_BENCH_LOWEST 0.5  /* below, powf would leave its usual path: the power underflows */
+#define GLINT_BENCH_POINTS 8192 /* cosines per pass, uniformly random in GLINT_BENCH_LOWEST…1 */
+#define GLINT_BENCH_LOWEST 0.5  /* below this, powf takes a slow path: the power underflows */
 
 typedef enum glint_bench_candidate {
     GLINT_BENCH_POWF,
@@ -31,7 +31,7 @@ typedef enum glint_bench_candidate {
 } glint_bench_candidate;
 
 typedef struct glint_bench_rates {
-    double points[GLINT_BENCH_CANDIDATES];  /* points a second, on one thread */
+    double points[GLINT_BENCH_CANDIDATES];  /* points per second, on one thread */
     double to_powf[GLINT_BENCH_CANDIDATES]; /* the same divided by powf's */
     int lanes[GLINT_BENCH_CANDIDATES];      /* of the RTL candidates, else 0 */
 } glint_bench_rates;
@@ -43,8 +43,8 @@ const char *glint_bench_name(glint_bench_candidate candidate);
 glint_status glint_bench_kernels(const char *verilog, double seconds, const volatile bool *stop,
                                  glint_bench_rates *rates, glint_error *err);
 
-/* Points a second on one thread, and the same divided by those of Schlick's formula (2.1) by the
- * same kind of loop. */
+/* Points per second on one thread, and their ratio to Schlick's formula (2.1) in the same kind of
+ * loop. */
 typedef struct glint_bench_formula_rates {
     double scalar[GLINT_FORMULA_COUNT], vectorised[GLINT_FORMULA_COUNT];
     double scalar_to_schlick[GLINT_FORMULA_COUNT], vectorised_to_schlick[GLINT_FORMULA_COUNT];

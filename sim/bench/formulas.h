@@ -1,5 +1,5 @@
-/* The formulas that stand for cosⁿ, in single precision, each as two loops: one point after the
- * other, and as the compiler vectorises it. For measuring speed; sim/reflectance has the models. */
+/* The formulas that approximate cosⁿ, in single precision, each as two loops: point by point, and
+ * as vectorised by the compiler. For measuring speed only; the models are in sim/reflectance. */
 #ifndef GLINT_SIM_BENCH_FORMULAS_H
 #define GLINT_SIM_BENCH_FORMULAS_H
 

@@ -1,5 +1,5 @@
-/* What the circuits are measured against, each in a plain loop: cos^n with the C library and
- * Schlick's formula (2.1) over many cosines; the machine's own division over many divisions. */
+/* The baselines for the circuits, each in a plain loop: cos^n with the C library and Schlick's
+ * formula (2.1) over many cosines; the machine's own division over many divisions. */
 #ifndef GLINT_SIM_BENCH_KERNELS_H
 #define GLINT_SIM_BENCH_KERNELS_H
 

@@ -1,5 +1,5 @@
-/* Candidates measured side by side: each in turn, round after round, so that what else the machine
- * does meets them all alike. */
+/* Measures candidates side by side, in turn, round after round, so that other load on the machine
+ * affects them all alike. */
 #ifndef GLINT_SIM_BENCH_ROUNDS_H
 #define GLINT_SIM_BENCH_ROUNDS_H
 
@@ -18,8 +18,7 @@ typedef struct glint_rounds {
 } glint_rounds;
 
 /* Measures candidates 0…count−1 for about `seconds` each, on the calling thread; a pass is over
- * `items` items. A rate is of the thread's own time: what others take of the processor is not in
- * it. */
+ * `items` items. Rates use the thread's own processor time, so other processes do not count. */
 glint_status glint_rounds_measure(glint_bench_pass *pass, void *work, int count, int items,
                                   double seconds, const volatile bool *stop, glint_rounds *rounds,
                                   glint_error *err);

@@ -1,4 +1,4 @@
-/* The circuits that Glint knows: one line each in circuits.c. */
+/* The circuits that Glint knows, one line each in circuits.c. */
 #ifndef GLINT_SIM_CIRCUIT_CIRCUITS_H
 #define GLINT_SIM_CIRCUIT_CIRCUITS_H
 
@@ -10,14 +10,14 @@ extern const glint_circuit glint_circuit_divider;  /* figure 2.13: form, shifts 
 /* Number 0…; NULL past the last. */
 const glint_circuit *glint_circuit_number(int index);
 
-/* By its name; NULL: there is none. */
+/* By name; NULL if there is none. */
 const glint_circuit *glint_circuit_named(const char *name);
 
-/* A circuit from elsewhere (own.h), which is to stay: from now on its name is known, before any
- * other of that name. One at a time, before any thread asks. */
+/* Adds a user's circuit (own.h), which must stay valid; it takes precedence over any other of the
+ * same name. Only one, and before any thread looks up a name. */
 void glint_circuit_add(const glint_circuit *circuit);
 
-/* Where the parameters of the thesis's circuits stand in `values`. */
+/* Positions of the thesis circuits' parameters in `values`. */
 enum { GLINT_SPECULAR_GATE, GLINT_SPECULAR_PIPELINE, GLINT_SPECULAR_LANES };
 enum { GLINT_DIVIDER_FORM, GLINT_DIVIDER_SHIFTS };
 

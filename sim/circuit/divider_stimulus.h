@@ -1,8 +1,8 @@
 /* Random input pins for the dividers, the same for the same seed.
  *
- * What comes up: divisions back to back and with gaps, starts while a division is under way, every
- * k of the table, 0 and beyond it, the largest differences and all others. When it resets and
- * stalls: schedule.h. */
+ * It covers divisions back to back and with gaps, starts while a division is in progress, every k
+ * in the table, 0 and beyond it, the largest differences and all others. Resets and stalls:
+ * schedule.h. */
 #ifndef GLINT_SIM_CIRCUIT_DIVIDER_STIMULUS_H
 #define GLINT_SIM_CIRCUIT_DIVIDER_STIMULUS_H
 

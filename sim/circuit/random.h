@@ -1,4 +1,4 @@
-/* A small seeded generator (splitmix64), so that a run is the same on every machine. */
+/* A small seeded generator (splitmix64) that gives the same run on every machine. */
 #ifndef GLINT_SIM_CIRCUIT_RANDOM_H
 #define GLINT_SIM_CIRCUIT_RANDOM_H
 

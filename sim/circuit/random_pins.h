@@ -1,8 +1,8 @@
-/* Random pins of any circuit: those of its own stimulus, else by what each pin is for.
+/* Random pins for any circuit: from its own stimulus, or else by each pin's role.
  *
- * Without a stimulus of its own a circuit gets the schedule of schedule.h (resets and stalls, long
- * runs without either), phases in which something is taken always, often or seldom, and data that
- * is anywhere in its range, at the ends of it, 0, 1, −1, one bit alone or all but one, and short.
+ * A circuit without its own stimulus gets the schedule of schedule.h (resets and stalls, long runs
+ * without either), phases in which inputs are valid always, often or seldom, and data anywhere in
+ * its range, at its ends, 0, 1, −1, with one bit set or all but one, and short.
  *
  * The same setting and seed give the same pins, on every machine; a shorter run is the beginning of
  * a longer one. */

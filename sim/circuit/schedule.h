@@ -1,17 +1,18 @@
-/* When the random pins of either circuit reset and when they stall: what reaches deep state.
+/* When random pins reset and stall, so that runs reach deep state.
  *
- * Time is cut into eras, each of a mixed part and a long run. The mixed part is phases of some
- * dozen clocks, each with its own mood: no stall, a few or many, a stall of 64 clocks and more in a
- * row, one phase in four with resets. The long run has no reset and few stalls. Its enabled clocks:
+ * Time is divided into eras, each with a mixed part and a long run. The mixed part consists of
+ * phases of a few dozen clocks, each with its own character: no stalls, few or many, a stall of 64
+ * or more clocks in a row; one phase in four has resets. The long run has no reset and few stalls.
+ * Its enabled clocks:
  *
  *   era    mixed part, clocks    long run, enabled clocks (and 4096)
  *   0      16 384                2^16
  *   1      8 192                 2^20
  *   2, …   as the long run before, twice the long run before
  *
- * So 100 000 clocks hold 2^16 enabled ones without a reset, 1 200 000 hold 2^20, and from there on
- * the longest run is about a quarter of all clocks or more. How long it will go on is not known
- * here: a shorter run of the same seed is the beginning of a longer one. */
+ * So 100 000 clocks include 2^16 enabled ones without a reset, 1 200 000 include 2^20, and from
+ * there on the longest run is at least about a quarter of all clocks. The total is not known in
+ * advance: a shorter run of the same seed is the start of a longer one. */
 #ifndef GLINT_SIM_CIRCUIT_SCHEDULE_H
 #define GLINT_SIM_CIRCUIT_SCHEDULE_H
 
@@ -28,7 +29,7 @@ typedef struct glint_schedule {
 
 /* Starts as {0}. */
 
-/* Of the next clock. True when a phase begins with it: the time to draw moods of one's own. */
+/* Of the next clock. True when it starts a phase: the caller's cue to change its own mix. */
 bool glint_schedule_next(glint_schedule *schedule, glint_random *random, bool *reset, bool *en);
 
 #endif

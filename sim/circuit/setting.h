@@ -1,5 +1,5 @@
-/* A circuit and a value for each of its parameters: what everything below sim/ that treats circuits
- * alike is told. */
+/* A circuit with a value for each of its parameters, which is what all circuit-independent code in
+ * sim/ works with. */
 #ifndef GLINT_SIM_CIRCUIT_SETTING_H
 #define GLINT_SIM_CIRCUIT_SETTING_H
 
@@ -10,7 +10,8 @@
 typedef struct glint_setting {
     const glint_circuit *circuit;
     int values[GLINT_PARAMETERS_MAX]; /* those of the circuit's parameters; the rest 0 */
-    const char *verilog; /* the directory with its Verilog, to stay; NULL: Glint's own rtl/ */
+    const char *verilog; /* the directory with its Verilog, which must stay valid; NULL: Glint's own
+                          * rtl/ */
 } glint_setting;
 
 /* Every parameter at its standard value. */
@@ -30,16 +31,16 @@ const char *glint_setting_top(const glint_setting *setting);
 /* Clocks until a result is out. */
 int glint_setting_latency(const glint_setting *setting);
 
-/* Every setting of the listed values, in the order of the parameters, the last one turning fastest:
- * the index-th; false past the last. */
+/* The index-th setting of the listed values, with the last parameter varying fastest; false past
+ * the last. */
 bool glint_setting_listed(const glint_circuit *circuit, int index, glint_setting *setting);
 
-/* Signals and their values as rows of words: signal i has its words from glint_signal_word(i) on.
- */
+/* Signals and their values as an array of words; those of signal i start at
+ * glint_signal_word(i). */
 #define GLINT_SIGNAL_WORDS_MAX 2048 /* of all signals of a circuit */
 #define GLINT_PINS_SIZE_MAX    1024 /* of a circuit's struct of pins */
 
-/* What the input pins of a circuit carry at one rising edge: the circuit's own struct. */
+/* The input pins of a circuit at one rising edge, in the circuit's own struct. */
 typedef union glint_pins {
     unsigned char bytes[GLINT_PINS_SIZE_MAX];
     uint64_t words[GLINT_PINS_SIZE_MAX / 8];

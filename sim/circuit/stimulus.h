@@ -1,9 +1,8 @@
 /* Random input pins for the specular device, the same for the same seed and number of lanes.
  *
- * What comes up: dense runs and runs with gaps, lanes valid in any pattern and one by one, material
- * written with a point, between points and without any, and cosines of every kind: anywhere, out of
- * range, exactly 0 and 1, inside the highlight, around its limit. When it resets and stalls:
- * schedule.h. */
+ * It covers dense runs and runs with gaps, lanes valid in any pattern and singly, material written
+ * with a point, between points and without any, and all kinds of cosines: anywhere, out of range,
+ * exactly 0 and 1, inside the highlight, around its limit. Resets and stalls: schedule.h. */
 #ifndef GLINT_SIM_CIRCUIT_STIMULUS_H
 #define GLINT_SIM_CIRCUIT_STIMULUS_H
 

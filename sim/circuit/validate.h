@@ -1,14 +1,13 @@
-/* Whether a description is one: what somebody wrote outside is looked at before anything is built
- * of it, so that a slip has a line that names it. All that glint_circuit.h asks of a description
- * and that does not need the Verilog. */
+/* Validates a description before anything is built from it, so that a user's slip gets a message
+ * that names it. Checks everything that glint_circuit.h requires and that does not need the
+ * Verilog. */
 #ifndef GLINT_SIM_CIRCUIT_VALIDATE_H
 #define GLINT_SIM_CIRCUIT_VALIDATE_H
 
 #include "circuit/setting.h"
 
-/* Names, functions, headings and parameters, and then the tables in the standard setting and in
- * the first 512 of the listed ones. GLINT_BAD_INPUT, naming what is wrong, of several faults the
- * first; GLINT_NO_MEMORY. */
+/* Checks names, functions, headings and parameters, then the tables in the standard setting and in
+ * the first 512 listed ones. GLINT_BAD_INPUT, naming the first fault; GLINT_NO_MEMORY. */
 glint_status glint_circuit_check(const glint_circuit *circuit, glint_error *err);
 
 /* Of a circuit that passed it: pins, signals, latency and C model in this setting, whose values are

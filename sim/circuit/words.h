@@ -1,4 +1,4 @@
-/* Values of any width: pins and signals as words, the lowest first. */
+/* Values of any width, for pins and signals: words, lowest first. */
 #ifndef GLINT_SIM_CIRCUIT_WORDS_H
 #define GLINT_SIM_CIRCUIT_WORDS_H
 
@@ -19,8 +19,8 @@ static inline int glint_pin_width(const glint_pin_info *pin)
     return pin->int_bits + pin->frac_bits;
 }
 
-/* The bits of a pin, as many as its width, the rest 0; and back, where a narrow signed one is
- * extended to its size. */
+/* Gets a pin's bits, as many as its width, the rest 0; and sets them, sign-extending a narrow
+ * signed pin to its size. */
 void glint_pin_get(const glint_pin_info *pin, const glint_pins *pins, uint64_t *words);
 void glint_pin_set(const glint_pin_info *pin, glint_pins *pins, const uint64_t *words);
 
@@ -31,8 +31,8 @@ void glint_words_hex(const uint64_t *words, int width, char *text);
 void glint_words_decimal(const uint64_t *words, int width, bool is_signed, char *text);
 double glint_words_number(const uint64_t *words, int width, int frac_bits, bool is_signed);
 
-/* A decimal or 0x… of at most that width, the sign where is_signed; false: it is none, or does not
- * fit. */
+/* A decimal or 0x… of at most that width, the sign where is_signed; false if it is not one or does
+ * not fit. */
 bool glint_words_parse(const char *text, int width, bool is_signed, uint64_t *words);
 
 /* Where signal i's words begin among all of the setting's, by index; place[count] is their number.
