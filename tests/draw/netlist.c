@@ -9,11 +9,14 @@
 
 #include "lockstep/signals.h"
 
-enum { PATH = 1024, CELL_BITS_MAX = 1 << 20 };
+enum { PATH = 1024 };
 
-/* A cell's outputs are made of all its inputs. */
+/* A bit of a cell's output is made of all bits of its inputs; of a bitwise cell, of those in its
+ * own place where a port has as many places. */
 typedef struct cell {
-    int input_count, *input;
+    const cJSON *description;
+    bool is_bitwise;
+    int width; /* of the output */
 } cell;
 
 struct netlist {
@@ -21,6 +24,7 @@ struct netlist {
     const cJSON *names; /* of wires: {"bits": […]} */
     int bit_count, cell_count;
     int *driver; /* of each bit: its cell; −1: none, a port */
+    int *place;  /* and its place in the cell's output */
     cell *cells;
 };
 
@@ -30,7 +34,7 @@ static bool run_yosys(const glint_setting *setting, const char *directory, const
 {
     char script[4 * PATH], command[8 * PATH];
     const glint_circuit *circuit = setting->circuit;
-    const char *top = circuit->top(setting->values);
+    const char *top = glint_setting_top(setting);
     int length =
         snprintf(script, sizeof script, "read_verilog -I%s %s/*.v; chparam", directory, directory);
     for (int i = 0; i < circuit->parameter_count; i++)
@@ -75,27 +79,42 @@ static void count_bits(netlist *circuit, const cJSON *bits)
         bit_of(bit) + 1;
 }
 
-static void read_cell(netlist *circuit, const cJSON *description)
+static bool is_output(const cJSON *description, const cJSON *port)
 {
     const cJSON *directions = cJSON_GetObjectItem(description, "port_directions");
-    const cJSON *connections = cJSON_GetObjectItem(description, "connections");
+    return strcmp(cJSON_GetStringValue(cJSON_GetObjectItem(directions, port->string)), "output") ==
+           0;
+}
+
+static bool is_bitwise(const cJSON *description)
+{
+    static const char *const types[] = {"$dff",  "$dffe", "$sdff", "$sdffe", "$adff", "$mux",
+                                        "$pmux", "$and",  "$or",   "$xor",   "$xnor", "$not"};
+    const char *type = cJSON_GetStringValue(cJSON_GetObjectItem(description, "type"));
+    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++)
+        if (strcmp(type, types[i]) == 0)
+            return true;
+    return false;
+}
+
+static void read_cell(netlist *circuit, const cJSON *description)
+{
     const cJSON *port, *bit;
     cell *made = &circuit->cells[circuit->cell_count];
-    int inputs = 0;
-    cJSON_ArrayForEach(port, connections) inputs += cJSON_GetArraySize(port);
-    made->input = calloc((size_t)inputs + 1, sizeof *made->input);
-    cJSON_ArrayForEach(port, connections)
+    *made = (cell){.description = description, .is_bitwise = is_bitwise(description)};
+    cJSON_ArrayForEach(port, cJSON_GetObjectItem(description, "connections"))
     {
-        const cJSON *direction = cJSON_GetObjectItem(directions, port->string);
-        const bool is_output = strcmp(cJSON_GetStringValue(direction), "output") == 0;
+        int place = 0;
+        if (!is_output(description, port))
+            continue;
+        made->width = cJSON_GetArraySize(port);
         cJSON_ArrayForEach(bit, port)
         {
-            if (bit_of(bit) < 0)
-                continue;
-            if (is_output)
+            if (bit_of(bit) >= 0) {
                 circuit->driver[bit_of(bit)] = circuit->cell_count;
-            else
-                made->input[made->input_count++] = bit_of(bit);
+                circuit->place[bit_of(bit)] = place;
+            }
+            place++;
         }
     }
     circuit->cell_count++;
@@ -107,6 +126,7 @@ static void read_module(netlist *circuit, const cJSON *module)
     circuit->names = cJSON_GetObjectItem(module, "netnames");
     cJSON_ArrayForEach(wire, circuit->names) count_bits(circuit, cJSON_GetObjectItem(wire, "bits"));
     circuit->driver = malloc(sizeof *circuit->driver * (size_t)(circuit->bit_count + 1));
+    circuit->place = calloc((size_t)circuit->bit_count + 1, sizeof *circuit->place);
     circuit->cells = calloc((size_t)cJSON_GetArraySize(cells) + 1, sizeof *circuit->cells);
     for (int i = 0; i < circuit->bit_count; i++)
         circuit->driver[i] = -1;
@@ -142,10 +162,9 @@ void netlist_destroy(netlist *circuit)
 {
     if (circuit == NULL)
         return;
-    for (int i = 0; i < circuit->cell_count; i++)
-        free(circuit->cells[i].input);
     free(circuit->cells);
     free(circuit->driver);
+    free(circuit->place);
     cJSON_Delete(circuit->json);
     free(circuit);
 }
@@ -198,13 +217,47 @@ static bool stops_at(const search *s, int bit, bool is_start)
     return true;
 }
 
-static void visit(search *s, int bit, bool is_start)
+static void visit(search *s, int bit)
 {
     if (s->seen[bit])
         return;
     s->seen[bit] = true;
-    if (!stops_at(s, bit, is_start))
+    if (!stops_at(s, bit, false))
         s->waiting[s->waiting_count++] = bit;
+}
+
+/* What the bit is made of, in the cell that drives it. */
+static void visit_inputs(search *s, int of)
+{
+    const int driver = s->circuit->driver[of];
+    const cJSON *port, *bit;
+    if (driver < 0)
+        return;
+    const cell *cell = &s->circuit->cells[driver];
+    cJSON_ArrayForEach(port, cJSON_GetObjectItem(cell->description, "connections"))
+    {
+        const bool is_in_place =
+            cell->is_bitwise && strchr("ABD", port->string[0]) != NULL &&
+            cJSON_GetArraySize(port) % cell->width == 0; /* one word, or several to choose from */
+        int place = 0;
+        if (is_output(cell->description, port))
+            continue;
+        cJSON_ArrayForEach(bit, port)
+        {
+            if (bit_of(bit) >= 0 && (!is_in_place || place % cell->width == s->circuit->place[of]))
+                visit(s, bit_of(bit));
+            place++;
+        }
+    }
+}
+
+/* A bit of the wire itself. A wire renamed has its source's bits; a register has its own, which may
+ * be those of a wire that only renames it. */
+static void begin_at(search *s, int bit, bool is_register)
+{
+    if (!is_register && stops_at(s, bit, true))
+        return;
+    visit_inputs(s, bit);
 }
 
 static void own(const search *s)
@@ -215,8 +268,8 @@ static void own(const search *s)
             s->owned[bit_of(bit)][i] = true;
 }
 
-void netlist_sources(const netlist *circuit, const char *wire, char (*names)[NETLIST_NAME],
-                     int count, const bool *expected, bool *reached)
+void netlist_sources(const netlist *circuit, const char *wire, bool is_register,
+                     char (*names)[NETLIST_NAME], int count, const bool *expected, bool *reached)
 {
     const size_t bits = (size_t)circuit->bit_count + 1;
     search s = {.circuit = circuit,
@@ -231,12 +284,9 @@ void netlist_sources(const netlist *circuit, const char *wire, char (*names)[NET
     memset(reached, 0, sizeof *reached * (size_t)count);
     own(&s);
     cJSON_ArrayForEach(bit, bits_of(circuit, wire)) if (bit_of(bit) >= 0)
-        visit(&s, bit_of(bit), true);
-    while (s.waiting_count > 0) {
-        const int driver = circuit->driver[s.waiting[--s.waiting_count]];
-        for (int i = 0; driver >= 0 && i < circuit->cells[driver].input_count; i++)
-            visit(&s, circuit->cells[driver].input[i], false);
-    }
+        begin_at(&s, bit_of(bit), is_register);
+    while (s.waiting_count > 0)
+        visit_inputs(&s, s.waiting[--s.waiting_count]);
     free(s.owned);
     free(s.seen);
     free(s.waiting);

@@ -20,9 +20,10 @@ bool netlist_has(const netlist *circuit, const char *name);
 bool netlist_is_constant(const netlist *circuit, const char *name);
 
 /* Goes back from every bit of the wire, through cells and wires without a name in `names`, to the
- * bits of those that have one. Of a bit that several of them share, as a wire renamed has, those
- * of `expected` count before the others. reached[i]: whether names[i] was met. */
-void netlist_sources(const netlist *circuit, const char *wire, char (*names)[NETLIST_NAME],
-                     int count, const bool *expected, bool *reached);
+ * bits of those that have one; reached[i]: whether names[i] was met. Where a bit has several names,
+ * as that of a wire renamed has, those `expected` count before the others. The wire of a register
+ * begins with what its flip-flops take, even if another wire has the same bits. */
+void netlist_sources(const netlist *circuit, const char *wire, bool is_register,
+                     char (*names)[NETLIST_NAME], int count, const bool *expected, bool *reached);
 
 #endif

@@ -141,7 +141,8 @@ static void check_node(int index)
     bool expected[NETLIST_NAMES_MAX] = {false}, reached[NETLIST_NAMES_MAX];
     const int own = e.of_node[index];
     expect_inputs(index, expected);
-    netlist_sources(e.circuit, e.name[own], e.name, e.count, expected, reached);
+    netlist_sources(e.circuit, e.name[own], e.graph.node[index].symbol == GLINT_SYMBOL_REGISTER,
+                    e.name, e.count, expected, reached);
     for (int i = 0; i < e.count; i++) {
         if (i == own || is_undrawn(e.name[i]) || netlist_is_constant(e.circuit, e.name[i]))
             continue;
