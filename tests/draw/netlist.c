@@ -190,6 +190,7 @@ bool netlist_is_constant(const netlist *circuit, const char *name)
 
 typedef struct search {
     const netlist *circuit;
+    const char *wire;
     char (*names)[NETLIST_NAME];
     int count;
     const bool *expected;
@@ -199,22 +200,32 @@ typedef struct search {
     int *waiting, waiting_count;
 } search;
 
-/* Whether the bit belongs to a name: those expected, else all the others that it has. */
-static bool stops_at(const search *s, int bit, bool is_start)
+/* Whether the bit belongs to a name: those expected, else all the others that it has; but a
+ * register that holds its own value is fed by nothing. */
+static bool stops_at(const search *s, int bit)
 {
-    bool is_expected = false, is_owned = false;
+    bool is_expected = false, is_owned = false, is_self = false;
     for (int i = 0; i < s->count; i++) {
         if (!s->owned[bit][i])
             continue;
         is_owned = true;
+        is_self |= strcmp(s->names[i], s->wire) == 0;
         if (s->expected[i])
             s->reached[i] = is_expected = true;
     }
-    if (is_expected || !is_owned || is_start)
-        return is_expected;
-    for (int i = 0; i < s->count; i++)
+    for (int i = 0; i < s->count && !is_expected && !is_self; i++)
         s->reached[i] |= s->owned[bit][i];
-    return true;
+    return is_owned;
+}
+
+/* Whether one of the names that the bit has is expected. */
+static bool is_renamed(const search *s, int bit)
+{
+    bool is_expected = false;
+    for (int i = 0; i < s->count; i++)
+        if (s->owned[bit][i] && s->expected[i])
+            s->reached[i] = is_expected = true;
+    return is_expected;
 }
 
 static void visit(search *s, int bit)
@@ -222,7 +233,7 @@ static void visit(search *s, int bit)
     if (s->seen[bit])
         return;
     s->seen[bit] = true;
-    if (!stops_at(s, bit, false))
+    if (!stops_at(s, bit))
         s->waiting[s->waiting_count++] = bit;
 }
 
@@ -255,9 +266,8 @@ static void visit_inputs(search *s, int of)
  * be those of a wire that only renames it. */
 static void begin_at(search *s, int bit, bool is_register)
 {
-    if (!is_register && stops_at(s, bit, true))
-        return;
-    visit_inputs(s, bit);
+    if (is_register || !is_renamed(s, bit))
+        visit_inputs(s, bit);
 }
 
 static void own(const search *s)
@@ -273,6 +283,7 @@ void netlist_sources(const netlist *circuit, const char *wire, bool is_register,
 {
     const size_t bits = (size_t)circuit->bit_count + 1;
     search s = {.circuit = circuit,
+                .wire = wire,
                 .names = names,
                 .count = count,
                 .expected = expected,
