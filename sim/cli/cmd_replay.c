@@ -11,15 +11,18 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "failure/report.h"
+#include "failure/shell.h"
 #include "file/same.h"
 #include "lockstep/mismatch.h"
 
 typedef struct replay_options {
     const char *directory, *out;
-    const char *verilog;          /* --rtl; NULL: what the packet says */
+    const char *verilog;          /* --rtl; NULL: Glint's own, or that of circuit_dir */
     const char *circuit_dir;      /* NULL: none */
     const glint_circuit *circuit; /* its circuit */
     bool json;
+    int argc; /* the command itself */
+    char **argv;
 } replay_options;
 
 /* The packet, and what came of it now. */
@@ -49,8 +52,8 @@ static int parse(int argc, char **argv, replay_options *chosen)
          .string = &chosen->out},
         {.name = "rtl",
          .placeholder = "DIR",
-         .help = "use the Verilog in this directory",
-         .usually = "the packet's",
+         .help = "use the Verilog in this directory, such as the one the packet was made with",
+         .usually = "Glint's own",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->verilog},
         GLINT_CIRCUIT_DIR_OPTION(&chosen->circuit_dir),
@@ -165,13 +168,14 @@ static bool print_json(const replay_options *chosen, const replay *of)
     return glint_output_json(json);
 }
 
-/* The same inputs with what they lead to now. */
+/* The same inputs with what they lead to now. The command that is printed to be typed is this one,
+ * not what the packet brings along as such. */
 static glint_status write_packet(const replay_options *chosen, replay *of, glint_error *err)
 {
     glint_failure fresh = *of->packet;
     fresh.program = glint_failure_program();
-    if (chosen->verilog != NULL)
-        glint_failure_name_verilog(&fresh);
+    glint_failure_command(chosen->argc, chosen->argv, fresh.command, sizeof fresh.command);
+    glint_failure_name_verilog(&fresh);
     glint_failure_name_circuit(&fresh, chosen->circuit_dir);
     fresh.finding = of->now;
     fresh.capture = of->capture;
@@ -215,15 +219,19 @@ static glint_status play(replay *of, glint_error *err)
     return status;
 }
 
-/* Where its Verilog is: as the command says, else the circuit's own directory, else where it was.
- */
+/* A packet may come from anywhere, and to build Verilog is to run what it says: a directory that
+ * only the packet names is said, and not opened. */
 static void choose_verilog(const replay_options *chosen, glint_failure *packet)
 {
-    const char *from_packet = glint_failure_rtl(packet);
-    packet->setting.verilog = chosen->verilog != NULL       ? chosen->verilog
-                              : from_packet[0] != '\0'      ? packet->rtl
-                              : chosen->circuit_dir != NULL ? chosen->circuit_dir
-                                                            : NULL;
+    char directory[GLINT_SHELL_WORD(GLINT_FAILURE_DIRECTORY)] = "";
+    packet->setting.verilog = chosen->verilog != NULL ? chosen->verilog : chosen->circuit_dir;
+    if (chosen->verilog != NULL || glint_failure_rtl(packet)[0] == '\0')
+        return;
+    glint_shell_append(directory, sizeof directory, packet->rtl);
+    (void)glint_complain("replay", GLINT_EXIT_OK,
+                         "by %s Verilog; the packet was made with another: --rtl %s",
+                         chosen->circuit_dir != NULL ? "--circuit-dir's" : "Glint's own",
+                         directory);
 }
 
 static int run(const replay_options *chosen, replay *of)
@@ -245,7 +253,7 @@ static int run(const replay_options *chosen, replay *of)
 
 int glint_cmd_replay(int argc, char **argv)
 {
-    replay_options chosen = {0};
+    replay_options chosen = {.argc = argc, .argv = argv};
     replay of = {0};
     const int parsed = parse(argc, argv, &chosen);
     if (parsed != GLINT_OPTIONS_RUN)

@@ -29,12 +29,12 @@ static void read_circuit(reader *r, const cJSON *json)
 {
     const char *name = glint_json_string(&r->json, json, "circuit");
     const glint_circuit *circuit = glint_circuit_named(name);
+    const bool is_elsewhere = r->failure->circuit_dir[0] != '\0';
     if (r->extra != NULL && strcmp(r->extra->name, name) == 0)
         circuit = r->extra;
-    if (circuit == NULL && r->failure->circuit_dir[0] != '\0')
+    if (is_elsewhere && (circuit == NULL || circuit != r->extra))
         glint_json_refuse(&r->json,
-                          "circuit is none that is known here: its description is given with "
-                          "--circuit-dir");
+                          "circuit is none of Glint's own: --circuit-dir gives its description");
     else if (circuit == NULL)
         glint_json_refuse(&r->json, "circuit is none that there is");
     r->failure->setting.circuit = circuit;
@@ -48,7 +48,8 @@ static int read_value(reader *r, const cJSON *json, const glint_parameter *param
     return (int)glint_json_integer(&r->json, json, parameter->name, parameter->min, parameter->max);
 }
 
-/* Where it was looked for: a packet says so only of what is not Glint's own. */
+/* Where it was looked for: a packet says so only of what is not Glint's own. It is to be said, not
+ * to be opened. */
 static void read_directories(reader *r, const cJSON *json)
 {
     glint_failure *failure = r->failure;

@@ -69,12 +69,19 @@ static bool has_only(const char *text, const char *allowed, size_t most)
     return length != 0 && length <= most && strspn(text, allowed) == length;
 }
 
+/* U+0080 to U+009F are two bytes of UTF-8; some terminals obey them. */
+static bool is_control(const char *c)
+{
+    const unsigned char first = (unsigned char)c[0], second = (unsigned char)c[1];
+    return first < 0x20 || first == 0x7f || (first == 0xc2 && second >= 0x80 && second < 0xa0);
+}
+
 void glint_json_printed(glint_json_reader *r, const cJSON *json, const char *name, char *text,
                         size_t size)
 {
     const char *value = glint_json_string(r, json, name);
     for (const char *c = value; *c != '\0'; c++)
-        if ((unsigned char)*c < 0x20 || *c == 0x7f)
+        if (is_control(c))
             glint_json_refuse(r, "%s holds what is no printed character", name);
     (void)snprintf(text, size, "%s", value);
 }

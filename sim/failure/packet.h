@@ -29,7 +29,8 @@ glint_status glint_packet_write(const glint_failure *failure, const glint_packet
                                 const char *directory, glint_error *err);
 
 /* Reads a packet's failure. extra: a circuit besides Glint's own that it may be of; NULL: none.
- * setting.verilog is NULL: where its Verilog was is in failure->rtl, and is for the caller to use.
+ * setting.verilog is NULL: where its Verilog was is in failure->rtl, to be told. A packet may come
+ * from anywhere: nothing that it names is opened, as a circuit's sources are run.
  * GLINT_IO_ERROR when it cannot be read; GLINT_BAD_INPUT, naming the file and what is wrong in it,
  * when it is no packet, is of no circuit that is known, or holds a value out of its range. */
 glint_status glint_packet_read(const char *directory, const glint_circuit *extra,

@@ -13,14 +13,21 @@
 #include "wave/presentation.h"
 
 #define COLUMN GLINT_VALUE_TEXT /* the longest text in one */
-#define WORD   8192
+#define PATH   (GLINT_FAILURE_DIRECTORY + 64)
 
 /* A word of a command line. */
 static void print_word(FILE *out, const char *word)
 {
-    char text[WORD] = "";
+    char text[GLINT_SHELL_WORD(PATH)] = "";
     glint_shell_append(text, sizeof text, word);
     fprintf(out, "%s", text);
+}
+
+/* One that stands by itself, and is no option. */
+static void print_path(FILE *out, const char *path)
+{
+    fprintf(out, " %s", path[0] == '-' ? "./" : "");
+    print_word(out, path);
 }
 
 void glint_failure_print_program(FILE *out, const glint_failure *failure)
@@ -304,10 +311,9 @@ static void print_look(FILE *out, const char *directory)
     static const char *const files[] = {GLINT_PACKET_WAVE, GLINT_PACKET_SAVE_FILE};
     fprintf(out, "look:   gtkwave");
     for (int i = 0; i < 2; i++) {
-        char path[WORD];
+        char path[PATH];
         (void)snprintf(path, sizeof path, "%s/%s", directory, files[i]);
-        fprintf(out, " ");
-        print_word(out, path);
+        print_path(out, path);
     }
     fprintf(out, "\n");
 }
@@ -333,14 +339,15 @@ void glint_failure_report(FILE *out, const glint_failure *failure, const glint_c
         glint_mismatch_print_totals(out, &failure->run);
     print_how_played(out, failure);
     if (failure->command[0] != '\0')
-        fprintf(out, "whole:  %s\n", failure->command);
+        fprintf(out, "whole:  %s%s\n", failure->command,
+                strlen(failure->command) == sizeof failure->command - 1 ? "… (cut)" : "");
     if (capture == NULL || directory == NULL)
         return;
     print_look(out, directory);
     fprintf(out, "replay: ");
     glint_failure_print_program(out, failure);
-    fprintf(out, " replay ");
-    print_word(out, directory);
+    fprintf(out, " replay");
+    print_path(out, directory);
     glint_failure_print_directories(out, failure);
     fprintf(out, "\n");
 }

@@ -6,6 +6,7 @@
 
 /* Appends the word to text, a string in a buffer of `size`, as a shell reads it back: in quotes
  * where it has characters that a shell would not take as they are. What does not fit is cut. */
+#define GLINT_SHELL_WORD(size) (4 * (size) + 3) /* room for any word of a buffer of that size */
 void glint_shell_append(char *text, size_t size, const char *word);
 
 #endif

