@@ -16,15 +16,14 @@
 #include "circuit/circuits.h"
 #include "circuit/validate.h"
 #include "rtl/cache.h"
-#include "rtl/command.h"
 #include "rtl/place.h"
 #include "rtl/sources.h"
+#include "rtl/tools.h"
 
-#define SYMBOL       "glint_my_circuit"
-#define MADE         "circuit.so"
-#define WORDS_MAX    8 /* of $CC */
-#define FLAGS_MAX    8
-#define COMPILER_MAX 512
+#define SYMBOL    "glint_my_circuit"
+#define MADE      "circuit.so"
+#define FLAGS_MAX 8
+#define KEPT      64 /* objects, of all directories; loaded ones stay */
 
 /* A directory of one's own on its way to a shared object. */
 typedef struct own {
@@ -33,7 +32,7 @@ typedef struct own {
     char *headers, *cache;
     glint_sources sources; /* the directory's own */
     glint_sources all;     /* and Glint's headers: what the object's name is a hash of */
-    char compiler[COMPILER_MAX];
+    glint_tool compiler;   /* $CC, else cc */
     glint_cache_entry entry;
 } own;
 
@@ -68,10 +67,16 @@ static glint_status read_sources(own *o, glint_error *err)
 static glint_status choose_compiler(own *o, glint_error *err)
 {
     const char *told = getenv("CC");
-    const char *compiler = told != NULL && told[0] != '\0' ? told : "cc";
-    if (snprintf(o->compiler, sizeof o->compiler, "%s", compiler) >= COMPILER_MAX)
-        return glint_fail(err, GLINT_BAD_INPUT, "CC=…: the compiler's name is too long");
-    glint_status status = glint_sources_add(&o->all, "compiler", compiler, strlen(compiler), err);
+    glint_status status = GLINT_OK;
+    if (told != NULL && told[0] != '\0')
+        status = glint_tool_find("CC", told, &o->compiler, err);
+    else if (glint_tool_find("CC", "cc", &o->compiler, NULL) != GLINT_OK)
+        status = glint_fail(err, GLINT_IO_ERROR,
+                            "there is no C compiler: install one (Debian: apt-get install gcc) or "
+                            "set CC");
+    for (int i = 0; status == GLINT_OK && o->compiler.word[i] != NULL; i++)
+        status = glint_sources_add(&o->all, "compiler", o->compiler.word[i],
+                                   strlen(o->compiler.word[i]), err);
     for (int i = 0; flags[i] != NULL && status == GLINT_OK; i++)
         status = glint_sources_add(&o->all, "flag", flags[i], strlen(flags[i]), err);
     return status;
@@ -108,49 +113,29 @@ static const char *reason_in(const char *said)
     return found;
 }
 
-/* The compiler's words ("ccache gcc"), its flags, every file: all ended by NULL. To be freed. */
-static const char **command_line(own *o, const char *include, const char *map)
+static void add_files(const own *o, glint_arguments *line)
 {
-    const size_t files = (size_t)o->sources.count;
-    const char **argument = calloc(WORDS_MAX + FLAGS_MAX + files + 6, sizeof *argument);
-    size_t count = 0;
-    char *rest = NULL, *word = strtok_r(o->compiler, " ", &rest);
-    if (argument == NULL)
-        return NULL;
-    for (; word != NULL && count < WORDS_MAX; word = strtok_r(NULL, " ", &rest))
-        argument[count++] = word;
-    for (int i = 0; flags[i] != NULL; i++)
-        argument[count++] = flags[i];
-    argument[count++] = include;
-    argument[count++] = map;
-    argument[count++] = "-o";
-    argument[count++] = MADE;
-    for (size_t i = 0; i < files; i++)
+    for (int i = 0; i < o->sources.count; i++)
         if (o->sources.file[i].name[strlen(o->sources.file[i].name) - 1] == 'c')
-            argument[count++] = o->sources.file[i].name;
-    argument[count] = "-lm";
-    return argument;
+            glint_arguments_add(line, o->sources.file[i].name);
 }
 
 static glint_status run_compiler(own *o, const char *include, const char *map, glint_error *err)
 {
     bool success = false;
     char *said = NULL;
-    const char **arguments = command_line(o, include, map);
-    if (arguments == NULL)
-        return no_memory(err);
-    glint_status status = glint_command_run(arguments, o->entry.work, &success, &said, err);
-    if (status == GLINT_OK && !success && strcmp(said, "cannot be started\n") == 0) {
-        status = glint_fail(
-            err, GLINT_IO_ERROR,
-            "cannot start the C compiler, %s: install one (Debian: apt-get install gcc) or set CC",
-            arguments[0]);
-    } else if (status == GLINT_OK && !success) {
-        const char *reason = reason_in(said);
+    glint_arguments line = {.count = 0};
+    glint_tool_add(&o->compiler, &line);
+    glint_arguments_add_all(&line, flags);
+    glint_arguments_add_all(&line, (const char *const[]){include, map, "-o", MADE, NULL});
+    add_files(o, &line);
+    glint_arguments_add(&line, "-lm");
+    glint_status status = glint_command_run(line.word, o->entry.work, &success, &said, err);
+    if (status == GLINT_OK && !success) {
+        const char *reason = said[0] != '\0' ? reason_in(said) : "the compiler does not say why";
         status = glint_fail(err, GLINT_BAD_INPUT, "%s: the C files do not compile: %.*s",
                             o->directory, (int)strcspn(reason, "\n"), reason);
     }
-    free(arguments);
     free(said);
     return status;
 }
@@ -175,6 +160,8 @@ static glint_status compile(own *o, glint_error *err)
     status = include != NULL && map != NULL ? run_compiler(o, include, map, err) : no_memory(err);
     if (status == GLINT_OK)
         status = glint_cache_commit(&o->entry, MADE, err);
+    if (status == GLINT_OK)
+        glint_cache_prune(o->cache, "own-", ".so", KEPT, 0);
     free(include);
     free(from);
     free(map);
@@ -223,6 +210,7 @@ glint_status glint_circuit_load(const char *directory, const glint_circuit **cir
     if (status == GLINT_OK)
         status = load_object(&o, circuit, err);
     glint_cache_close(&o.entry);
+    glint_tool_free(&o.compiler);
     glint_sources_free(&o.sources);
     glint_sources_free(&o.all);
     free(o.full);

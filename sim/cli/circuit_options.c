@@ -358,10 +358,16 @@ static int read_values(glint_circuit_options *options, int chosen)
     return GLINT_OPTIONS_RUN;
 }
 
+static bool has_verilog(const char *directory, const char *top, const char *ending)
+{
+    char path[4096];
+    const int length = snprintf(path, sizeof path, "%s/%s.%s", directory, top, ending);
+    return length > 0 && (size_t)length < sizeof path && access(path, R_OK) == 0;
+}
+
 int glint_rtl_option_check(const char *command, const glint_setting *setting)
 {
     struct stat found;
-    char path[4096];
     const char *top = glint_setting_top(setting);
     if (setting->verilog == NULL)
         return GLINT_OPTIONS_RUN;
@@ -371,8 +377,7 @@ int glint_rtl_option_check(const char *command, const glint_setting *setting)
     if (!S_ISDIR(found.st_mode))
         return glint_complain(command, GLINT_EXIT_TROUBLE, "--rtl: %s is not a directory",
                               setting->verilog);
-    const int length = snprintf(path, sizeof path, "%s/%s.v", setting->verilog, top);
-    if (length < 0 || (size_t)length >= sizeof path || access(path, R_OK) != 0)
+    if (!has_verilog(setting->verilog, top, "v") && !has_verilog(setting->verilog, top, "sv"))
         return glint_complain(command, GLINT_EXIT_TROUBLE,
                               "--rtl: %s has no %s.v, the top module of circuit %s",
                               setting->verilog, top, setting->circuit->name);

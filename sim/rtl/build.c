@@ -13,8 +13,8 @@
 #include "rtl/place.h"
 #include "rtl/product.h"
 #include "rtl/runtime.h"
+#include "rtl/table.h"
 
-#define CLASS     "Vcircuit"
 #define OBJECT    "circuit.so"
 #define UNITY     "circuit.cpp"
 #define PORT_FILE "glint_port.v"
@@ -28,17 +28,33 @@ typedef struct build {
     size_t unity_size;
 } build;
 
-/* A number for Verilator's option: -GLANES=4. */
-typedef char parameter_text[160];
-
 static glint_status no_memory(glint_error *err)
 {
     return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for building a circuit");
 }
 
-/* Registers that nothing resets begin with 0, as the C models do. */
-#define VERILATOR_OPTIONS                                                                          \
-    "-O3", "--x-assign", "0", "--x-initial", "0", "--noassert", "--no-timing", "-Wno-fatal", "-I."
+/* A command line of Verilator but for the last word, the file. Registers that nothing resets begin
+ * with 0, as the C models do. */
+static void begin_verilator(const build *b, glint_arguments *line, bool lint_only, const char *top)
+{
+    static const char *const make[] = {"--cc", "--prefix", GLINT_CLASS, "--Mdir", ".", NULL};
+    static const char *const options[] = {"-O3", "--x-assign", "0",           "--x-initial",
+                                          "0",   "--noassert", "--no-timing", "-Wno-fatal",
+                                          "-I.", "--top",      NULL};
+    *line = (glint_arguments){.count = 0};
+    glint_tool_add(&b->product->tools.verilator, line);
+    if (lint_only)
+        glint_arguments_add(line, "--lint-only");
+    else
+        glint_arguments_add_all(line, make);
+    glint_arguments_add_all(line, options);
+    glint_arguments_add(line, top);
+    for (int i = 0; i < b->product->sources.count; i++)
+        if (b->product->sources.file[i].is_library) {
+            glint_arguments_add(line, "-v");
+            glint_arguments_add(line, b->product->sources.file[i].name);
+        }
+}
 
 /* The probe with one more port of the instance, connected to a constant. */
 static glint_status write_port_probe(const build *b, const char *port, glint_error *err)
@@ -65,18 +81,14 @@ static glint_status write_port_probe(const build *b, const char *port, glint_err
 /* Verilator refuses a constant at an output. */
 static glint_status is_output(const build *b, const char *port, bool *output, glint_error *err)
 {
-    const char *arguments[] = {b->product->tools.verilator,
-                               "--lint-only",
-                               VERILATOR_OPTIONS,
-                               "--top",
-                               GLINT_PROBE_MODULE,
-                               PORT_FILE,
-                               NULL};
+    glint_arguments line;
+    begin_verilator(b, &line, true, GLINT_PROBE_MODULE);
+    glint_arguments_add(&line, PORT_FILE);
     bool success;
     char *said = NULL;
     glint_status status = write_port_probe(b, port, err);
     if (status == GLINT_OK)
-        status = glint_command_run(arguments, b->work, &success, &said, err);
+        status = glint_command_run(line.word, b->work, &success, &said, err);
     *output = status == GLINT_OK && strstr(said, "PORTSHORT") != NULL;
     free(said);
     return status;
@@ -101,12 +113,12 @@ static glint_status check_other_ports(const build *b, const char *said, glint_er
 }
 
 /* Runs Verilator over the probe or the top, and judges what it says. */
-static glint_status run_verilator(const build *b, const char *const *arguments, glint_error *err)
+static glint_status run_verilator(const build *b, const glint_arguments *line, glint_error *err)
 {
     const glint_product *p = b->product;
     bool success;
     char *said;
-    glint_status status = glint_command_run(arguments, b->work, &success, &said, err);
+    glint_status status = glint_command_run(line->word, b->work, &success, &said, err);
     if (status == GLINT_OK)
         status = glint_diagnose_verilator(said, p->setting, &p->ports, &p->probe, p->verilog, err);
     if (status == GLINT_OK)
@@ -118,70 +130,35 @@ static glint_status run_verilator(const build *b, const char *const *arguments, 
     return status;
 }
 
-static glint_status lint_probe(const build *b, glint_error *err)
+static glint_status verilate_probe(const build *b, bool lint_only, glint_error *err)
 {
-    const char *arguments[] = {b->product->tools.verilator,
-                               "--lint-only",
-                               VERILATOR_OPTIONS,
-                               "--top",
-                               GLINT_PROBE_MODULE,
-                               GLINT_PROBE_FILE,
-                               NULL};
-    return run_verilator(b, arguments, err);
+    glint_arguments line;
+    begin_verilator(b, &line, lint_only, GLINT_PROBE_MODULE);
+    glint_arguments_add(&line, GLINT_PROBE_FILE);
+    return run_verilator(b, &line, err);
 }
 
-static glint_status verilate_probe(const build *b, glint_error *err)
-{
-    const char *arguments[] = {b->product->tools.verilator,
-                               "--cc",
-                               "--prefix",
-                               CLASS,
-                               "--Mdir",
-                               ".",
-                               VERILATOR_OPTIONS,
-                               "--top",
-                               GLINT_PROBE_MODULE,
-                               GLINT_PROBE_FILE,
-                               NULL};
-    return run_verilator(b, arguments, err);
-}
-
-/* Arguments of a call of Verilator that differ from setting to setting. */
-typedef struct top_call {
-    const char *argument[32 + GLINT_PARAMETERS_MAX];
-    int count;
-    parameter_text parameter[GLINT_PARAMETERS_MAX];
-    char file[300];
-} top_call;
-
-static void add_parameters(top_call *call, const glint_setting *setting)
-{
-    const glint_circuit *circuit = setting->circuit;
-    for (int i = 0; i < circuit->parameter_count; i++)
-        if (circuit->parameters[i].verilog != NULL) {
-            (void)snprintf(call->parameter[i], sizeof call->parameter[i], "-G%s=%d",
-                           circuit->parameters[i].verilog, setting->values[i]);
-            call->argument[call->count++] = call->parameter[i];
-        }
-}
-
+/* The top itself, once the probe has shown that it is the description's. */
 static glint_status verilate_top(const build *b, glint_error *err)
 {
     const glint_setting *setting = b->product->setting;
-    const char *top = glint_setting_top(setting);
-    top_call call = {.argument = {b->product->tools.verilator, "--cc", "--prefix", CLASS, "--Mdir",
-                                  ".", VERILATOR_OPTIONS, "--top", top}};
-    while (call.argument[call.count] != NULL)
-        call.count++;
+    const glint_circuit *circuit = setting->circuit;
+    char parameter[GLINT_PARAMETERS_MAX][160]; /* "-GLANES=4" */
+    glint_arguments line;
+    begin_verilator(b, &line, false, glint_setting_top(setting));
     if (b->product->kind == GLINT_RTL_FST)
-        call.argument[call.count++] = "--trace-fst";
+        glint_arguments_add(&line, "--trace-fst");
     if (b->product->kind == GLINT_RTL_VCD)
-        call.argument[call.count++] = "--trace";
-    add_parameters(&call, setting);
-    (void)snprintf(call.file, sizeof call.file, "%s.v", top);
-    call.argument[call.count] = call.file;
-    glint_status status = lint_probe(b, err);
-    return status == GLINT_OK ? run_verilator(b, call.argument, err) : status;
+        glint_arguments_add(&line, "--trace");
+    for (int i = 0; i < circuit->parameter_count; i++)
+        if (circuit->parameters[i].verilog != NULL) {
+            (void)snprintf(parameter[i], sizeof parameter[i], "-G%s=%d",
+                           circuit->parameters[i].verilog, setting->values[i]);
+            glint_arguments_add(&line, parameter[i]);
+        }
+    glint_arguments_add(&line, b->product->top_file);
+    const glint_status status = verilate_probe(b, true, err);
+    return status == GLINT_OK ? run_verilator(b, &line, err) : status;
 }
 
 /* The words that a makefile's `variable += \` continues with, each told to `add`. */
@@ -239,7 +216,7 @@ static const char slow_from_here[] = "#ifdef __clang__\n#pragma clang optimize o
 static glint_status list_classes(build *b, glint_error *err)
 {
     glint_sources list = {0};
-    glint_status status = glint_sources_read_file(&list, b->work, CLASS "_classes.mk", err);
+    glint_status status = glint_sources_read_file(&list, b->work, GLINT_CLASS "_classes.mk", err);
     const char *makefile = status == GLINT_OK ? list.file[0].text : NULL;
     if (status == GLINT_OK)
         status = each_word(makefile, "VM_GLOBAL_FAST", add_runtime, b, err);
@@ -271,11 +248,11 @@ static glint_status write_unity(build *b, glint_error *err)
     return status;
 }
 
-static glint_status run_compiler(const build *b, const glint_compilation *line, glint_error *err)
+static glint_status run_compiler(const build *b, const glint_arguments *line, glint_error *err)
 {
     bool success;
     char *said;
-    glint_status status = glint_command_run(line->argument, b->work, &success, &said, err);
+    glint_status status = glint_command_run(line->word, b->work, &success, &said, err);
     if (status == GLINT_OK && !success)
         status = glint_diagnose_compiler(said, err);
     free(said);
@@ -284,16 +261,15 @@ static glint_status run_compiler(const build *b, const glint_compilation *line, 
 
 static glint_status compile(const build *b, glint_error *err)
 {
-    glint_compilation line;
+    glint_arguments line;
     glint_compilation_begin(&line, &b->product->tools, b->product->kind);
-    static const char *const head[] = {"-c", UNITY, "-o", "circuit.o", "-I.", "-include"};
-    for (size_t i = 0; i < sizeof head / sizeof head[0]; i++)
-        glint_compilation_add(&line, head[i]);
-    glint_compilation_add(&line, b->runtime.header);
-    glint_compilation_add(&line, "-isystem");
-    glint_compilation_add(&line, b->runtime.include);
-    glint_compilation_add(&line, "-isystem");
-    glint_compilation_add(&line, b->runtime.standard_include);
+    static const char *const head[] = {"-c", UNITY, "-o", "circuit.o", "-I.", "-include", NULL};
+    glint_arguments_add_all(&line, head);
+    glint_arguments_add(&line, b->runtime.header);
+    glint_arguments_add(&line, "-isystem");
+    glint_arguments_add(&line, b->runtime.include);
+    glint_arguments_add(&line, "-isystem");
+    glint_arguments_add(&line, b->runtime.standard_include);
     return run_compiler(b, &line, err);
 }
 
@@ -311,20 +287,20 @@ static bool wants_lz4(const build *b)
 /* It stays loaded to the end of the process: Verilator's threads leave destructors in it. */
 static glint_status link_object(const build *b, glint_error *err)
 {
-    static const char *const head[] = {"-shared", "-Wl,-z,nodelete", "-o", OBJECT, "circuit.o"};
-    glint_compilation line;
+    static const char *const head[] = {"-shared", "-Wl,-z,nodelete", "-o",
+                                       OBJECT,    "circuit.o",       NULL};
+    glint_arguments line;
     glint_compilation_begin(&line, &b->product->tools, b->product->kind);
-    for (size_t i = 0; i < sizeof head / sizeof head[0]; i++)
-        glint_compilation_add(&line, head[i]);
+    glint_arguments_add_all(&line, head);
     for (int i = 0; i < b->runtime.count; i++)
-        glint_compilation_add(&line, b->runtime.file[i].path);
-    glint_compilation_add(&line, "-pthread");
+        glint_arguments_add(&line, b->runtime.file[i].path);
+    glint_arguments_add(&line, "-pthread");
     if (glint_tools_are_clang(&b->product->tools))
-        glint_compilation_add(&line, "-latomic");
+        glint_arguments_add(&line, "-latomic");
     if (b->product->kind == GLINT_RTL_FST) {
         if (wants_lz4(b))
-            glint_compilation_add(&line, "-llz4");
-        glint_compilation_add(&line, "-lz");
+            glint_arguments_add(&line, "-llz4");
+        glint_arguments_add(&line, "-lz");
     }
     return run_compiler(b, &line, err);
 }
@@ -337,7 +313,10 @@ static glint_status make(build *b, glint_error *err)
     if (status == GLINT_OK)
         status = glint_runtime_begin(&b->runtime, p->cache, &p->tools, p->kind, err);
     if (status == GLINT_OK)
-        status = p->kind != GLINT_RTL_OBSERVED ? verilate_top(b, err) : verilate_probe(b, err);
+        status =
+            p->kind != GLINT_RTL_OBSERVED ? verilate_top(b, err) : verilate_probe(b, false, err);
+    if (status == GLINT_OK)
+        status = glint_table_write(p, b->work, err);
     if (status == GLINT_OK)
         status = list_classes(b, err);
     if (status == GLINT_OK)

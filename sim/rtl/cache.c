@@ -12,6 +12,7 @@
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "file/temporary.h"
@@ -95,8 +96,10 @@ glint_status glint_cache_open(const char *cache, const char *name, glint_cache_e
         glint_cache_close(entry);
         return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
     }
-    if (access(entry->path, R_OK) == 0)
+    if (access(entry->path, R_OK) == 0) {
+        glint_cache_touch(entry->path);
         return GLINT_OK;
+    }
     const glint_status status = lock_and_make(entry, err);
     if (status != GLINT_OK)
         glint_cache_close(entry);
@@ -155,25 +158,24 @@ static bool is_older(const struct timespec *a, const struct timespec *b)
     return a->tv_sec != b->tv_sec ? a->tv_sec < b->tv_sec : a->tv_nsec < b->tv_nsec;
 }
 
-/* How many files are so, and the one that is first by age: the newest, or the oldest. To be freed.
- */
+/* How many entries are so, and the one that is first by age: the newest, or the oldest, last used
+ * at *time. To be freed. */
 static char *first_of(const char *cache, const char *begin, const char *end, bool newest,
-                      int *count)
+                      struct timespec *time, int *count)
 {
     DIR *listing = opendir(cache);
     const struct dirent *file;
     struct stat info;
-    struct timespec time = {0};
     char *first = NULL;
     *count = 0;
     while (listing != NULL && (file = readdir(listing)) != NULL) {
         if (!is_between(file->d_name, begin, end) ||
-            fstatat(dirfd(listing), file->d_name, &info, 0) != 0)
+            fstatat(dirfd(listing), file->d_name, &info, AT_SYMLINK_NOFOLLOW) != 0)
             continue;
         (*count)++;
-        if (first != NULL && is_older(&info.st_mtim, &time) == newest)
+        if (first != NULL && is_older(&info.st_mtim, time) == newest)
             continue;
-        time = info.st_mtim;
+        *time = info.st_mtim;
         free(first);
         if (asprintf(&first, "%s/%s", cache, file->d_name) < 0)
             first = NULL;
@@ -185,19 +187,34 @@ static char *first_of(const char *cache, const char *begin, const char *end, boo
 
 char *glint_cache_newest(const char *cache, const char *begin, const char *end)
 {
+    struct timespec time;
     int count;
-    return first_of(cache, begin, end, true, &count);
+    return first_of(cache, begin, end, true, &time, &count);
 }
 
-void glint_cache_prune(const char *cache, const char *begin, const char *end, int keep)
+/* A directory takes another name first, so that nobody finds half of it. */
+static bool remove_entry(const char *path)
 {
-    int count = keep + 1;
-    while (count > keep) {
-        char *oldest = first_of(cache, begin, end, false, &count);
-        const bool removed = oldest == NULL || count <= keep || unlink(oldest) == 0;
+    if (unlink(path) == 0 || errno == ENOENT)
+        return true;
+    char *gone = glint_temporary_name(path, LAST_WORK);
+    const bool removed = gone != NULL && rename(path, gone) == 0;
+    if (removed)
+        remove_directory(gone);
+    free(gone);
+    return removed;
+}
+
+void glint_cache_prune(const char *cache, const char *begin, const char *end, int keep, int seconds)
+{
+    const time_t used_before = time(NULL) - seconds;
+    bool goes_on = true;
+    while (goes_on) {
+        struct timespec used = {0};
+        int count;
+        char *oldest = first_of(cache, begin, end, false, &used, &count);
+        goes_on =
+            oldest != NULL && count > keep && used.tv_sec <= used_before && remove_entry(oldest);
         free(oldest);
-        if (!removed)
-            return;
-        count--;
     }
 }

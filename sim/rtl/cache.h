@@ -31,8 +31,10 @@ void glint_cache_unlock(const char *path, int lock);
 /* Says that a file is used: of those alike, the ones that were not for longest go first. */
 void glint_cache_touch(const char *path);
 
-/* Keeps so many of the files whose names begin and end so. */
-void glint_cache_prune(const char *cache, const char *begin, const char *end, int keep);
+/* Keeps so many of the files, or directories of files, whose names begin and end so, and all that
+ * were used less than so many seconds ago. A directory goes whole or not at all. */
+void glint_cache_prune(const char *cache, const char *begin, const char *end, int keep,
+                       int seconds);
 
 /* The newest file of the directory whose name begins and ends so; NULL: there is none. To be
  * freed. */

@@ -32,6 +32,19 @@ static bool is_stopped(void)
     return stop_flag != NULL && *stop_flag;
 }
 
+void glint_arguments_add(glint_arguments *line, const char *word)
+{
+    if (line->count < GLINT_ARGUMENTS_MAX)
+        line->word[line->count++] = word;
+    line->word[line->count] = NULL;
+}
+
+void glint_arguments_add_all(glint_arguments *line, const char *const *words)
+{
+    for (; *words != NULL; words++)
+        glint_arguments_add(line, *words);
+}
+
 static glint_status interrupted(glint_error *err)
 {
     return glint_fail(err, GLINT_INTERRUPTED, "interrupted");

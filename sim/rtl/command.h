@@ -15,6 +15,15 @@
  * failed, and who waited for their builder would begin anew. stop is to stay. */
 void glint_command_stop_when(const volatile bool *stop);
 
+/* A command line, to be added to; what does not fit is left out. */
+#define GLINT_ARGUMENTS_MAX 1023
+typedef struct glint_arguments {
+    const char *word[GLINT_ARGUMENTS_MAX + 1]; /* the last NULL */
+    int count;
+} glint_arguments;
+void glint_arguments_add(glint_arguments *line, const char *word);
+void glint_arguments_add_all(glint_arguments *line, const char *const *words); /* the last NULL */
+
 typedef struct glint_command {
     pid_t process; /* 0: none */
     int words;     /* what it says: an open file without a name; −1: none */

@@ -51,6 +51,8 @@ static void write_ports(writer *w)
 {
     const glint_circuit *circuit = w->setting->circuit;
     const char *comma = "";
+    /* So a port may be called as a word of SystemVerilog is, where its own file allows it. */
+    line(w, GLINT_PROBE_OTHER, 0, "`begin_keywords \"1364-2005\"");
     line(w, GLINT_PROBE_OTHER, 0, "module " GLINT_PROBE_MODULE " (");
     if (circuit->clock_port != NULL) {
         line(w, GLINT_PROBE_OTHER, 0, "    input wire " GLINT_PROBE_CLOCK);
@@ -136,6 +138,7 @@ glint_status glint_probe_make(const glint_setting *setting, const glint_ports *p
     write_instance(&w);
     write_signals(&w);
     line(&w, GLINT_PROBE_OTHER, 0, "endmodule");
+    line(&w, GLINT_PROBE_OTHER, 0, "`end_keywords");
     const bool failed = ferror(w.out) != 0;
     if (fclose(w.out) != 0 || failed || w.failed) {
         glint_probe_free(probe);

@@ -3,20 +3,20 @@
 
 #include "rtl/product.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "rtl/cache.h"
+#include "rtl/needed.h"
 #include "rtl/place.h"
 #include "rtl/runtime.h"
 
 enum {
     /* Part of every hash: to be raised when build.c makes something else of the same sources, by
      * other options of Verilator, say. */
-    RECIPE = 2,
+    RECIPE = 3,
     KEPT_ALIKE = 64, /* edits of a setting's Verilog */
 };
 
@@ -25,78 +25,10 @@ static glint_status no_memory(glint_error *err)
     return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for building a circuit");
 }
 
-/* A port's member of Verilator's class: of two underlines in a row, the second is written as a
- * code. */
-static void print_member(FILE *out, const char *name)
-{
-    for (; *name != '\0'; name++) {
-        fputc(*name, out);
-        if (name[0] == '_' && name[1] == '_') {
-            fputs("__05F", out);
-            name++;
-        }
-    }
-}
-
-static void print_probe_ports(FILE *out, const glint_product *product)
-{
-    const glint_setting *setting = product->setting;
-    for (int i = 0; i < product->ports.count; i++)
-        fprintf(out, " \\\n    X(\"%s\", glint_p%d)", product->ports.port[i].name, i);
-    for (int i = 0; i < product->ports.signals; i++)
-        if (setting->circuit->signal(setting->values, i).kind != GLINT_SIGNAL_OUTPUT)
-            fprintf(out, " \\\n    X(\"glint_s%d\", glint_s%d)", i, i);
-}
-
-static void print_own_ports(FILE *out, const glint_product *product)
-{
-    for (int i = 0; i < product->ports.count; i++) {
-        fprintf(out, " \\\n    X(\"%s\", ", product->ports.port[i].name);
-        print_member(out, product->ports.port[i].name);
-        fputc(')', out);
-    }
-}
-
-/* glint_ports.h: see shim.cpp. */
-static void print_table(FILE *out, const glint_product *product)
-{
-    const char *clock = product->setting->circuit->clock_port;
-    fprintf(out, "#define GLINT_PORTS(X)");
-    if (product->kind != GLINT_RTL_OBSERVED)
-        print_own_ports(out, product);
-    else
-        print_probe_ports(out, product);
-    fprintf(out, "\n");
-    if (clock != NULL) {
-        fprintf(out, "#define GLINT_CLOCK ");
-        print_member(out, product->kind != GLINT_RTL_OBSERVED ? clock : GLINT_PROBE_CLOCK);
-        fprintf(out, "\n");
-    }
-    if (product->kind == GLINT_RTL_FST || product->kind == GLINT_RTL_VCD)
-        fprintf(out, "#define GLINT_%s\n", product->kind == GLINT_RTL_FST ? "FST" : "VCD");
-}
-
-static glint_status add_table(glint_product *product, glint_error *err)
-{
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
-    if (out == NULL)
-        return no_memory(err);
-    print_table(out, product);
-    const int failed = ferror(out);
-    glint_status status = fclose(out) != 0 || failed ? no_memory(err) : GLINT_OK;
-    if (status == GLINT_OK)
-        status = glint_sources_add(&product->sources, "glint_ports.h", text, size, err);
-    free(text);
-    return status;
-}
-
 static glint_status add_verilog(glint_product *product, glint_error *err)
 {
-    static const char *const endings[] = {".v", ".vh", NULL};
+    static const char *const endings[] = {".v", ".vh", ".sv", ".svh", NULL};
     const glint_setting *setting = product->setting;
-    const char *top = glint_setting_top(setting);
     glint_status status = GLINT_OK;
     if (setting->verilog == NULL)
         status = glint_place_rtl(&product->verilog, err);
@@ -104,14 +36,9 @@ static glint_status add_verilog(glint_product *product, glint_error *err)
         status = no_memory(err);
     if (status == GLINT_OK)
         status = glint_sources_read(&product->sources, product->verilog, endings, err);
-    for (int i = 0; status == GLINT_OK && i < product->sources.count; i++) {
-        const char *name = product->sources.file[i].name;
-        if (strncmp(name, top, strlen(top)) == 0 && strcmp(name + strlen(top), ".v") == 0)
-            return GLINT_OK;
-    }
-    return status != GLINT_OK
-               ? status
-               : glint_fail(err, GLINT_IO_ERROR, "%s has no %s.v", product->verilog, top);
+    return status == GLINT_OK ? glint_sources_need(&product->sources, glint_setting_top(setting),
+                                                   product->verilog, &product->top_file, err)
+                              : status;
 }
 
 static glint_status add_shim(glint_product *product, glint_error *err)
@@ -137,8 +64,6 @@ static glint_status add_sources(glint_product *product, glint_error *err)
     if (status == GLINT_OK)
         status = glint_sources_add(&product->sources, GLINT_PROBE_FILE, product->probe.text,
                                    product->probe.size, err);
-    if (status == GLINT_OK)
-        status = add_table(product, err);
     return status == GLINT_OK ? add_shim(product, err) : status;
 }
 
@@ -189,11 +114,9 @@ static glint_status name_file(glint_product *product, glint_error *err)
         glint_tools_find(product->cache, &product->tools, &product->tools_error);
     if (product->tools_status != GLINT_OK)
         return product->tools_status == GLINT_INTERRUPTED ? GLINT_INTERRUPTED : GLINT_OK;
-    char *text = glint_compilation_text(&product->tools, product->kind);
-    if (text == NULL)
-        return no_memory(err);
-    glint_hash_bytes(text, strlen(text), hash);
-    free(text);
+    const glint_status status = glint_compilation_hash(&product->tools, product->kind, hash, err);
+    if (status != GLINT_OK)
+        return status;
     if (asprintf(&product->file, "%s-%s.so", product->stem, hash) < 0) {
         product->file = NULL;
         return no_memory(err);
@@ -235,7 +158,7 @@ void glint_product_prune(const glint_product *product)
     char *alike = strdup(product->stem);
     if (alike != NULL) {
         strrchr(alike, '-')[1] = '\0';
-        glint_cache_prune(product->cache, alike, ".so", KEPT_ALIKE);
+        glint_cache_prune(product->cache, alike, ".so", KEPT_ALIKE, 0);
     }
     free(alike);
 }

@@ -8,6 +8,9 @@
 #include "rtl/sources.h"
 #include "rtl/tools.h"
 
+/* What Verilator calls its class. */
+#define GLINT_CLASS "Vcircuit"
+
 typedef struct glint_product {
     const glint_setting *setting;
     glint_rtl_kind kind;
@@ -15,7 +18,8 @@ typedef struct glint_product {
     char *verilog; /* the directory, as it is called in messages */
     glint_ports ports;
     glint_probe probe;
-    glint_sources sources; /* Verilog, probe, shim, the table of ports */
+    glint_sources sources; /* Verilog, probe, shim */
+    const char *top_file;  /* of them, the top's */
     char *stem;            /* NAME-KIND-SOURCES */
     glint_tools tools;
     glint_status tools_status; /* not GLINT_OK: there are no tools … */

@@ -16,6 +16,9 @@
 #include "rtl/diagnosis.h"
 #include "rtl/sources.h"
 
+/* A build takes what it needs of a runtime within minutes. */
+enum { KEPT_RUNTIMES = 4, A_DAY = 24 * 60 * 60 };
+
 /* Verilator's code is nobody's to mend: no warnings. */
 static const char *const common_flags[] = {
     "-std=gnu++17",     "-fPIC",           "-fvisibility=hidden", "-w",
@@ -25,7 +28,8 @@ static const char *const common_flags[] = {
 /* Of the runtime only what ends each evaluation counts in a circuit's speed; the rest takes twice
  * as long to compile as it needs. */
 static const char *const runtime_flags[] = {"-O0", NULL};
-static const char timed_source[] = "/verilated.cpp", timed_flag[] = "-O1";
+static const char timed_source[] = "/verilated.cpp";
+static const char *const timed_flags[] = {"-O1", NULL};
 /* A fast circuit is there for billions of clocks on this machine (-O3 gives nothing more, docs/ has
  * what was measured), any other for a first answer soon. */
 static const char *const soon_flags[] = {"-O1", NULL};
@@ -43,57 +47,24 @@ const char *glint_rtl_kind_name(glint_rtl_kind kind)
     return names[kind];
 }
 
-void glint_compilation_add(glint_compilation *line, const char *argument)
+static void begin_with(glint_arguments *line, const glint_tools *tools, const char *const *flags)
 {
-    if (line->count < GLINT_COMPILER_ARGUMENTS_MAX - 1)
-        line->argument[line->count++] = argument;
-    line->argument[line->count] = NULL;
-}
-
-static void add_all(glint_compilation *line, const char *const *arguments)
-{
-    for (; *arguments != NULL; arguments++)
-        glint_compilation_add(line, *arguments);
-}
-
-static void begin_with(glint_compilation *line, const glint_tools *tools, const char *const *flags)
-{
-    *line = (glint_compilation){.count = 0};
-    add_all(line, tools->compiler);
-    add_all(line, common_flags);
+    *line = (glint_arguments){.count = 0};
+    glint_tool_add(&tools->compiler, line);
+    glint_arguments_add_all(line, common_flags);
     if (!glint_tools_are_clang(tools))
-        add_all(line, gcc_flags);
-    add_all(line, flags);
+        glint_arguments_add_all(line, gcc_flags);
+    glint_arguments_add_all(line, flags);
 }
 
-void glint_compilation_begin(glint_compilation *line, const glint_tools *tools, glint_rtl_kind kind)
+static const char *const *flags_of(glint_rtl_kind kind)
 {
-    begin_with(line, tools, kind == GLINT_RTL_FAST ? fast_flags : soon_flags);
+    return kind == GLINT_RTL_FAST ? fast_flags : soon_flags;
 }
 
-/* The arguments, and who they are told to. */
-static char *text_of(const glint_compilation *line, const glint_tools *tools)
+void glint_compilation_begin(glint_arguments *line, const glint_tools *tools, glint_rtl_kind kind)
 {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
-    if (out == NULL)
-        return NULL;
-    fprintf(out, "%s\n%s\n%s\n", tools->version, tools->root, tools->compiler_version);
-    for (int i = 0; i < line->count; i++)
-        fprintf(out, "%s\n", line->argument[i]);
-    if (fclose(out) != 0) {
-        free(text);
-        return NULL;
-    }
-    return text;
-}
-
-char *glint_compilation_text(const glint_tools *tools, glint_rtl_kind kind)
-{
-    glint_compilation line;
-    glint_compilation_begin(&line, tools, kind);
-    return text_of(&line, tools);
+    begin_with(line, tools, flags_of(kind));
 }
 
 static glint_status no_memory(glint_error *err)
@@ -101,23 +72,62 @@ static glint_status no_memory(glint_error *err)
     return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for building a circuit");
 }
 
-/* cache/runtime-HASH, with what it is of in the hash. */
+static void print_compilation(FILE *out, const glint_tools *tools, const char *const *flags)
+{
+    glint_arguments line;
+    begin_with(&line, tools, flags);
+    for (int i = 0; i < line.count; i++)
+        fprintf(out, "%s\n", line.word[i]);
+}
+
+/* Over the tools and what they are told: each list of flags, the last NULL. */
+static glint_status hash_flags(const glint_tools *tools, const char *const *const *flags,
+                               char hash[GLINT_HASH_TEXT], glint_error *err)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (out == NULL)
+        return no_memory(err);
+    fprintf(out, "%s\n%s\n%s\n", tools->version, tools->root, tools->compiler_version);
+    for (int i = 1; tools->verilator.word[i] != NULL; i++)
+        fprintf(out, "%s\n", tools->verilator.word[i]);
+    for (; *flags != NULL; flags++)
+        print_compilation(out, tools, *flags);
+    const bool good = fclose(out) == 0;
+    if (good)
+        glint_hash_bytes(text, size, hash);
+    free(text);
+    return good ? GLINT_OK : no_memory(err);
+}
+
+glint_status glint_compilation_hash(const glint_tools *tools, glint_rtl_kind kind,
+                                    char hash[GLINT_HASH_TEXT], glint_error *err)
+{
+    return hash_flags(tools, (const char *const *const[]){flags_of(kind), NULL}, hash, err);
+}
+
+/* cache/runtime-HASH.d, with what it is of in the hash: objects, and headers for each kind. Who
+ * makes one, after an upgrade of Verilator, say, is who clears away those that nobody uses. */
 static glint_status make_directory(glint_runtime *runtime, const char *cache, glint_error *err)
 {
+    const char *const *const flags[] = {runtime_flags, timed_flags, soon_flags, fast_flags, NULL};
     char hash[GLINT_HASH_TEXT];
-    glint_compilation line;
-    begin_with(&line, runtime->tools, runtime_flags);
-    glint_compilation_add(&line, timed_flag);
-    char *text = text_of(&line, runtime->tools);
-    if (text == NULL)
-        return no_memory(err);
-    glint_hash_bytes(text, strlen(text), hash);
-    free(text);
-    if (asprintf(&runtime->directory, "%s/runtime-%s", cache, hash) < 0) {
+    glint_status status = hash_flags(runtime->tools, flags, hash, err);
+    if (status != GLINT_OK)
+        return status;
+    if (asprintf(&runtime->directory, "%s/runtime-%s.d", cache, hash) < 0) {
         runtime->directory = NULL;
         return no_memory(err);
     }
-    return glint_directory_make(runtime->directory, err);
+    const bool is_new = access(runtime->directory, F_OK) != 0;
+    status = glint_directory_make(runtime->directory, err);
+    if (status != GLINT_OK)
+        return status;
+    glint_cache_touch(runtime->directory);
+    if (is_new)
+        glint_cache_prune(cache, "runtime-", ".d", KEPT_RUNTIMES, A_DAY);
+    return GLINT_OK;
 }
 
 static glint_status take_lock(glint_runtime *runtime, glint_error *err)
@@ -131,18 +141,24 @@ static glint_status take_lock(glint_runtime *runtime, glint_error *err)
     return GLINT_OK;
 }
 
-static void add_includes(glint_compilation *line, const glint_runtime *runtime)
+static void add_includes(glint_arguments *line, const glint_runtime *runtime)
 {
-    glint_compilation_add(line, "-isystem");
-    glint_compilation_add(line, runtime->include);
-    glint_compilation_add(line, "-isystem");
-    glint_compilation_add(line, runtime->standard_include);
+    glint_arguments_add(line, "-isystem");
+    glint_arguments_add(line, runtime->include);
+    glint_arguments_add(line, "-isystem");
+    glint_arguments_add(line, runtime->standard_include);
+}
+
+static bool is_timed(const char *source)
+{
+    const char *name = strrchr(source, '/');
+    return name != NULL && strcmp(name, timed_source) == 0;
 }
 
 /* Begins to compile a file, unless another process has done so meanwhile. */
 static glint_status start(glint_runtime *runtime, glint_runtime_file *file, glint_error *err)
 {
-    glint_compilation line;
+    glint_arguments line;
     const int number = (int)(file - runtime->file);
     glint_status status = take_lock(runtime, err);
     if (status != GLINT_OK || access(file->path, R_OK) == 0)
@@ -150,16 +166,13 @@ static glint_status start(glint_runtime *runtime, glint_runtime_file *file, glin
     file->temporary = glint_temporary_name(file->path, GLINT_TEMPORARY_FILES + 100 + number);
     if (file->temporary == NULL)
         return no_memory(err);
-    begin_with(&line, runtime->tools, runtime_flags);
+    begin_with(&line, runtime->tools, is_timed(file->source) ? timed_flags : runtime_flags);
     add_includes(&line, runtime);
-    const size_t length = strlen(file->source), end = sizeof timed_source - 1;
-    if (length > end && strcmp(file->source + length - end, timed_source) == 0)
-        glint_compilation_add(&line, timed_flag);
-    glint_compilation_add(&line, "-c");
-    glint_compilation_add(&line, file->source);
-    glint_compilation_add(&line, "-o");
-    glint_compilation_add(&line, file->temporary);
-    return glint_command_start(line.argument, NULL, &file->command, err);
+    glint_arguments_add(&line, "-c");
+    glint_arguments_add(&line, file->source);
+    glint_arguments_add(&line, "-o");
+    glint_arguments_add(&line, file->temporary);
+    return glint_command_start(line.word, NULL, &file->command, err);
 }
 
 static bool is_added(const glint_runtime *runtime, const char *source)
@@ -323,17 +336,17 @@ void glint_runtime_end(glint_runtime *runtime)
 
 static glint_status precompile(const glint_runtime *runtime, const char *work, glint_error *err)
 {
-    glint_compilation line;
+    glint_arguments line;
     bool success;
     char *said;
     glint_compilation_begin(&line, runtime->tools, runtime->kind);
     add_includes(&line, runtime);
-    glint_compilation_add(&line, "-x");
-    glint_compilation_add(&line, "c++-header");
-    glint_compilation_add(&line, runtime->header);
-    glint_compilation_add(&line, "-o");
-    glint_compilation_add(&line, "made");
-    glint_status status = glint_command_run(line.argument, work, &success, &said, err);
+    glint_arguments_add(&line, "-x");
+    glint_arguments_add(&line, "c++-header");
+    glint_arguments_add(&line, runtime->header);
+    glint_arguments_add(&line, "-o");
+    glint_arguments_add(&line, "made");
+    glint_status status = glint_command_run(line.word, work, &success, &said, err);
     if (status == GLINT_OK && !success)
         status = glint_diagnose_compiler(said, err);
     free(said);

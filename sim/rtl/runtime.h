@@ -3,29 +3,22 @@
 #ifndef GLINT_SIM_RTL_RUNTIME_H
 #define GLINT_SIM_RTL_RUNTIME_H
 
-#include "rtl/command.h"
 #include "rtl/rtl.h"
+#include "rtl/sources.h"
 #include "rtl/tools.h"
 
-#define GLINT_RUNTIME_FILES_MAX      16
-#define GLINT_COMPILER_ARGUMENTS_MAX 64
+#define GLINT_RUNTIME_FILES_MAX 16
 
-/* A compiler's command line, to be added to. */
-typedef struct glint_compilation {
-    const char *argument[GLINT_COMPILER_ARGUMENTS_MAX];
-    int count;
-} glint_compilation;
-
-/* The compiler and the flags that a kind's circuit and its precompiled headers must share. */
-void glint_compilation_begin(glint_compilation *line, const glint_tools *tools,
-                             glint_rtl_kind kind);
-void glint_compilation_add(glint_compilation *line, const char *argument);
+/* Begins a command line of the compiler: with the flags that a kind's circuit and its precompiled
+ * headers must share. */
+void glint_compilation_begin(glint_arguments *line, const glint_tools *tools, glint_rtl_kind kind);
 
 /* "observed", "fast", "vcd": of the names of files. */
 const char *glint_rtl_kind_name(glint_rtl_kind kind);
 
-/* Those flags as a text, for a hash. To be freed; NULL without memory. */
-char *glint_compilation_text(const glint_tools *tools, glint_rtl_kind kind);
+/* A hash over those flags and the tools. */
+glint_status glint_compilation_hash(const glint_tools *tools, glint_rtl_kind kind,
+                                    char hash[GLINT_HASH_TEXT], glint_error *err);
 
 typedef struct glint_runtime_file {
     char *path, *temporary; /* temporary: it is being made */

@@ -316,5 +316,6 @@ constexpr void (*trace_close)(void *) = nullptr;
 
 extern "C" __attribute__((visibility("default"))) const glint_shim GLINT_SHIM_SYMBOL;
 const glint_shim GLINT_SHIM_SYMBOL = {
-    create, destroy, port_count, port, edge, begin, edges, trace_open, trace_close,
+    GLINT_SHIM_VERSION, sizeof(glint_shim), create, destroy, port_count, port, edge, begin, edges,
+    trace_open,         trace_close,
 };

@@ -19,8 +19,13 @@ typedef struct glint_shim_port {
     size_t size; /* bytes */
 } glint_shim_port;
 
+/* To be raised with every change of what follows or of glint_shim_port, or of what a function does:
+ * a program that was linked before the change does not take circuits built after it. */
+#define GLINT_SHIM_VERSION 1
+
 typedef struct glint_shim {
-    void *(*create)(void); /* NULL: no memory */
+    uint64_t version, size; /* GLINT_SHIM_VERSION, sizeof(glint_shim) */
+    void *(*create)(void);  /* NULL: no memory */
     void (*destroy)(void *instance);
     int (*port_count)(void);
     glint_shim_port (*port)(void *instance, int index);
@@ -31,7 +36,7 @@ typedef struct glint_shim {
     void (*trace_close)(void *instance);
 } glint_shim;
 
-#define GLINT_SHIM_SYMBOL glint_circuit_shim
+#define GLINT_SHIM_SYMBOL glint_circuit_table
 
 #ifdef __cplusplus
 }

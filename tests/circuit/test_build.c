@@ -23,6 +23,7 @@
 #include "glint_describe.h"
 #include "rtl/build.h"
 #include "rtl/place.h"
+#include "rtl/tools.h"
 
 /* ---- The circuit ----------------------------------------------------------------------------- */
 
@@ -236,6 +237,74 @@ static void a_fast_circuit_of_another_width(void **state)
     assert_int_equal(builds(), 1);
 }
 
+static void write_file(const char *name, const char *text)
+{
+    char path[700];
+    (void)snprintf(path, sizeof path, "%s/%s", directory, name);
+    scratch_write(path, text, strlen(text));
+}
+
+static void remove_file(const char *name)
+{
+    char path[700];
+    (void)snprintf(path, sizeof path, "%s/%s", directory, name);
+    assert_int_equal(unlink(path), 0);
+}
+
+/* An edit of a file that the top cannot reach builds nothing; of one that it can reach, it does,
+ * though its modules have other names than the file. */
+static void what_is_needed_is_built_anew(void **state)
+{
+    (void)state;
+    static const char sum[] = "module unused; nothing n(); endmodule\n"
+                              "module sum #(parameter W = 4) (input wire [W-1:0] a,\n"
+                              "    input wire [3:0] b, output wire [W-1:0] c);\n"
+                              "    assign c = a + b;\nendmodule\n";
+    const glint_rtl_kind both[] = {GLINT_RTL_OBSERVED, GLINT_RTL_FAST};
+    write_file("other.v", "module other; endmodule\n");
+    assert_int_equal(count_of(8, GLINT_RTL_OBSERVED), 15);
+    write_file("other.v", "no Verilog\n");
+    assert_int_equal(count_of(8, GLINT_RTL_OBSERVED), 15);
+    assert_int_equal(builds(), 0);
+    write_verilog("next = count + {{(WIDTH-4){1'b0}}, step};",
+                  "next; sum #(WIDTH) s (count, step, next);");
+    for (int i = 0; i < 2; i++) {
+        char text[1000];
+        (void)snprintf(text, sizeof text, "%s", sum);
+        write_file("parts.v", text);
+        assert_int_equal(count_of(8, both[i]), 15);
+        assert_int_equal(builds(), 1);
+        *strchr(text, '+') = '-';
+        write_file("parts.v", text);
+        assert_int_equal(count_of(8, both[i]), 256 - 15);
+        assert_int_equal(builds(), 1);
+    }
+    remove_file("other.v");
+    remove_file("parts.v");
+    write_verilog("", "");
+}
+
+static void system_verilog_is_read_too(void **state)
+{
+    (void)state;
+    remove_file("counter.v");
+    write_file("counter.sv", "`include \"types.svh\"\n"
+                             "module counter #(parameter WIDTH = 4) (input logic clk, reset, en,\n"
+                             "    input nibble step, output logic [WIDTH-1:0] count);\n"
+                             "    logic [WIDTH-1:0] next;\n"
+                             "    always_comb next = count + WIDTH'(step);\n"
+                             "    always_ff @(posedge clk)\n"
+                             "        if (reset) count <= '0; else if (en) count <= next;\n"
+                             "endmodule\n");
+    write_file("types.svh", "typedef logic [3:0] nibble;\n");
+    assert_int_equal(count_of(8, GLINT_RTL_OBSERVED), 15);
+    assert_int_equal(count_of(8, GLINT_RTL_FAST), 15);
+    remove_file("counter.sv");
+    remove_file("types.svh");
+    write_verilog("", "");
+    (void)builds();
+}
+
 /* Two processes and, in each, glint_rtl_build_all() with the same circuit twice. */
 static void who_comes_second_waits(void **state)
 {
@@ -423,6 +492,55 @@ static void ports_that_the_description_has_not(void **state)
     (void)builds();
 }
 
+/* The Verilog with another name for the pin `step`. */
+static void call_step(const char *name)
+{
+    char text[2000] = "";
+    for (const char *rest = verilog; *rest != '\0';) {
+        const bool found = strncmp(rest, "step", 4) == 0;
+        const size_t length = strlen(text);
+        (void)snprintf(text + length, sizeof text - length, "%.*s", found ? 100 : 1,
+                       found ? name : rest);
+        rest += found ? 4 : 1;
+    }
+    write_file("counter.v", text);
+    pin_name = name;
+}
+
+/* What C++ or the class that Verilator makes have as names of their own. */
+static void ports_with_names_of_others(void **state)
+{
+    (void)state;
+    static const char *const good[] = {"delete", "step__one", "tfp"};
+    static const char *const bad[] = {"eval", "rootp"};
+    for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
+        call_step(good[i]);
+        assert_int_equal(count_of(8, GLINT_RTL_FAST), 15);
+    }
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        char told[100];
+        (void)snprintf(told, sizeof told, ": a port called %s cannot be in a waveform", bad[i]);
+        call_step(bad[i]);
+        if (i == 0)
+            assert_int_equal(count_of(8, GLINT_RTL_OBSERVED), 15);
+        assert_refused(GLINT_RTL_FAST, GLINT_DEVICE_FAULT, directory, told);
+    }
+    call_step("class"); /* of SystemVerilog, which Verilator takes all files for */
+    assert_refused(GLINT_RTL_OBSERVED, GLINT_DEVICE_FAULT, directory, "unexpected class");
+    char path[700];
+    (void)snprintf(path, sizeof path, "%s/counter.v", directory);
+    char *text = scratch_read(path, NULL);
+    char allowed[3000];
+    (void)snprintf(allowed, sizeof allowed, "`begin_keywords \"1364-2005\"\n%s`end_keywords\n",
+                   text);
+    free(text);
+    write_file("counter.v", allowed);
+    assert_int_equal(count_of(8, GLINT_RTL_FAST), 15);
+    pin_name = "step";
+    write_verilog("", "");
+    (void)builds();
+}
+
 /* ---- What does not run ----------------------------------------------------------------------- */
 
 static void run_it(void)
@@ -493,13 +611,68 @@ static void without_verilator_what_is_built_is_used(void **state)
     free(path);
 }
 
+static void a_tool_is_found_from_here(void **state)
+{
+    (void)state;
+    static const char *const none[] = {"./nowhere", "",
+                                       " ",         "no-such-compiler -m64",
+                                       "./verilog", "a b c d e f g h i j k l m n o p"};
+    char here[1000], expected[600];
+    glint_tool tool;
+    glint_error err = {""};
+    assert_non_null(getcwd(here, sizeof here));
+    (void)snprintf(expected, sizeof expected, "%s/./verilator", scratch_directory);
+    assert_int_equal(chdir(scratch_directory), 0);
+    assert_int_equal(glint_tool_find("CXX", " ./verilator -I./x  ./verilator sh", &tool, &err),
+                     GLINT_OK);
+    assert_string_equal(tool.word[0], expected);
+    assert_string_equal(tool.word[1], "-I./x");
+    assert_string_equal(tool.word[2], expected);
+    assert_string_equal(tool.word[3], "sh");
+    assert_null(tool.word[4]);
+    glint_tool_free(&tool);
+
+    assert_int_equal(symlink("verilator", "my tool"), 0); /* a blank in its name */
+    assert_int_equal(glint_tool_find("CXX", "./my tool", &tool, &err), GLINT_OK);
+    assert_non_null(strstr(tool.word[0], "/./my tool"));
+    assert_null(tool.word[1]);
+    glint_tool_free(&tool);
+    for (size_t i = 0; i < sizeof none / sizeof none[0]; i++) {
+        assert_int_equal(glint_tool_find("CXX", none[i], &tool, &err), GLINT_IO_ERROR);
+        assert_int_equal(strncmp(err.text, "CXX=", 4), 0);
+    }
+    assert_int_equal(chdir(here), 0);
+}
+
+/* One of another shim than this program was linked with. */
+static void a_circuit_of_another_version_is_refused(void **state)
+{
+    (void)state;
+    char command[2000], *path;
+    const glint_setting setting = setting_of(11);
+    glint_error err = {""};
+    glint_rtl *rtl;
+    assert_int_equal(glint_rtl_build(&setting, GLINT_RTL_OBSERVED, &path, &err), GLINT_OK);
+    (void)snprintf(command, sizeof command,
+                   "printf 'const unsigned long glint_circuit_table[16] = {99, 88};' | "
+                   "${CC:-cc} -shared -o '%s' -x c -",
+                   path);
+    assert_int_equal(system(command), 0);
+    assert_int_equal(glint_rtl_open(&setting, GLINT_RTL_OBSERVED, &rtl, &err), GLINT_DEVICE_FAULT);
+    assert_non_null(strstr(err.text, "not of the same version"));
+    assert_null(rtl);
+    assert_int_equal(unlink(path), 0);
+    free(path);
+    (void)builds();
+}
+
 static void a_compiler_that_fails(void **state)
 {
     (void)state;
     assert_int_equal(setenv("CXX", "false", 1), 0);
     assert_int_equal(count_of(8, GLINT_RTL_OBSERVED), 15);
     write_verilog("count + {", "count ^ {");
-    assert_refused(GLINT_RTL_OBSERVED, GLINT_DEVICE_FAULT, "false --version fails", "");
+    assert_refused(GLINT_RTL_OBSERVED, GLINT_DEVICE_FAULT, "/", "/false --version fails: ");
     assert_int_equal(unsetenv("CXX"), 0);
     write_verilog("", "");
 }
@@ -527,6 +700,8 @@ int main(void)
         cmocka_unit_test(a_circuit_is_built_once),
         cmocka_unit_test(an_edit_builds_anew_and_its_undoing_does_not),
         cmocka_unit_test(a_fast_circuit_of_another_width),
+        cmocka_unit_test(what_is_needed_is_built_anew),
+        cmocka_unit_test(system_verilog_is_read_too),
         cmocka_unit_test(who_comes_second_waits),
         cmocka_unit_test(a_killed_builder_leaves_nothing_to_the_next),
         cmocka_unit_test(an_interrupted_build_says_so),
@@ -534,8 +709,11 @@ int main(void)
         cmocka_unit_test(a_directory_without_the_top),
         cmocka_unit_test(a_description_that_is_another_circuit_s),
         cmocka_unit_test(ports_that_the_description_has_not),
+        cmocka_unit_test(ports_with_names_of_others),
         cmocka_unit_test(a_circuit_that_cannot_go_on),
         cmocka_unit_test(without_verilator_what_is_built_is_used),
+        cmocka_unit_test(a_tool_is_found_from_here),
+        cmocka_unit_test(a_circuit_of_another_version_is_refused),
         cmocka_unit_test(a_compiler_that_fails),
         cmocka_unit_test(a_cache_with_a_blank_in_its_path),
     };

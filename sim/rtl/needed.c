@@ -1,0 +1,214 @@
+/* The transitive closure by names over a directory of Verilog; see needed.h. */
+#define _POSIX_C_SOURCE 200809L
+
+#include "rtl/needed.h"
+
+#include <ctype.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The files on the way: of each its text without comments, and whether it is needed. */
+typedef struct search {
+    glint_sources *sources;
+    int top;
+    char **bare;
+    bool *needed;
+    bool is_told; /* by words; else all files are needed */
+} search;
+
+static bool is_of_word(char c)
+{
+    return isalnum((unsigned char)c) || c == '_' || c == '$';
+}
+
+/* Behind a string or a comment that begins here; NULL: none does. */
+static char *skip(char *at, bool *comment)
+{
+    char *end = NULL;
+    *comment = at[0] == '/';
+    if (at[0] == '/' && at[1] == '/')
+        return at + strcspn(at, "\n");
+    if (at[0] == '/' && at[1] == '*')
+        end = strstr(at + 2, "*/");
+    else if (at[0] == '"')
+        for (end = at + 1; *end != '\0' && *end != '"'; end++)
+            end += *end == '\\' && end[1] != '\0';
+    else
+        return NULL;
+    return end == NULL ? at + strlen(at) : *end == '\0' ? end : end + (*comment ? 2 : 1);
+}
+
+/* Whether a name may go on here that is not one word of the file: a``b, a`b, `"a`", \a+b . */
+static bool is_pasted(const char *at, const char *text)
+{
+    return at[0] == '`'    ? (at > text && is_of_word(at[-1])) || strchr("`\"\\", at[1]) != NULL
+           : at[0] == '\\' ? !isspace((unsigned char)at[1])
+                           : at[0] == ')' && at[1] == '_';
+}
+
+/* Blanks comments; false where words do not tell. */
+static bool make_bare(char *text)
+{
+    bool told = true, comment;
+    char *end;
+    for (char *at = text; *at != '\0'; at = end) {
+        if ((end = skip(at, &comment)) == NULL) {
+            told = told && !is_pasted(at, text);
+            end = at + 1;
+        } else if (comment) {
+            memset(at, ' ', (size_t)(end - at));
+        }
+    }
+    return told;
+}
+
+/* The next word of a text, which goes on behind it; its length, 0: there is none. */
+static size_t next_word(const char **text, const char **word)
+{
+    while (**text != '\0' && !is_of_word(**text))
+        ++*text;
+    *word = *text;
+    while (is_of_word(**text))
+        ++*text;
+    return (size_t)(*text - *word);
+}
+
+static bool is_word(const char *word, size_t length, const char *text)
+{
+    return strlen(text) == length && strncmp(word, text, length) == 0;
+}
+
+/* The next name that a text declares for other files; its length, 0: there is none. */
+static size_t next_declared(const char **text, const char **name)
+{
+    static const char *const kinds[] = {"module",  "macromodule", "primitive",
+                                        "package", "interface",   "program"};
+    size_t length;
+    while ((length = next_word(text, name)) != 0)
+        for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
+            if (is_word(*name, length, kinds[i])) {
+                length = next_word(text, name);
+                return is_word(*name, length, "automatic") ? next_word(text, name) : length;
+            }
+    return 0;
+}
+
+/* Whether these characters stand in a text, and not within a longer word. */
+static bool has(const char *text, const char *word, size_t length)
+{
+    for (const char *at = text; (at = strchr(at, word[0])) != NULL; at++)
+        if (strncmp(at, word, length) == 0 && (at == text || !is_of_word(at[-1])) &&
+            !is_of_word(at[length]))
+            return true;
+    return false;
+}
+
+static size_t stem_length(const char *name)
+{
+    return (size_t)(strrchr(name, '.') - name);
+}
+
+/* Whether file `by` has the name of the other one, or of what that declares. */
+static bool reaches(const search *s, int by, int other)
+{
+    const char *name = s->sources->file[other].name, *text = s->bare[other];
+    size_t length = stem_length(name);
+    do {
+        if (has(s->bare[by], name, length))
+            return true;
+    } while ((length = next_declared(&text, &name)) != 0);
+    return false;
+}
+
+static void follow(search *s, int from)
+{
+    s->needed[from] = true;
+    for (int i = 0; i < s->sources->count; i++)
+        if (!s->needed[i] && (!s->is_told || reaches(s, from, i)))
+            follow(s, i);
+}
+
+/* The Verilog file of that name; −1: none. */
+static int file_of(const glint_sources *sources, const char *name, size_t length)
+{
+    static const char *const endings[] = {".v", ".sv"};
+    for (int e = 0; e < 2; e++)
+        for (int i = 0; i < sources->count; i++) {
+            const char *file = sources->file[i].name;
+            if (stem_length(file) == length && strncmp(file, name, length) == 0 &&
+                strcmp(file + length, endings[e]) == 0)
+                return i;
+        }
+    return -1;
+}
+
+/* Whether Verilator does not find all that a file declares by its name: it is to be told the file,
+ * unless that is included. */
+static bool is_library(const search *s, int file)
+{
+    const char *text = s->bare[file], *name = s->sources->file[file].name;
+    size_t length = strlen(name);
+    if (file == s->top || name[length - 1] != 'v') /* a header */
+        return false;
+    for (int i = 0; i < s->sources->count; i++)
+        if (s->needed[i] && has(s->bare[i], name, length))
+            return false;
+    while ((length = next_declared(&text, &name)) != 0)
+        if (file_of(s->sources, name, length) < 0)
+            return true;
+    return false;
+}
+
+static void keep_needed(search *s)
+{
+    int kept = 0;
+    for (int i = 0; i < s->sources->count; i++)
+        s->sources->file[i].is_library = s->needed[i] && is_library(s, i);
+    for (int i = 0; i < s->sources->count; i++) {
+        glint_source *file = &s->sources->file[i];
+        if (s->needed[i]) {
+            s->sources->file[kept++] = *file;
+        } else {
+            free(file->name);
+            free(file->text);
+        }
+    }
+    s->sources->count = kept;
+}
+
+static bool read_words(search *s)
+{
+    const size_t count = (size_t)s->sources->count;
+    s->bare = calloc(count + 1, sizeof *s->bare);
+    s->needed = calloc(count + 1, sizeof *s->needed);
+    for (size_t i = 0; s->bare != NULL && s->needed != NULL && i < count; i++) {
+        const glint_source *file = &s->sources->file[i];
+        if ((s->bare[i] = strdup(file->text)) == NULL)
+            return false;
+        s->is_told = make_bare(s->bare[i]) && strlen(file->text) == file->size && s->is_told;
+    }
+    return s->bare != NULL && s->needed != NULL;
+}
+
+glint_status glint_sources_need(glint_sources *sources, const char *top, const char *directory,
+                                const char **file, glint_error *err)
+{
+    search s = {sources, file_of(sources, top, strlen(top)), NULL, NULL, true};
+    glint_status status = GLINT_OK;
+    const int count = sources->count;
+    if (s.top < 0)
+        status = glint_fail(err, GLINT_IO_ERROR, "%s has no %s.v", directory, top);
+    else if (!read_words(&s))
+        status = glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit's sources");
+    if (status == GLINT_OK) {
+        *file = sources->file[s.top].name;
+        follow(&s, s.top);
+        keep_needed(&s);
+    }
+    for (int i = 0; s.bare != NULL && i < count; i++)
+        free(s.bare[i]);
+    free(s.bare);
+    free(s.needed);
+    return status;
+}
