@@ -413,13 +413,13 @@ static const char *late_rtl(unsigned long clock)
     /* The reset of creation is a clock too. */
     (void)snprintf(command, sizeof command,
                    "rm -rf %s && mkdir %s && cp rtl/*.v rtl/*.vh %s && sed -e "
-                   "'s/out_valid <=/late_valid <=/; s/out_valid = /late_valid = /' -e "
-                   "'s/output reg \\(.*\\)out_valid,/output wire \\1out_valid,/' -e "
-                   "'/^    reg .*reg2;/i reg [LANES-1:0] late_valid; reg [63:0] clocks = 0;\\n"
+                   "'s/\\.q(out_valid)/.q(late_valid)/' -e '/ u_out_valid (/i "
+                   "wire [LANES-1:0] late_valid; reg [63:0] clocks = 0;\\n"
                    "always @(posedge clk) clocks <= clocks + 1;\\n"
                    "assign out_valid = late_valid ^ {LANES{clocks == 64'\\''d%lu}};' "
-                   "rtl/specular_device.v > %s/specular_device.v",
-                   directory, directory, directory, clock + 1, directory);
+                   "rtl/specular_device.v > %s/specular_device.v && "
+                   "! cmp -s rtl/specular_device.v %s/specular_device.v",
+                   directory, directory, directory, clock + 1, directory, directory);
     assert_int_equal(system(command), 0);
     return directory;
 }
