@@ -72,7 +72,7 @@ static glint_status choose_compiler(own *o, glint_error *err)
         status = glint_tool_find("CC", told, &o->compiler, err);
     else if (glint_tool_find("CC", "cc", &o->compiler, NULL) != GLINT_OK)
         status = glint_fail(err, GLINT_IO_ERROR,
-                            "there is no C compiler: install one (Debian: apt-get install gcc) or "
+                            "no C compiler was found: install one (Debian: apt-get install gcc) or "
                             "set CC");
     for (int i = 0; status == GLINT_OK && o->compiler.word[i] != NULL; i++)
         status = glint_sources_add(&o->all, "compiler", o->compiler.word[i],
@@ -132,7 +132,7 @@ static glint_status run_compiler(own *o, const char *include, const char *map, g
     glint_arguments_add(&line, "-lm");
     glint_status status = glint_command_run(line.word, o->entry.work, &success, &said, err);
     if (status == GLINT_OK && !success) {
-        const char *reason = said[0] != '\0' ? reason_in(said) : "the compiler does not say why";
+        const char *reason = said[0] != '\0' ? reason_in(said) : "the compiler gives no reason";
         status = glint_fail(err, GLINT_BAD_INPUT, "%s: the C files do not compile: %.*s",
                             o->directory, (int)strcspn(reason, "\n"), reason);
     }

@@ -261,12 +261,8 @@ glint_status glint_diagnose_compiler(const char *said, glint_error *err)
         while (begin > said && begin[-1] != '\n')
             begin--;
     }
-<<<<<<< HEAD
-    return glint_fail(err, GLINT_DEVICE_FAULT, "the C++ compiler failed: %.*s",
-=======
     if (*begin == '\0')
-        begin = "it does not say why";
-    return glint_fail(err, GLINT_DEVICE_FAULT, "the C++ compiler fails: %.*s",
->>>>>>> c00963e (rtl: a circuit is built from what its top can reach; its shim has a version; old runtimes go)
+        begin = "it gives no reason";
+    return glint_fail(err, GLINT_DEVICE_FAULT, "the C++ compiler failed: %.*s",
                       (int)(line_end(begin) - begin), begin);
 }

@@ -200,7 +200,7 @@ glint_status glint_sources_need(glint_sources *sources, const char *top, const c
     if (s.top < 0)
         status = glint_fail(err, GLINT_IO_ERROR, "%s has no %s.v", directory, top);
     else if (!read_words(&s))
-        status = glint_fail(err, GLINT_NO_MEMORY, "no memory for a circuit's sources");
+        status = glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a circuit's sources");
     if (status == GLINT_OK) {
         *file = sources->file[s.top].name;
         follow(&s, s.top);

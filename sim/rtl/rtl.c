@@ -308,15 +308,11 @@ static glint_status load_object(glint_rtl *rtl, const char *path, glint_error *e
 #define TEXT_OF(symbol) NAME_OF(symbol)
     rtl->shim = dlsym(rtl->object, TEXT_OF(GLINT_SHIM_SYMBOL));
     if (rtl->shim == NULL)
-<<<<<<< HEAD
         return glint_fail(err, GLINT_DEVICE_FAULT, "%s is not a Glint circuit", path);
-=======
-        return glint_fail(err, GLINT_DEVICE_FAULT, "%s is no circuit of Glint", path);
     if (rtl->shim->version != GLINT_SHIM_VERSION || rtl->shim->size != sizeof *rtl->shim)
         return glint_fail(err, GLINT_DEVICE_FAULT,
-                          "this program and sim/rtl/shim.h are not of the same version: make it "
+                          "this program was built with another version of sim/rtl/shim.h: build it "
                           "again (make build/glint)");
->>>>>>> c00963e (rtl: a circuit is built from what its top can reach; its shim has a version; old runtimes go)
     rtl->instance = rtl->shim->create();
     return rtl->instance != NULL ? GLINT_OK : no_memory(err);
 }

@@ -58,8 +58,8 @@ static glint_status print_port(const writer *w, const char *before, const char *
     char member[MEMBER];
     if (is_taken(w->class, name))
         return glint_fail(w->err, GLINT_DEVICE_FAULT,
-                          "%s: a port called %s cannot be in a waveform: a function of Verilator's "
-                          "is called so",
+                          "%s: port %s cannot be in a waveform, as a function of Verilator's class "
+                          "has this name",
                           w->product->verilog, name);
     name_member(w->class, name, member);
     fprintf(w->out, "%s%s", before, member);
@@ -118,7 +118,7 @@ glint_status glint_table_write(const glint_product *product, const char *directo
     if (out != NULL)
         status = print_table(&(writer){product, class.file[0].text, out, err});
     if (status == GLINT_OK && (out == NULL || fclose(out) != 0))
-        status = glint_fail(err, GLINT_NO_MEMORY, "no memory for building a circuit");
+        status = glint_fail(err, GLINT_NO_MEMORY, "not enough memory to build a circuit");
     else if (status != GLINT_OK && out != NULL)
         (void)fclose(out);
     if (status == GLINT_OK)

