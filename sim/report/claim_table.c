@@ -32,7 +32,7 @@
     "{frames.time.teapot.cosine-quadratic.gain:.0%} (teapot)"
 
 #define SPEED(KIND)                                                                                \
-    "{speed.cosine-quadratic." KIND ".ratio:.2f} times, the median; the middle half of the runs "  \
+    "{speed.cosine-quadratic." KIND ".ratio:.2f} times, the median of "                            \
     "{speed.cosine-quadratic." KIND ".ratios:.2f}"
 
 #define NOT_BUILT "not built yet: nothing was measured"

@@ -51,12 +51,11 @@ static void put_error(glint_numbers *numbers, const char *rule, int shifts,
  * and with all above it, nothing wrong is shown. */
 static void put_errors(glint_numbers *numbers)
 {
-    char shifts[64] = "";
-    size_t length = 0;
-    for (int i = GLINT_DIVIDER_SHIFTS_MIN; i <= GLINT_DIVIDER_SHIFTS_MAX; i++)
-        length += (size_t)snprintf(shifts + length, sizeof shifts - length, "%s%d",
-                                   length > 0 ? " " : "", i);
-    glint_number_put_text(numbers, shifts, "divider.shifts");
+    for (int i = GLINT_DIVIDER_SHIFTS_MIN; i <= GLINT_DIVIDER_SHIFTS_MAX; i++) {
+        char shifts[16];
+        snprintf(shifts, sizeof shifts, "%d", i);
+        glint_number_add_word(numbers, "divider.shifts", shifts);
+    }
     glint_number_put(numbers, GLINT_DIVIDER_SHIFTS_DEFAULT, "divider.default");
     for (int rule = 0; rule < GLINT_BITS_RULE_COUNT; rule++) {
         int exact = GLINT_DIVIDER_SHIFTS_MIN;
@@ -179,16 +178,13 @@ static void put_scene(glint_numbers *numbers, const char *name, const glint_divi
 
 static void put_scenes(glint_numbers *numbers, const glint_divider_scene *scenes)
 {
-    char names[256] = "";
     double worst = 0.0, verilog = 0.0, triangles = 0.0, with_longer = 0.0;
     int longest = 0;
-    size_t length = 0;
     for (int i = 0; i < GLINT_DIVIDER_SCENES; i++) {
         const glint_divider_scene *scene = &scenes[i];
         char name[64];
         snprintf(name, sizeof name, "%s-%d", scene->model, scene->density);
-        length += (size_t)snprintf(names + length, sizeof names - length, "%s%s",
-                                   length > 0 ? " " : "", name);
+        glint_number_add_word(numbers, "divider.scenes", name);
         put_scene(numbers, name, scene);
         worst = fmax(worst, scene->frames[0].difference.nmse);
         for (int j = 0; j < GLINT_DIVIDER_FRAMES; j++)
@@ -197,7 +193,6 @@ static void put_scenes(glint_numbers *numbers, const glint_divider_scene *scenes
         with_longer += (double)scene->rows.with_longer;
         longest = scene->rows.longest > longest ? scene->rows.longest : longest;
     }
-    glint_number_put_text(numbers, names, "divider.scenes");
     glint_number_put(numbers, worst, "divider.worst-nmse");
     glint_number_put(numbers, verilog, "divider.verilog-differing");
     glint_number_put(numbers, triangles, "divider.average.triangles");

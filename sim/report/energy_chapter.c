@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "energy/reciprocity.h"
 
@@ -162,6 +161,7 @@ static void put_model(glint_numbers *numbers, const char *name, const glint_ener
     const double cells = (double)few.cells;
     if (all.n_above > 0)
         snprintf(above, sizeof above, "%d: %g…%g", all.n_above, all.first_above, all.last_above);
+    glint_number_add_word(numbers, "energy.models", name);
     glint_number_put(numbers, all.largest, "energy.%s.grid-largest", name);
     glint_number_put(numbers, all.largest_n, "energy.%s.grid-largest.n", name);
     glint_number_put(numbers, all.largest_angle, "energy.%s.grid-largest.angle", name);
@@ -175,15 +175,11 @@ static void put_model(glint_numbers *numbers, const char *name, const glint_ener
 
 static void put_models(glint_numbers *numbers, const glint_energy_results *results)
 {
-    char models[1024] = "";
-    for (int i = 0; i < GLINT_REFLECTANCE_COUNT; i++) {
-        const char *name = glint_reflectance_names[i];
-        put_model(numbers, name, results->grid, results->check, i, results->asymmetry[i]);
-        strcat(strcat(models, name), " ");
-    }
+    for (int i = 0; i < GLINT_REFLECTANCE_COUNT; i++)
+        put_model(numbers, glint_reflectance_names[i], results->grid, results->check, i,
+                  results->asymmetry[i]);
     put_model(numbers, "device-verilog", results->verilog_grid, results->verilog_check, 0,
               results->verilog_asymmetry);
-    glint_number_put_text(numbers, strcat(models, "device-verilog"), "energy.models");
 }
 
 static void put_factors(glint_numbers *numbers, const glint_energy_results *results)
@@ -196,18 +192,16 @@ static void put_factors(glint_numbers *numbers, const glint_energy_results *resu
               {"smallest-b-device-verilog", &results->verilog},
               {"least-mean-loss", &results->least_mean},
               {"least-largest-loss", &results->least_largest}};
-    char names[256] = "";
     for (int i = 0; i < COUNT(of); i++) {
         const glint_normalization *factor = of[i].factor;
+        glint_number_add_word(numbers, "energy.factors", of[i].name);
         glint_number_put(numbers, factor->a, "energy.%s.a", of[i].name);
         glint_number_put(numbers, factor->b, "energy.%s.b", of[i].name);
         glint_number_put(numbers, factor->tight_n, "energy.%s.tight-n", of[i].name);
         glint_number_put(numbers, factor->mean_loss, "energy.%s.mean-loss", of[i].name);
         glint_number_put(numbers, factor->largest_loss, "energy.%s.largest-loss", of[i].name);
         glint_number_put(numbers, factor->largest_n, "energy.%s.largest-loss.n", of[i].name);
-        strcat(strcat(names, i > 0 ? " " : ""), of[i].name);
     }
-    glint_number_put_text(numbers, names, "energy.factors");
 }
 
 /* A row of spheres in a white furnace. */
@@ -231,14 +225,13 @@ static glint_status write_furnace(glint_report *report, const glint_energy_plan 
 {
     glint_energy_plan spheres = *plan;
     glint_energy_table *table = NULL, *verilog = NULL;
-    char exponents[128] = "";
-    size_t length = 0;
     spheres.n = sphere_n;
     spheres.n_count = COUNT(sphere_n);
-    for (int i = 0; i < COUNT(sphere_n); i++)
-        length += (size_t)snprintf(exponents + length, sizeof exponents - length, "%s%g",
-                                   i > 0 ? ", " : "", sphere_n[i]);
-    glint_number_put_text(&report->numbers, exponents, "energy.furnace.n");
+    for (int i = 0; i < COUNT(sphere_n); i++) {
+        char n[16];
+        snprintf(n, sizeof n, "%g", sphere_n[i]);
+        glint_number_add_word(&report->numbers, "energy.furnace.n", n);
+    }
     glint_status status = make_both(&spheres, &table, &verilog, err);
     for (int i = 0; i < GLINT_REFLECTANCE_COUNT && status == GLINT_OK; i++)
         status = write_strip(report, table, i, glint_reflectance_names[i], err);

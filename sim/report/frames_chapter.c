@@ -2,7 +2,6 @@
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "report/chart.h"
 #include "report/frame_times.h"
@@ -38,14 +37,14 @@ static void put_worst(glint_numbers *numbers, const glint_frame_errors *errors,
 
 /* A row of the table: methods compared with another than cosⁿ are named by both. */
 static void put_row(glint_numbers *numbers, const glint_frame_errors *errors,
-                    glint_frame_method method, char *rows)
+                    glint_frame_method method)
 {
     char name[64];
     snprintf(name, sizeof name, "%s", glint_frame_names[method][0]);
     if (method >= GLINT_FRAME_ROUNDING)
         snprintf(name, sizeof name, "%s-against-%s", glint_frame_names[method][0],
                  glint_frame_names[method][1]);
-    strcat(strcat(rows, rows[0] != '\0' ? " " : ""), name);
+    glint_number_add_word(numbers, "frames.rows", name);
     for (int light = 0; light < GLINT_LIGHT_COUNT; light++) {
         const glint_worst_frame worst =
             glint_worst_frame_of(errors, (glint_frame_light)light, method, 0, INT_MAX);
@@ -74,20 +73,18 @@ static void put_all(glint_numbers *numbers, const glint_frame_errors *errors)
 
 static void put_errors(glint_numbers *numbers, const glint_frame_errors *errors)
 {
-    char rows[1024] = "", exponents[256] = "";
-    size_t length = 0;
     for (int method = 0; method < GLINT_FRAME_COUNT; method++)
-        put_row(numbers, errors, (glint_frame_method)method, rows);
+        put_row(numbers, errors, (glint_frame_method)method);
     for (int method = 0; method < GLINT_FRAME_ROUNDING; method++)
         put_worst(numbers, errors, (glint_frame_method)method, 1, INT_MAX, "nmse");
     put_worst(numbers, errors, GLINT_FRAME_QUADRATIC, 1, 169, "nmse-below-170");
     put_worst(numbers, errors, GLINT_FRAME_QUADRATIC, 170, INT_MAX, "nmse-from-170");
     put_all(numbers, errors);
-    for (int i = 0; i < errors->count; i++)
-        length += (size_t)snprintf(exponents + length, sizeof exponents - length, "%s%d",
-                                   i > 0 ? ", " : "", errors->n[i]);
-    glint_number_put_text(numbers, rows, "frames.rows");
-    glint_number_put_text(numbers, exponents, "frames.exponents");
+    for (int i = 0; i < errors->count; i++) {
+        char n[16];
+        snprintf(n, sizeof n, "%d", errors->n[i]);
+        glint_number_add_word(numbers, "frames.exponents", n);
+    }
     glint_number_put(numbers, errors->width, "frames.width");
     glint_number_put(numbers, errors->height, "frames.height");
 }

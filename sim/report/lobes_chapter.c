@@ -1,7 +1,6 @@
 /* The lobes against exact cosⁿ: sections 2.1 to 2.3. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "glint_formats.h"
 #include "report/lobes.h"
@@ -60,6 +59,7 @@ static glint_status measure(glint_report *report, glint_lobes *lobes, glint_erro
 static void put_row(glint_numbers *numbers, const char *name, const char *formula,
                     const glint_lobe_worst *worst, double at_last)
 {
+    glint_number_add_word(numbers, "lobes.models", name);
     glint_number_put_text(numbers, formula, "lobes.%s.formula", name);
     glint_number_put(numbers, at_last, "lobes.%s.last", name);
     glint_number_put(numbers, worst->absolute.error, "lobes.%s.absolute", name);
@@ -73,7 +73,6 @@ static void put_row(glint_numbers *numbers, const char *name, const char *formul
 static void put_rows(glint_numbers *numbers, const glint_lobes *lobes,
                      const glint_device_errors *device)
 {
-    char models[1024] = "";
     const int last = lobes->exponents.count - 1;
     for (int i = 0; i < GLINT_REFLECTANCE_COUNT; i++) {
         const glint_reflectance_model model = (glint_reflectance_model)i;
@@ -82,11 +81,9 @@ static void put_rows(glint_numbers *numbers, const glint_lobes *lobes,
             continue;
         put_row(numbers, glint_reflectance_names[i], glint_reflectance_describe(model)->formula,
                 &worst, lobes->by_n[i][last].absolute.error);
-        strcat(strcat(models, glint_reflectance_names[i]), " ");
     }
     put_row(numbers, "device", "(2.15) in fixed point, C", &device->model, device->model_last);
     put_row(numbers, "device-verilog", "the same, Verilog", &device->verilog, device->verilog_last);
-    glint_number_put_text(numbers, strcat(models, "device device-verilog"), "lobes.models");
     glint_number_put(numbers, lobes->exponents.n[last], "lobes.last-n");
 }
 

@@ -84,6 +84,24 @@ void glint_number_put_text(glint_numbers *numbers, const char *text, const char 
     va_end(arguments);
 }
 
+void glint_number_add_word(glint_numbers *numbers, const char *name, const char *word)
+{
+    const glint_number *there = glint_number_find(numbers, name);
+    if (there == NULL) {
+        glint_number_put_text(numbers, word, "%s", name);
+        return;
+    }
+    glint_number *number = &numbers->number[there - numbers->number];
+    const size_t length = strlen(number->text), more = strlen(word) + 2;
+    char *longer = realloc(number->text, length + more);
+    if (longer == NULL) {
+        numbers->incomplete = true;
+        return;
+    }
+    snprintf(longer + length, more, " %s", word);
+    number->text = longer;
+}
+
 void glint_number_widen(double range[2], double value)
 {
     range[0] = fmin(range[0], value); /* of NAN and a number it is the number */

@@ -33,6 +33,9 @@ void glint_number_put_range(glint_numbers *numbers, double lowest, double highes
 void glint_number_put_text(glint_numbers *numbers, const char *text, const char *name, ...)
     __attribute__((format(printf, 3, 4)));
 
+/* Puts a word behind those that the name has, for {each NAME} of template.h. */
+void glint_number_add_word(glint_numbers *numbers, const char *name, const char *word);
+
 /* Makes a range that begins as {NAN, NAN} take the value in. */
 void glint_number_widen(double range[2], double value);
 

@@ -12,7 +12,7 @@
 #define SECONDS       0.3
 #define SECONDS_QUICK 0.02
 
-/* The median (share 0.5), or an end of the middle half (0.25, 0.75), of one number of the runs,
+/* The least, median or largest (share 0, 0.5, 1) of one number of the runs,
  * given where it lies in the struct. */
 static double over_runs(const glint_bench_formula_rates run[RUNS], size_t offset, double share)
 {
@@ -27,8 +27,6 @@ static double over_runs(const glint_bench_formula_rates run[RUNS], size_t offset
 
 static void put_formulas(glint_numbers *numbers, const glint_bench_formula_rates run[RUNS])
 {
-    char names[512] = "";
-    size_t length = 0;
     for (int i = 0; i < GLINT_FORMULA_COUNT; i++) {
         const struct {
             const char *kind;
@@ -41,14 +39,12 @@ static void put_formulas(glint_numbers *numbers, const glint_bench_formula_rates
             glint_number_put(numbers, rate * 1e-6, "speed.%s.%s", name, kinds[j].kind);
             glint_number_put(numbers, over_runs(run, kinds[j].ratio, 0.5), "speed.%s.%s.ratio",
                              name, kinds[j].kind);
-            glint_number_put_range(numbers, over_runs(run, kinds[j].ratio, 0.25),
-                                   over_runs(run, kinds[j].ratio, 0.75), "speed.%s.%s.ratios", name,
+            glint_number_put_range(numbers, over_runs(run, kinds[j].ratio, 0.0),
+                                   over_runs(run, kinds[j].ratio, 1.0), "speed.%s.%s.ratios", name,
                                    kinds[j].kind);
         }
-        length +=
-            (size_t)snprintf(names + length, sizeof names - length, "%s%s", i > 0 ? " " : "", name);
+        glint_number_add_word(numbers, "speed.formulas", name);
     }
-    glint_number_put_text(numbers, names, "speed.formulas");
 }
 
 /* Against the rate of Schlick's function by the same kind of loop, in the same rounds. */

@@ -31,7 +31,9 @@ static void print_number(const glint_number *number, const char *format, FILE *o
 {
     char lowest[64], highest[64];
     if (number->text != NULL) {
-        fputs(number->text, out);
+        const bool list = format != NULL && format[0] == ',';
+        for (const char *at = number->text; *at != '\0'; at++)
+            fputs(list && *at == ' ' ? ", " : (const char[]){*at, '\0'}, out);
         return;
     }
     print_value(number->lowest, format, lowest, sizeof lowest);
@@ -47,7 +49,8 @@ static bool is_format(const char *format)
 {
     char kind, more;
     int decimals;
-    return sscanf(format, ".%d%c%c", &decimals, &kind, &more) == 2 && strchr("fge%", kind) != NULL;
+    return strcmp(format, ",") == 0 || (sscanf(format, ".%d%c%c", &decimals, &kind, &more) == 2 &&
+                                        strchr("fge%", kind) != NULL);
 }
 
 static glint_status write_line(const glint_template *how, const char *line, FILE *out,

@@ -2,6 +2,7 @@
  *
  *     {NAME}            a measured number, in full, or words
  *     {NAME:.2f}        as printf's f, g or e has it; {NAME:.1%} times 100, with " %" behind it
+ *     {LIST:,}          words with commas between them
  *     {each LIST}…      the rest of the line once for each word of LIST, which stands for every $
  *     {figure NAME}…    the figure NAME.svg, the rest of the line its caption
  *     {claims}          the claims of this chapter by verdict, as links into the table

@@ -54,6 +54,7 @@ static void numbers_are_printed_as_asked(void **state)
     expect("{lobes.schlick.relative:.2f}, {lobes.schlick.relative:.2%}.", "0.10, 10.31 %.");
     expect("{count} {count:.3g} {count:.1e}", "268436480 2.68e+08 2.7e+08");
     expect("{nothing} {nothing:.1%} {list}", "– – one two");
+    expect("{list:,}", "one, two");
     expect("an open { brace", "an open { brace");
 }
 
