@@ -81,6 +81,8 @@ static void the_markdown_has_the_numbers(void **state)
         "0 pixels of all these frames differ",
     };
     char *text = scratch_read(in_report("index.md"), NULL);
+    for (char *at = text; (at = strchr(at, '\n')) != NULL;) /* wherever its lines break */
+        *at = ' ';
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++)
         assert_says(text, parts[i]);
     assert_null(strstr(text, "## Summary")); /* of the whole report */
