@@ -80,29 +80,29 @@ typedef struct glint_domain {
 
 /* How a block is drawn. */
 typedef enum glint_symbol {
-    GLINT_SYMBOL_PIN, /* an input; needs a row only for its text */
+    GLINT_SYMBOL_PIN, /* an input; needs a row only to have a text, or a place in the order */
     GLINT_SYMBOL_REGISTER,
     GLINT_SYMBOL_ROM,
     GLINT_SYMBOL_MULTIPLIER,
     GLINT_SYMBOL_ADDER,
     GLINT_SYMBOL_COMPARATOR,
     GLINT_SYMBOL_KEYS,  /* passes a number, or zero */
-    GLINT_SYMBOL_LOGIC, /* any other */
-    GLINT_SYMBOL_MORE,  /* stages like those before it, left out */
-    GLINT_SYMBOL_WIRE,  /* not drawn: what feeds it feeds what it feeds */
+    GLINT_SYMBOL_LOGIC, /* anything else */
+    GLINT_SYMBOL_MORE,  /* further stages like the previous one, left out */
+    GLINT_SYMBOL_WIRE,  /* not drawn: its input goes straight through */
     GLINT_SYMBOL_COUNT
 } glint_symbol;
 
 /* A block of the drawing (`glint draw`). */
 typedef struct glint_block_info {
-    /* The signal at its output, "acc[3]" of lane 3, or a pin; or, where the Verilog has no name for
-     * it, a name of its own. A signal without a lane is looked for in the first. */
+    /* The signal at its output ("acc[3]": of lane 3; without a lane: of the first), or a pin, or a
+     * name made up here if the Verilog has none. */
     const char *name;
     glint_symbol symbol;
-    const char *text;    /* inside it; NULL: what the symbol says */
-    const char *inputs;  /* what feeds it, from top to bottom: "rom33 adder6"; NULL: nothing */
-    const char *control; /* what it obeys, written beside it and not wired: "n_we"; NULL: nothing */
-    int stacked;         /* there are more like it */
+    const char *text;    /* shown inside; NULL: the symbol's own */
+    const char *inputs;  /* pins and blocks that feed it, top to bottom: "rom33 adder6"; or NULL */
+    const char *control; /* those that enable it, written beside it, not wired: "n_we"; or NULL */
+    int stacked;         /* stands for several alike */
 } glint_block_info;
 
 typedef struct glint_circuit {
@@ -163,8 +163,8 @@ typedef struct glint_circuit {
 
     const glint_domain *domain; /* NULL: `verify --exhaustive` reports that there is none */
 
-    /* The drawing's blocks 0…count−1, as the data flows: an input from a later row is feedback. The
-     * outputs and the pins that feed something need no rows. NULL: `glint draw` has nothing. */
+    /* Blocks 0…count−1 of the drawing, in the order in which data flows: an input from a later row
+     * is feedback. Outputs, and pins that feed a block, need no rows. NULL: nothing to draw. */
     int (*block_count)(const int *values);
     glint_block_info (*block)(const int *values, int index);
 } glint_circuit;

@@ -56,8 +56,8 @@
         .size = sizeof(((const type *)0)->member), .path = at, .heading = title                    \
     }
 
-/* A block of the drawing, named after the signal at its output; inputs "a b", control "en_a", each
- * may be NULL. */
+/* A block of the drawing: the signal at its output, its symbol, the text inside, its inputs ("a b")
+ * and its controls ("en_a"); the last three may be NULL. */
 #define GLINT_BLOCK(called, how, says, feeds, obeys)                                               \
     {                                                                                              \
         .name = called, .symbol = GLINT_SYMBOL_##how, .text = says, .inputs = feeds,               \

@@ -36,7 +36,7 @@ static int parse(int argc, char **argv, draw_options *chosen)
         {.name = "out",
          .placeholder = "FILE",
          .required = true,
-         .help = "the drawing, FILE.svg, or the graph that is laid out, FILE.dot",
+         .help = "where it goes: a name ending in .svg, or in .dot for the input to Graphviz",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
         GLINT_FORCE_OPTION(&chosen->force),
@@ -45,16 +45,15 @@ static int parse(int argc, char **argv, draw_options *chosen)
         OWN_ROWS + glint_circuit_options_add(&chosen->circuits, options + OWN_ROWS);
     static const glint_example examples[] = {
         {"the specular-colour device", "glint draw --out device.svg"},
-        {"the divider as the thesis has it",
+        {"the divider as in the thesis",
          "glint draw --circuit divider --form sequential --out divider.svg"},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "draw",
-        .summary = "Draws a circuit from its description: its blocks, with the numbers of the "
-                   "thesis's figure, the formats of the numbers on the wires, and the edges of "
-                   "the clock at which registers load. Graphviz's dot, which must be installed, "
-                   "finds the layout.",
+        .summary = "Draws the block diagram of a circuit from its description: blocks with the "
+                   "numbers of the thesis's figure, number formats on the wires, and the clock "
+                   "edges at which registers load. Needs Graphviz for the layout.",
         .examples = examples,
         .options = options,
         .option_count = count,
@@ -92,7 +91,7 @@ int glint_cmd_draw(int argc, char **argv)
         return status;
     if (!ends_with(chosen.out, ".svg") && !ends_with(chosen.out, ".dot"))
         return glint_complain("draw", GLINT_EXIT_TROUBLE,
-                              "--out: a file that ends with .svg or .dot");
+                              "--out: the name must end in .svg or .dot");
     const glint_setting setting = glint_circuit_options_first(&chosen.circuits, 0);
     if (!chosen.force && glint_file_replaceable(chosen.out, &err) != GLINT_OK)
         return glint_complain_error("draw", &err);

@@ -1,20 +1,20 @@
-/* The stages and columns of a drawing's nodes, and its edges net by net; see graph.h. */
+/* Assigns nodes to stages and columns, and lists the edges net by net; see graph.h. */
 #include "draw/graph.h"
 
-/* Where the nodes are: in which stage, and how far behind the registers that begin it. */
+/* The stage of each node, and how many columns behind that stage's registers it is. */
 typedef struct stages {
     int stage[GLINT_DRAW_NODES_MAX], depth[GLINT_DRAW_NODES_MAX];
 } stages;
 
-/* Nodes are in the order of the description, so that what feeds one from before it has its place
- * already. */
+/* Nodes are in the order of the description, so the inputs of a node are placed before it, apart
+ * from feedback. */
 static void place_in_stage(const glint_draw_graph *graph, int index, stages *s)
 {
     const glint_draw_node *node = &graph->node[index];
     const bool is_register = node->symbol == GLINT_SYMBOL_REGISTER;
     int stage = 0, depth = 0;
     if (node->input_count == 0 && !is_register && graph->setting->circuit->clock_port != NULL)
-        stage = 1; /* a constant is there with the first registers */
+        stage = 1; /* constants stand behind the first registers */
     for (int i = 0; i < node->input_count; i++) {
         const int from = node->input[i];
         if (graph->node[from].kind == GLINT_DRAW_BLOCK && from >= index)

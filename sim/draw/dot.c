@@ -1,9 +1,9 @@
-/* The graph as dot is to lay it out: every node in its column, and a point in every column that a
- * wire passes. What dot finds is which is above which, and how high; see layout.h. */
+/* Writes the graph for dot: every node in its column, and a point in every column that a wire
+ * passes. dot decides the order in each column and the heights; see layout.h. */
 #include "draw/layout.h"
 
-/* A table: on the left a cell for each input with room above and below them, on the right one for
- * the output. Their heights are what the edges are levelled to. */
+/* A table with a cell for each input on the left and one for the output on the right, so that dot
+ * aligns edges with them. */
 static void write_node(const glint_draw_graph *graph, int index, FILE *out)
 {
     const glint_draw_node *node = &graph->node[index];
@@ -47,7 +47,7 @@ static void write_column(const glint_draw_graph *graph, int column, FILE *out)
     fprintf(out, " }\n");
 }
 
-/* Pins from top to bottom as the description has them. */
+/* Keeps the pins in the order of the description. */
 static void write_order(const glint_draw_graph *graph, FILE *out)
 {
     int last = -1;
@@ -60,7 +60,7 @@ static void write_order(const glint_draw_graph *graph, FILE *out)
     }
 }
 
-/* Where a net leaves a column: its node's output, or where it passes. */
+/* Where a net leaves a column: the output of its node, or the point where it passes. */
 static void write_tail(const glint_draw_graph *graph, int net, int column, FILE *out)
 {
     if (graph->node[net].column == column)
@@ -69,8 +69,8 @@ static void write_tail(const glint_draw_graph *graph, int net, int column, FILE 
         fprintf(out, "  p%d_%d", net, column);
 }
 
-/* Feedback is to stay near: a point behind its node, and one before what it feeds, hold it there.
- */
+/* Keeps feedback close: an invisible point behind its node, and one before what it feeds, pull it
+ * there. */
 static void write_feedback(const glint_draw_graph *graph, int net, FILE *out)
 {
     const int from = graph->node[net].column;
@@ -96,7 +96,8 @@ static void write_feedback(const glint_draw_graph *graph, int net, FILE *out)
                 net, net, from, net, net, net);
 }
 
-/* To the inputs themselves. What goes from one to one is to be level before all else. */
+/* The last part, up to the inputs. Wires from one node to just one other matter most: they should
+ * be level. */
 static void write_ends(const glint_draw_graph *graph, int net, FILE *out)
 {
     const int first = graph->first_edge[net], last = graph->first_edge[net + 1];

@@ -1,7 +1,7 @@
-/* The drawing of a circuit, made from its description: blocks with the figure's numbers, number
- * formats on the wires, the edges of the clock at which registers load.
+/* The block diagram of a circuit, made from its description: the figure's block numbers, number
+ * formats on the wires, and the clock edges at which registers load.
  *
- * Graphviz's dot finds the layout; without it there is GLINT_IO_ERROR. */
+ * Graphviz's dot computes the layout. */
 #ifndef GLINT_SIM_DRAW_DRAW_H
 #define GLINT_SIM_DRAW_DRAW_H
 
@@ -9,10 +9,11 @@
 
 #include "circuit/setting.h"
 
-/* An SVG. But for coordinates it is the same text for the same description. */
+/* As SVG. Apart from coordinates, its text depends on the description alone. GLINT_IO_ERROR if dot
+ * is missing or fails. */
 glint_status glint_draw_svg(const glint_setting *setting, FILE *out, glint_error *err);
 
-/* What dot is given, without the drawing. */
+/* The input for dot; does not need dot. */
 glint_status glint_draw_plan(const glint_setting *setting, FILE *out, glint_error *err);
 
 #endif

@@ -12,7 +12,7 @@ typedef struct making {
     glint_draw_graph *graph;
     int row_count;
     glint_block_info row[GLINT_DRAW_NODES_MAX];
-    int node_of[GLINT_DRAW_NODES_MAX];    /* −1: none, it is a wire or feeds nothing */
+    int node_of[GLINT_DRAW_NODES_MAX];    /* −1: none: a wire, or feeds nothing */
     bool is_needed[GLINT_DRAW_NODES_MAX]; /* a row that an output depends on */
     glint_error *err;
 } making;
@@ -40,7 +40,7 @@ static bool is_of(const char *name, int lane, const char *text, size_t length)
     return strlen(whole) == length && strncmp(whole, text, length) == 0;
 }
 
-/* "acc[3]": of lane 3; "acc": of no lane, or of the first. */
+/* "acc[3]": of lane 3; "acc": of no lane, or else of the first. */
 static bool find_signal(const glint_setting *setting, const char *name, glint_signal_info *signal)
 {
     for (int i = 0; i < glint_setting_signal_count(setting); i++) {
@@ -104,7 +104,7 @@ static bool has_several_lanes(const glint_setting *setting, const char *name)
     return several;
 }
 
-/* What the signal's row says of the node; a block of the figure has its number once. */
+/* Format and number come from the signal's row; each number of the figure is shown once. */
 static void describe_block(making *m, glint_draw_node *node, const glint_block_info *row)
 {
     glint_signal_info signal;
@@ -150,7 +150,7 @@ static glint_status add_pin(making *m, const char *name, size_t length, int *ind
     return GLINT_OK;
 }
 
-/* The node that gives the value of that name; −1: a wire that nothing feeds. */
+/* The node that drives the signal of that name; −1: a wire that nothing feeds. */
 static glint_status find_source(making *m, const char *name, size_t length, int *node)
 {
     int row = find_row(m, name, length);
@@ -194,7 +194,7 @@ static bool is_output(const glint_setting *setting, const char *name)
     return find_signal(setting, name, &signal) && signal.kind == GLINT_SIGNAL_OUTPUT;
 }
 
-/* The row, what feeds it, and what it obeys. */
+/* Marks the row, what feeds it and what controls it. */
 static void need(making *m, int row)
 {
     const char *const lists[] = {m->row[row].inputs, m->row[row].control};
@@ -212,7 +212,7 @@ static void need(making *m, int row)
     }
 }
 
-/* What a block obeys is not wired, but is there. */
+/* Controls are not wired, but they must exist. */
 static glint_status check_control(const making *m, const glint_block_info *row)
 {
     const char *name, *list = row->control;
@@ -239,8 +239,8 @@ static glint_status read_rows(making *m)
     for (int i = 0; i < count; i++) {
         const glint_block_info row = circuit->block(setting->values, i);
         if (row.name == NULL || (unsigned)row.symbol >= GLINT_SYMBOL_COUNT)
-            return WRONG(m, "circuit %s: block %d has no name, or a symbol that there is not",
-                         circuit->name, i);
+            return WRONG(m, "circuit %s: block %d has no name or no known symbol", circuit->name,
+                         i);
         if (row.name[strcspn(row.name, SEPARATORS "\"<>&\n")] != '\0')
             return WRONG(m, "circuit %s: block %d: its name has a blank or one of , \" < > &",
                          circuit->name, i);
@@ -254,7 +254,7 @@ static glint_status read_rows(making *m)
     return GLINT_OK;
 }
 
-/* What the stages left out give has the format of what they are given. */
+/* Stages that are left out pass on the format of their first input. */
 static void follow_format(glint_draw_graph *graph, int index)
 {
     glint_draw_node *node = &graph->node[index];

@@ -1,5 +1,5 @@
-/* A circuit's drawing as a graph: the blocks of its description, with the pins that feed them and
- * the output ports, each in a column from left to right. */
+/* A circuit's drawing as a graph: the blocks of its description, the pins that feed them and the
+ * output ports, each assigned to a column. */
 #ifndef GLINT_SIM_DRAW_GRAPH_H
 #define GLINT_SIM_DRAW_GRAPH_H
 
@@ -18,12 +18,12 @@ typedef struct glint_draw_node {
     glint_draw_kind kind;
     glint_symbol symbol; /* of a block */
     char name[GLINT_DRAW_NAME];
-    const char *text;                              /* inside; NULL: what the symbol says */
-    const char *control;                           /* NULL: nothing */
+    const char *text;                              /* inside; NULL: the symbol's own */
+    const char *control;                           /* or NULL */
     int number;                                    /* in the figure; 0: none */
     bool has_name;                                 /* in the Verilog */
-    bool is_stacked;                               /* there are more like it */
-    int int_bits, frac_bits, is_signed;            /* of its output; no bits: unknown */
+    bool is_stacked;                               /* stands for several alike */
+    int int_bits, frac_bits, is_signed;            /* of its output; all 0: unknown */
     int input_count, input[GLINT_DRAW_INPUTS_MAX]; /* the nodes that feed it */
     int column;
     int x, y, width, height; /* of its symbol: left edge, middle, sizes; pixels (layout.h) */
@@ -36,8 +36,8 @@ typedef struct glint_draw_edge {
 
 #define GLINT_DRAW_EDGES_MAX (GLINT_DRAW_NODES_MAX * GLINT_DRAW_INPUTS_MAX)
 
-/* Columns: the pins; then stage by stage its registers and what stands behind them; the ports. A
- * node and what it feeds are a *net*, which has the node's index. */
+/* Columns: first the pins; then, stage by stage, the registers and the logic behind them; last the
+ * ports. A node and all that it feeds make a *net*, which has the node's index. */
 typedef struct glint_draw_graph {
     const glint_setting *setting;
     int count;
@@ -47,18 +47,18 @@ typedef struct glint_draw_graph {
     int columns;
     int stages;                               /* that begin with registers */
     int stage_column[GLINT_DRAW_COLUMNS_MAX]; /* where the registers of stage 1… are */
-    /* A net's way through the columns between its node and those it feeds: the height at which it
-     * passes the column, or 0 (layout.h fills it). */
+    /* The height at which a net passes a column on its way to what it feeds (filled in by
+     * layout.h). */
     int pass[GLINT_DRAW_NODES_MAX][GLINT_DRAW_COLUMNS_MAX];
 } glint_draw_graph;
 
-/* GLINT_BAD_INPUT, naming the block, for a description that makes no drawing: an input that is
- * neither a block nor a pin, two blocks of one name, too many of anything; and for one without
- * blocks. The setting is to stay. */
+/* GLINT_BAD_INPUT, naming the block, if the description is wrong: an input that is neither a block
+ * nor a pin, two blocks with the same name, too many of anything, or no blocks at all. The setting
+ * must outlive the graph. */
 glint_status glint_draw_graph_make(const glint_setting *setting, glint_draw_graph *graph,
                                    glint_error *err);
 
-/* Whether the net passes the column, forwards or back, on the way to something that it feeds. */
+/* Whether the net passes the column, forwards or backwards, on its way to something it feeds. */
 bool glint_draw_passes(const glint_draw_graph *graph, int net, int column);
 
 /* Whether an edge goes against the direction of the drawing. */

@@ -16,7 +16,7 @@
 #define MARGIN 20 /* about the drawing */
 #define TITLE  58 /* above it */
 
-/* Writes the graph into a file without a name, which dot opens by its descriptor. */
+/* Writes the graph to an unnamed file, which dot opens through its descriptor. */
 static int dot_file(glint_draw_graph *graph)
 {
     const int fd = memfd_create("glint", 0);
@@ -40,7 +40,8 @@ static glint_status run_dot(glint_draw_graph *graph, char **plain, glint_error *
     char path[64];
     const int fd = dot_file(graph);
     if (fd < 0)
-        return glint_fail(err, GLINT_IO_ERROR, "no file for dot: %s", strerror(errno));
+        return glint_fail(err, GLINT_IO_ERROR, "cannot write the input for dot: %s",
+                          strerror(errno));
     (void)snprintf(path, sizeof path, "/proc/self/fd/%d", fd);
     const char *const arguments[] = {"dot", "-Tplain", path, NULL};
     bool success;
@@ -48,15 +49,14 @@ static glint_status run_dot(glint_draw_graph *graph, char **plain, glint_error *
     close(fd);
     if (status != GLINT_OK || success)
         return status;
-    status = glint_fail(err, GLINT_IO_ERROR,
-                        "dot draws nothing; it is in the package graphviz (it says: %.*s)",
+    status = glint_fail(err, GLINT_IO_ERROR, "dot failed (package graphviz): %.*s",
                         (int)strcspn(*plain, "\n"), *plain);
     free(*plain);
     *plain = NULL;
     return status;
 }
 
-/* "node NAME X Y …": dot counts heights upwards, in inches. */
+/* "node NAME X Y …" in inches, Y upwards. */
 static void take_line(glint_draw_graph *graph, const char *line)
 {
     int index, column;
@@ -69,7 +69,7 @@ static void take_line(glint_draw_graph *graph, const char *line)
         graph->pass[index][column] = (int)lround(-y * GLINT_DRAW_INCH);
 }
 
-/* So that the highest thing is below the title, and the drawing as high as it must be. */
+/* Moves everything below the title, and sets the height of the drawing. */
 static void shift(glint_draw_graph *graph, glint_draw_layout *layout)
 {
     int top = INT_MAX, bottom = INT_MIN;

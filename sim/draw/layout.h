@@ -1,5 +1,5 @@
-/* Where everything of a drawing is, in pixels: which block is above which, and the heights, by
- * Graphviz's dot; columns, and the wires in the channels between them, here. */
+/* The layout of a drawing, in pixels. Graphviz's dot decides the vertical order and the heights;
+ * columns, and the wires in the channels between them, are laid out here. */
 #ifndef GLINT_SIM_DRAW_LAYOUT_H
 #define GLINT_SIM_DRAW_LAYOUT_H
 
@@ -7,12 +7,12 @@
 
 #include "draw/graph.h"
 
-/* Pixels about a symbol that belong to it: above for what it obeys, below for its name. */
+/* Space around a symbol: above it for its controls, below it for its name. */
 #define GLINT_DRAW_ABOVE 18
 #define GLINT_DRAW_BELOW 16
 
 #define GLINT_DRAW_PITCH 20   /* from input to input */
-#define GLINT_DRAW_INCH  72.0 /* dot has sizes in inches, and points of this size in tables */
+#define GLINT_DRAW_INCH  72.0 /* dot has inches, and points in tables */
 
 /* Widths of the fonts: sans of blocks, and the smaller one of names and formats. */
 #define GLINT_DRAW_FORMAT 32 /* of a format as text */
@@ -23,7 +23,7 @@ typedef struct glint_draw_wire { /* of a net, between two columns */
     int net;
     int trunk;                                    /* its vertical part; −1: none */
     int left_count, left[GLINT_DRAW_NODES_MAX];   /* heights at which it leaves a column */
-    int right_count, right[GLINT_DRAW_NODES_MAX]; /* and comes to the next one */
+    int right_count, right[GLINT_DRAW_NODES_MAX]; /* and arrives at the next one */
 } glint_draw_wire;
 
 typedef struct glint_draw_channel {
@@ -38,21 +38,21 @@ typedef struct glint_draw_layout {
     glint_draw_channel channel[GLINT_DRAW_COLUMNS_MAX]; /* behind each column but the last */
 } glint_draw_layout;
 
-/* The graph for dot: nodes by column, a node for every column that a wire passes. Always the same
- * text for the same description. */
+/* Writes the input for dot: nodes by column, and a point for every column that a wire passes. The
+ * same description always gives the same text. */
 void glint_draw_dot(glint_draw_graph *graph, FILE *out);
 
-/* Fills the graph's places, and the layout. GLINT_IO_ERROR where there is no dot, or it fails. */
+/* Fills in the graph's coordinates and the layout. GLINT_IO_ERROR if dot is missing or fails. */
 glint_status glint_draw_lay_out(glint_draw_graph *graph, glint_draw_layout *layout,
                                 glint_error *err);
 
-/* Gives a node its size (symbols.c, as the next four). */
+/* Sets the size of a node (this and the next four: symbols.c). */
 void glint_draw_size(glint_draw_node *node);
 
 /* The height of input i of a node. */
 int glint_draw_input_height(const glint_draw_node *node, int i);
 
-/* "U1.18"; empty where the number has one bit, or no known format. */
+/* "U1.18"; empty if the number has a single bit or no known format. */
 void glint_draw_format(const glint_draw_node *node, char text[GLINT_DRAW_FORMAT]);
 
 /* What is written inside a node. */
@@ -61,10 +61,10 @@ const char *glint_draw_text(const glint_draw_node *node);
 /* Characters of UTF-8 text. */
 int glint_draw_length(const char *text);
 
-/* Levels wires that are nearly so (straighten.c). */
+/* Straightens wires that are nearly level (straighten.c). */
 void glint_draw_straighten(glint_draw_graph *graph);
 
-/* Columns and channels, once the heights are known (route.c). */
+/* Lays out columns and channels once the heights are known (route.c). */
 void glint_draw_route(glint_draw_graph *graph, glint_draw_layout *layout);
 
 #endif

@@ -1,5 +1,5 @@
-/* Columns from left to right, and the wires in the channels between them: a net's way through a
- * channel is a trunk, with a branch to each place where it comes in or goes out. */
+/* Columns from left to right, and the wires in the channels between them. In a channel a net is a
+ * vertical trunk with a horizontal branch to each place where it enters or leaves. */
 #include "draw/layout.h"
 
 #include <stdlib.h>
@@ -20,7 +20,7 @@ static void add_height(int *heights, int *count, int height)
         heights[(*count)++] = height;
 }
 
-/* What the net has in the channel behind the column. */
+/* The heights at which the net enters and leaves the channel behind the column. */
 static void collect(const glint_draw_graph *graph, int net, int column, glint_draw_wire *wire)
 {
     const int from = graph->node[net].column;
@@ -50,7 +50,8 @@ static void ends_of(const glint_draw_wire *wire, int *least, int *most)
     }
 }
 
-/* How bad it is for a branch at height y to cross a trunk: on its end, it would look joined. */
+/* The cost of a branch at height y crossing a trunk: high near its ends, where it would look
+ * connected. */
 static int crossing(const glint_draw_wire *trunk, int y)
 {
     int least, most;
@@ -66,7 +67,7 @@ static int crossing(const glint_draw_wire *trunk, int y)
     return 1;
 }
 
-/* Of two wires, the first with its trunk to the left of the other's. */
+/* Of two wires, if the first has its trunk to the left of the second's. */
 static int cost_of(const glint_draw_wire *first, const glint_draw_wire *second)
 {
     int cost = 0;
@@ -74,7 +75,7 @@ static int cost_of(const glint_draw_wire *first, const glint_draw_wire *second)
         cost += crossing(second, first->right[i]);
         for (int j = 0; j < second->left_count; j++)
             if (abs(first->right[i] - second->left[j]) <= 4)
-                cost += 200; /* on one another */
+                cost += 200; /* one over the other */
     }
     for (int j = 0; j < second->left_count; j++)
         cost += crossing(first, second->left[j]);
@@ -88,8 +89,7 @@ static void swap(glint_draw_wire *a, glint_draw_wire *b)
     *b = kept;
 }
 
-/* Puts the trunks into the order of fewest crossings, neighbour by neighbour, as far as that goes.
- */
+/* Swaps neighbouring trunks as long as that saves crossings. */
 static void order(glint_draw_wire *wire, int count)
 {
     for (int round = 0; round < count; round++)
@@ -105,7 +105,7 @@ static bool is_straight(const glint_draw_wire *wire)
     return least == most;
 }
 
-/* Gives each wire that is not straight a trunk: the straight ones last, as they need no place. */
+/* Gives every wire that is not straight a trunk; straight ones come last. */
 static int find_trunks(glint_draw_channel *channel)
 {
     int bent = 0;
@@ -134,7 +134,7 @@ static int column_width(const glint_draw_graph *graph, int column)
     return width;
 }
 
-/* Room for the formats that are written on the wires as they leave a column. */
+/* Room for the formats, which are written where wires leave a column. */
 static int format_width(const glint_draw_graph *graph, int column)
 {
     int width = 0;

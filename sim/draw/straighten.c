@@ -1,11 +1,12 @@
-/* Takes small steps out of wires. What is level with one another already is a group that moves as
- * one; a step between two groups goes when either can move by it and meets nothing. */
+/* Removes small steps from wires. Places already connected by a level wire form a group, which
+ * moves as one; a step between two groups is removed if either can move by that much without
+ * hitting anything. */
 #include "draw/layout.h"
 
 #include <stdlib.h>
 
-#define STEP_MAX 10 /* what is more looks meant */
-#define LANE     6  /* above and below a wire that passes a column */
+#define STEP_MAX 10 /* larger ones look intended */
+#define LANE     6  /* clear space above and below a passing wire */
 
 /* A node, or a net's pass through a column. */
 typedef struct place {
@@ -55,8 +56,8 @@ static void collect(places *p)
         p->place[i].group = i;
 }
 
-/* The step of the wire from one place to another behind it, by the input-th input of that; false:
- * there is none. */
+/* The step of the wire that leads from one place to the given input of another; false: no such
+ * wire. */
 static bool step_of(places *p, int from, int to, int input, int *step)
 {
     const place *a = &p->place[from], *b = &p->place[to];
@@ -110,7 +111,7 @@ static bool move(places *p, int group, int by)
     return true;
 }
 
-/* Levels one pair if that can be; each that is level is joined. */
+/* Levels a pair if possible, and merges the groups of a level pair. */
 static void level(places *p, int from, int to, int input)
 {
     int step;
@@ -136,10 +137,10 @@ void glint_draw_straighten(glint_draw_graph *graph)
 {
     places *p = calloc(1, sizeof *p);
     if (p == NULL)
-        return; /* a drawing with steps is one, too */
+        return; /* the steps do no harm */
     p->graph = graph;
     collect(p);
-    level_all(p, 0); /* first what is level already, so that nothing of it is lost */
+    level_all(p, 0); /* what is level already stays so */
     level_all(p, STEP_MAX);
     free(p);
 }

@@ -1,11 +1,11 @@
-/* The drawing as SVG: the edges of the clock, then wires, then the symbols, each over the last. */
+/* Writes the drawing as SVG: clock edges, then wires, then symbols on top. */
 #include "draw/svg.h"
 
 #include <string.h>
 
 #include "lockstep/signals.h"
 
-#define SHADOW 4 /* of a symbol that stands for several */
+#define SHADOW 4 /* offset of the second outline */
 
 static const char style[] =
     "  text { font-family: 'DejaVu Sans', Verdana, sans-serif; font-size: 12px; fill: #1f2933; "
@@ -92,7 +92,7 @@ static void write_outline(const glint_draw_node *node, int shift, const char *cl
                 class, x, y, w, h, node->symbol == GLINT_SYMBOL_LOGIC ? 8 : 2);
 }
 
-/* What a symbol has besides its outline: the clock's wedge, the ROM's rows, the keys' switch. */
+/* The part of a symbol inside its outline: a clock wedge, the heading of a ROM, a switch. */
 static void write_mark(const glint_draw_node *node, FILE *out)
 {
     const int x = node->x, bottom = node->y + node->height / 2;
@@ -117,7 +117,7 @@ static void write_mark(const glint_draw_node *node, FILE *out)
     }
 }
 
-/* Where the text's line is, below the middle: other things are in some symbols, too. */
+/* How far below the middle the text stands: some symbols contain more than text. */
 static int text_below(const glint_draw_node *node)
 {
     return node->symbol == GLINT_SYMBOL_ROM ? 13 : node->symbol == GLINT_SYMBOL_KEYS ? -7 : 4;
@@ -164,7 +164,7 @@ static void write_node(const glint_draw_node *node, FILE *out)
 
 /* ---- The whole ------------------------------------------------------------------------------- */
 
-/* What is the same everywhere is not drawn: the clock, resets and enables. */
+/* The clock, resets and enables go everywhere, so they are named, not drawn. */
 static void write_notes(const glint_draw_graph *graph, const glint_draw_layout *layout, FILE *out)
 {
     const glint_setting *setting = graph->setting;
@@ -187,11 +187,11 @@ static void write_notes(const glint_draw_graph *graph, const glint_draw_layout *
     for (int i = 0; i < graph->count; i++)
         stacked |= graph->node[i].is_stacked;
     if (stacked)
-        fprintf(out, "%sa double outline: several alike", any ? "; " : "");
+        fprintf(out, "%sdouble outline: several alike", any ? "; " : "");
     fprintf(out, "</text>\n");
 }
 
-/* Where registers load: a pipeline's stages. Where one thing takes several clocks they are none. */
+/* The clock edges of a pipeline; a circuit that takes several clocks per input has no stages. */
 static void write_cuts(const glint_draw_graph *graph, const glint_draw_layout *layout, FILE *out)
 {
     if (glint_setting_pace(graph->setting) > 1)

@@ -1,4 +1,4 @@
-/* The wires of a drawing as SVG: for each net a path, the dots where it forks, and arrowheads. */
+/* Writes the wires as SVG: for each net a path, dots where it forks, and arrowheads. */
 #include "draw/svg.h"
 
 #include <limits.h>
@@ -6,7 +6,7 @@
 
 /* ---- Ends ------------------------------------------------------------------------------------ */
 
-/* How far a symbol's outline is inside its box at this height: circles are round. */
+/* How far inside its box a symbol's outline is at this height: nonzero for circles. */
 static int inset(const glint_draw_node *node, int y)
 {
     const int radius = node->height / 2, off = abs(y - node->y);
@@ -18,8 +18,8 @@ static int inset(const glint_draw_node *node, int y)
     return in;
 }
 
-/* Where a branch that leaves the column at that height begins: at the net's node, or in the middle
- * of the column that it passes. */
+/* Where a branch leaving the column at that height begins: at the net's node, or in the middle of
+ * the column if it passes. */
 static int left_end(const glint_draw_graph *graph, const glint_draw_layout *layout, int net,
                     int column, int y)
 {
@@ -27,7 +27,7 @@ static int left_end(const glint_draw_graph *graph, const glint_draw_layout *layo
     return node->column == column && node->y == y ? node->x + node->width : layout->middle[column];
 }
 
-/* Where a branch that comes to the column at that height ends: at an input, or likewise. */
+/* Where a branch arriving at the column at that height ends: at an input, or in the middle. */
 static int right_end(const glint_draw_graph *graph, const glint_draw_layout *layout, int net,
                      int column, int y)
 {
@@ -67,7 +67,7 @@ static void write_path(const glint_draw_graph *graph, const glint_draw_layout *l
         fprintf(out, "M%d %dV%d", wire->trunk, top, bottom);
 }
 
-/* A dot wherever more than two parts of a wire meet on its trunk. */
+/* A dot wherever more than two parts of a wire meet on the trunk. */
 static void write_forks(const glint_draw_wire *wire, FILE *out)
 {
     const int ends = wire->left_count + wire->right_count;

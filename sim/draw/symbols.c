@@ -5,7 +5,7 @@ int glint_draw_length(const char *text)
 {
     int length = 0;
     for (; *text != '\0'; text++)
-        length += ((unsigned char)*text & 0xc0u) != 0x80u; /* not one that goes on */
+        length += ((unsigned char)*text & 0xc0u) != 0x80u; /* counts no continuation byte */
     return length;
 }
 

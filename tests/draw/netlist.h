@@ -1,4 +1,4 @@
-/* A circuit as Yosys reads it: which named values a value is made of. */
+/* A circuit as Yosys elaborates it: which named signals feed a signal. */
 #ifndef GLINT_TESTS_DRAW_NETLIST_H
 #define GLINT_TESTS_DRAW_NETLIST_H
 
@@ -10,8 +10,8 @@ enum { NETLIST_NAMES_MAX = 128, NETLIST_NAME = 96 };
 
 typedef struct netlist netlist;
 
-/* Has Yosys elaborate the setting's Verilog, from `directory`, flattened and without optimisation;
- * `work` is a directory for its files. NULL, with words on standard error, when it cannot. */
+/* Has Yosys elaborate and flatten the setting's Verilog in `directory`, without optimising it;
+ * `work` is for its files. NULL, with a message on standard error, if it fails. */
 netlist *netlist_make(const glint_setting *setting, const char *directory, const char *work);
 void netlist_destroy(netlist *circuit);
 

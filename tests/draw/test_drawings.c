@@ -1,5 +1,4 @@
-/* Drawings: those that are committed are what the descriptions give; nothing in one lies on
- * something else; a description that makes no drawing is refused. */
+/* Drawings: the committed ones are up to date; nothing overlaps; bad descriptions are refused. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>
@@ -51,8 +50,8 @@ static int forget_list(void **state)
 
 /* ---- What is committed ----------------------------------------------------------------------- */
 
-/* Takes out the values of attributes that are places or sizes: they are the layout's, and another
- * dot may have another. What is drawn, and what is joined to what, stays. */
+/* Removes coordinates and sizes, which may differ between versions of dot. What is drawn, and what
+ * is connected to what, stays. */
 static void forget_places(char *svg)
 {
     static const char *const places[] = {" x=\"",  " y=\"",     " d=\"",      " cx=\"",
@@ -106,7 +105,7 @@ static void committed_drawings_are_what_the_descriptions_give(void **state)
     }
 }
 
-/* What makes another drawing is not among what is taken out. */
+/* A change to the drawing itself survives that. */
 static void a_stale_drawing_would_be_seen(void **state)
 {
     (void)state;
@@ -123,7 +122,7 @@ static void a_stale_drawing_would_be_seen(void **state)
     assert_string_equal(a, d);
 }
 
-/* The picture beside a drawing is that drawing: but for how a font's edges are smoothed. */
+/* The PNG is the SVG, apart from antialiasing. */
 static void committed_pictures_are_the_drawings(void **state)
 {
     (void)state;
@@ -179,7 +178,7 @@ static void assert_nodes_apart(const char *text)
     }
 }
 
-/* The branch of a wire at height y: between its trunk and an edge of the channel. */
+/* The branch of a wire at height y, between its trunk and a side of the channel. */
 typedef struct branch {
     int net, y, from, to;
 } branch;
@@ -218,7 +217,7 @@ static void assert_wires_apart(const char *text)
     }
 }
 
-/* In every setting that verify tries unasked. */
+/* In every setting that verify tries by default. */
 static void nothing_lies_on_anything_else(void **state)
 {
     (void)state;
@@ -235,7 +234,7 @@ static void nothing_lies_on_anything_else(void **state)
     }
 }
 
-/* Every number of the figure is there once, and data goes to the right but for feedback. */
+/* Every number of the figure appears once, and all data flows to the right. */
 static void the_figure_is_complete(void **state)
 {
     (void)state;
@@ -288,7 +287,7 @@ static void descriptions_that_make_no_drawing_are_refused(void **state)
     assert_refused((glint_block_info){NULL, GLINT_SYMBOL_REGISTER, NULL, "g", NULL, 0},
                    "block 5 has no name");
     assert_refused((glint_block_info){"reg4", GLINT_SYMBOL_COUNT, NULL, "g", NULL, 0},
-                   "a symbol that there is not");
+                   "no known symbol");
     assert_refused((glint_block_info){"reg4", GLINT_SYMBOL_LOGIC, NULL,
                                       "g g g g g g g g g g g g g g g g g", NULL, 0},
                    "more than 16 inputs");
@@ -310,7 +309,7 @@ static void a_circuit_without_blocks_is_refused(void **state)
     assert_int_equal(access(scratch_path("none.svg"), F_OK), -1);
 }
 
-/* The plan needs no dot; the drawing says what is missing. */
+/* The input for dot can be had without dot; the drawing cannot, and says why. */
 static void without_dot_there_is_the_plan(void **state)
 {
     (void)state;

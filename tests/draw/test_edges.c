@@ -1,5 +1,5 @@
-/* The wires of a drawing are those of the Verilog: for every block with a name, what the
- * description says feeds it is what Yosys finds behind it, no more and no less. */
+/* The wires of a drawing are those of the Verilog: for every named block, the inputs that the
+ * description states are those that Yosys finds, no more and no fewer. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>
@@ -17,7 +17,7 @@
 #include "lockstep/signals.h"
 #include "netlist.h"
 
-/* The names that matter: those of nodes, and the pins that are not drawn. */
+/* The names that matter: those of nodes and of pins. */
 typedef struct edges {
     const glint_setting *setting;
     netlist *circuit;
@@ -26,7 +26,7 @@ typedef struct edges {
     char name[NETLIST_NAMES_MAX][NETLIST_NAME];
     int of_node[GLINT_DRAW_NODES_MAX]; /* −1: the Verilog has no name for it */
     int wrong;
-    bool is_quiet; /* what differs is not told: it is meant to */
+    bool is_quiet; /* the differences are intended */
 } edges;
 
 static edges e;
@@ -78,7 +78,7 @@ static void name_nodes(void)
     }
 }
 
-/* A block that the description has and that is not drawn, as nothing drawn is fed by it, counts. */
+/* Blocks that are not drawn because they feed nothing count as well. */
 static void name_rows(void)
 {
     char name[NETLIST_NAME];
