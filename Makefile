@@ -80,7 +80,9 @@ $(BUILD)/glint-gen: $(BUILD)/cmodel/gen.o $(BUILD)/libglint.a
 GENERATED := rtl/glint_formats.vh:formats rtl/sigma_rom.v:sigma-rom rtl/limit_rom.v:limit-rom \
              rtl/reciprocal_rom.v:reciprocal-rom
 
-generate: $(BUILD)/glint-gen drawings
+.PHONY: generate-verilog
+generate: generate-verilog drawings
+generate-verilog: $(BUILD)/glint-gen
 	@for pair in $(GENERATED); do \
 	    file=$${pair%%:*}; \
 	    $(BUILD)/glint-gen $(BUILD)/generated $${pair##*:} || exit 1; \
@@ -223,8 +225,9 @@ test:
 	+$(MAKE) run-tests
 
 # The whole domain: every n and cosine code, every W that occurs with every colour, each gate and
-# pipeline.
+# pipeline; and the batches of every setting as built for speed.
 test-full: test
+	GLINT_EVERY_SETTING=1 $(BUILD)/tests/lockstep/test_backends
 	$(BUILD)/glint verify --exhaustive --gate all --pipeline all
 
 # The C code under AddressSanitizer and UBSan, but for TESTS_OF_TOOLS; the circuits are those of the

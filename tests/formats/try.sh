@@ -21,7 +21,12 @@ unset MAKEFLAGS MFLAGS MAKELEVEL BUILD VERILATED SANITIZE
 
 rm -rf "$scratch"
 mkdir -p "$scratch"
-cp -rp Makefile cmodel docs rtl sim tests "$scratch"
+cp -rp Makefile cmodel rtl sim tests "$scratch"
+# What the edit leaves as it is need not be compiled again.
+if [ -d build/sim ]; then
+    mkdir "$scratch/build"
+    cp -rp build/packages build/cmodel build/sim "$scratch/build"
+fi
 cd "$scratch"
 
 [ "$(grep -c "^#define $name  *[0-9][0-9]*\$" $formats)" -eq 1 ] ||
@@ -33,7 +38,7 @@ quietly() {
     "$@" >log 2>&1 || { cat log; echo "failed with $name $value: $*"; exit 1; }
 }
 
-quietly make generate
+quietly make generate-verilog
 for gate in 0 1 2; do
     quietly verilator --lint-only -Wall -GGATE=$gate -GLANES=16 -Irtl rtl/specular_device.v
 done
