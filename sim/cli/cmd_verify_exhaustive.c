@@ -218,16 +218,16 @@ static void print_reach(const glint_exhaustive_choice *chosen, const run *run)
     for (int c = 0; c < run->options.configs; c++)
         if (run->options.config[c].lanes > lanes)
             lanes = run->options.config[c].lanes;
-    printf("reached: of the %u codes of the cosine pin ", GLINT_EXHAUSTIVE_CODES);
     if (chosen->stride == 1)
-        printf("all");
+        printf("reached: all");
     else
-        printf("1 in %" PRId64, chosen->stride);
-    printf(", with each n done, white and in colour; of these each lane saw ");
+        printf("reached: 1 in %" PRId64, chosen->stride);
+    printf(" of the %u codes of the cosine pin for every n tried, in white and in colour; ",
+           GLINT_EXHAUSTIVE_CODES);
     if (lanes == 1 || chosen->every_lane)
-        printf("all\n");
+        printf("each lane saw all of them\n");
     else
-        printf("1 in %d, turning from n to n\n", lanes);
+        printf("each lane saw 1 in %d of them, different ones for each n\n", lanes);
     printf("not reached: %s\n", GLINT_NOT_REACHED);
 }
 
