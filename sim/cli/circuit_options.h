@@ -1,4 +1,4 @@
-/* The options that choose circuits and their settings, made from the circuits' descriptions.
+/* The options that select circuits and their settings, generated from the circuits' descriptions.
  *
  *     glint_circuit_options circuits;
  *     int status = glint_circuit_options_begin(&circuits, &use, argc, argv);
@@ -8,9 +8,8 @@
  *     status = glint_circuit_options_settle(&circuits);
  *     for (int i = 0; glint_circuit_options_setting(&circuits, i, &setting); i++) …
  *
- * There is one option for each name of a parameter, whatever circuits have it. An option that a
- * circuit has not leaves that circuit out; a value is to be in the range of every circuit that is
- * then left. */
+ * Each parameter name is one option, shared by all circuits that have it. Giving an option excludes
+ * the circuits that lack it; its value must be in range for every circuit that remains. */
 #ifndef GLINT_SIM_CLI_CIRCUIT_OPTIONS_H
 #define GLINT_SIM_CLI_CIRCUIT_OPTIONS_H
 
@@ -25,7 +24,7 @@
 #define GLINT_PARAMETER_NAMES_MAX 24
 #define GLINT_CIRCUIT_OPTIONS     (GLINT_PARAMETER_NAMES_MAX + 3) /* rows at most */
 
-/* What a subcommand takes, and takes when nothing is said. */
+/* What a subcommand accepts, and its defaults. */
 typedef struct glint_circuit_use {
     const char *command;
     const char *circuit; /* by its name; "all" */
@@ -45,7 +44,7 @@ typedef struct glint_parameter_option {
     char placeholder[96], help[192], usual[64];
 } glint_parameter_option;
 
-/* Not to be moved once rows were made of it. */
+/* Must not move once rows point into it. */
 typedef struct glint_circuit_options {
     glint_circuit_use use;
     bool is_own;       /* of --circuit-dir: what a parameter usually is, its description says */
@@ -64,9 +63,8 @@ typedef struct glint_circuit_options {
     int value[GLINT_CIRCUITS_MAX][GLINT_PARAMETERS_MAX]; /* or GLINT_EVERY_VALUE */
 } glint_circuit_options;
 
-/* Finds --circuit-dir among the arguments first, as its circuit decides which options there are:
- * that circuit is then the only one. Returns GLINT_OPTIONS_RUN, or the exit status to leave with.
- */
+/* First looks for --circuit-dir among the arguments, since its circuit determines the options; that
+ * circuit is then the only one. Returns GLINT_OPTIONS_RUN, or the exit status to leave with. */
 int glint_circuit_options_begin(glint_circuit_options *options, const glint_circuit_use *use,
                                 int argc, char **argv);
 
@@ -77,15 +75,15 @@ size_t glint_circuit_options_add(glint_circuit_options *options, glint_option *r
  * above. */
 int glint_circuit_options_settle(glint_circuit_options *options);
 
-/* Every setting chosen, circuit by circuit, a parameter without a value of its own turning through
- * those listed: the index-th; false past the last. */
+/* The index-th selected setting, circuit by circuit, with parameters that were not given iterating
+ * over their listed values; false past the last. */
 bool glint_circuit_options_setting(const glint_circuit_options *options, int index,
                                    glint_setting *setting);
 
 /* The standard setting of a chosen circuit but for the values that were given alone. */
 glint_setting glint_circuit_options_first(const glint_circuit_options *options, int chosen);
 
-/* Whether this parameter was given, by any circuit's option. */
+/* Whether this parameter was given for any circuit. */
 bool glint_circuit_options_given(const glint_circuit_options *options, const char *parameter);
 
 /* " --circuit-dir DIR --rtl DIR", each where it was given, quoted for a shell: appended to a

@@ -9,7 +9,7 @@
 
 typedef struct glint_eval_point {
     glint_material material;
-    uint32_t cos_code; /* U1.18, what is written to register 1; above 1.0 only if given so */
+    uint32_t cos_code; /* U1.18, as written to register 1; above 1.0 only if given as a code */
 } glint_eval_point;
 
 /* Reads the five values of a line, as glint_line_cut() does; a header may have cos_code in the

@@ -1,4 +1,4 @@
-/* The command line of `glint verify --exhaustive`, whichever circuit it is for. */
+/* The command line of `glint verify --exhaustive` for any circuit. */
 #ifndef GLINT_SIM_CLI_EXHAUSTIVE_OPTIONS_H
 #define GLINT_SIM_CLI_EXHAUSTIVE_OPTIONS_H
 
@@ -19,12 +19,11 @@ int glint_exhaustive_options_parse(int argc, char **argv, glint_exhaustive_choic
 /* Of a circuit that is not the specular device: every point of its domain (verify_domain.c). */
 int glint_verify_domain(const glint_exhaustive_choice *chosen);
 
-/* Said wherever a result of the specular device stands: what is equal here may still differ there.
- */
+/* Printed with every result for the specular device: where differences could remain. */
 #define GLINT_NOT_REACHED                                                                          \
     "material changes in flight, partly valid lanes, stalls, resets, registers"
 
-/* Appends " --threads N --out DIR --json", each where it was chosen: how it is done and told. */
+/* Appends " --threads N --out DIR --json", each if it was given. */
 void glint_exhaustive_options_append(const glint_exhaustive_choice *chosen, char *text,
                                      size_t size);
 

@@ -1,4 +1,4 @@
-/* What `glint info` says of a circuit, from its description. */
+/* What `glint info` prints about a circuit, from its description. */
 #ifndef GLINT_SIM_CLI_INFO_CIRCUIT_H
 #define GLINT_SIM_CLI_INFO_CIRCUIT_H
 

@@ -10,19 +10,20 @@
 
 typedef enum glint_line_kind {
     GLINT_LINE_VALUES,
-    GLINT_LINE_NOTHING, /* blank, or a comment: the first character that is no blank is # */
+    GLINT_LINE_NOTHING, /* blank, or a comment: its first non-blank character is # */
     GLINT_LINE_MALFORMED,
 } glint_line_kind;
 
-/* A value that each line has, by the names that a header may call it; other: NULL for one only. */
+/* A value on each line, with the names a header may use for it; other: NULL if there is only
+ * one. */
 typedef struct glint_column {
     const char *name, *other;
 } glint_column;
 
-/* What the lines hold: at first {0}. The first line that is not blank and no comment may be a
- * header, which a letter begins: then each further line has a value for each of its names, and
- * those that are not asked for are passed over. So what a command has printed as CSV is read
- * again. Without a header the values are those asked for, in their order. */
+/* What the lines hold: at first {0}. The first line that is neither blank nor a comment may be a
+ * header, which starts with a letter: then every later line has a value for each of its names, and
+ * unwanted columns are ignored. This lets commands read their own CSV output. Without a header,
+ * lines hold the wanted values in order. */
 #define GLINT_COLUMNS_MAX 128
 typedef struct glint_columns {
     bool begun;
@@ -39,8 +40,8 @@ typedef struct glint_line_form {
 } glint_line_form;
 
 /* Cuts a line of the given length, with or without its line end (LF or CRLF), into the values of
- * the form. They stand apart by blanks, by a comma, or by a comma with blanks around it. The line
- * is altered; value[] points into it. GLINT_LINE_NOTHING: it was a header, too.
+ * the form. Values are separated by blanks, by a comma, or by a comma with blanks around it. The
+ * line is modified, and value[] points into it. GLINT_LINE_NOTHING also covers a header.
  * GLINT_LINE_MALFORMED: err says what is wrong with it. */
 glint_line_kind glint_line_cut(const glint_line_form *form, glint_columns *columns, char *line,
                                size_t length, char **value, glint_error *err);
@@ -49,15 +50,15 @@ glint_line_kind glint_line_cut(const glint_line_form *form, glint_columns *colum
 glint_line_kind glint_line_refuse(const char *name, const char *text, const char *expected,
                                   glint_error *err);
 
-/* Takes a line (see above) of the given number, from 1; returns an exit status (output.h). line
- * NULL: no further line comes, and what was read is to be answered. */
+/* Handles the line of the given number, from 1; returns an exit status (output.h). line NULL: end
+ * of input, time to answer what was read. */
 typedef int glint_line_taker(void *context, uint64_t number, char *line, size_t length);
 
-/* Hands over the lines of standard input until their end or until one is not taken with
- * GLINT_EXIT_OK, and then NULL when all were taken, also when the input cannot be read any further
- * or it was interrupted; says so after that. A line of 16 MB or more is handed over cut, for
- * glint_line_cut() to refuse. Where standard input is a terminal, standard error is told first what
- * is waited for: `waits_for` ("points: n cos r g b"). */
+/* Passes on the lines of standard input until the end or until the handler does not return
+ * GLINT_EXIT_OK, then NULL if all were accepted, even after a read error or an interrupt, which is
+ * reported afterwards. A line of 16 MB or more is passed on truncated, for glint_line_cut() to
+ * reject. If standard input is a terminal, first prints on standard error what it is waiting for:
+ * `waits_for` ("points: n cos r g b"). */
 int glint_input_lines(const char *command, const char *waits_for, glint_line_taker *take,
                       void *context);
 

@@ -11,9 +11,9 @@ typedef struct glint_number_list {
     int count;     /* at least 1 */
 } glint_number_list;
 
-/* Items apart by commas: a number, A..B for the integers from A to B, or A..B:STEP for every
- * STEP-th of them. Returns false, and leaves *list alone, when the text is anything else, a number
- * is outside min…max, they do not ascend, there are more than GLINT_NUMBER_LIST_MAX, or memory runs
+/* Comma-separated items: a number, A..B for the integers from A to B, or A..B:STEP for every
+ * STEP-th of them. Returns false and leaves *list alone if the text is anything else, a number is
+ * outside min…max, they do not ascend, there are more than GLINT_NUMBER_LIST_MAX, or memory runs
  * out. */
 bool glint_number_list_parse(const char *text, double min, double max, glint_number_list *list);
 

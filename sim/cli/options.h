@@ -15,15 +15,15 @@
  *         return status;
  *     }
  *
- * What the variables hold beforehand is the default, and --help shows it: there is no second copy
- * of it. --help (or -h) is made from the table, and goes to standard output: usage, summary,
- * options, details, exit status, examples, within 80 columns.
+ * The initial values of the variables are the defaults, which --help shows; they exist only once.
+ * --help (or -h) is generated from the table and goes to standard output: usage, summary, options,
+ * details, exit status, examples, within 80 columns.
  *
- * Refused, each with one line on standard error and exit status 2: an unknown option (names may not
- * be abbreviated), an option given twice, a missing or a superfluous value, a value that is not of
- * the stated kind and range as a whole, a positional argument too many or too few, a required
- * option left out. What is near to a name is suggested. Values follow as --n 50 or --n=50, integers
- * as 1000000, 1e6 or 1M; "--" ends the options. */
+ * Rejected, each with one line on standard error and exit status 2: an unknown option (names may
+ * not be abbreviated), an option given twice, a missing or superfluous value, a value that is not
+ * entirely of the stated kind and range, too many or too few positional arguments, a missing
+ * required option. A similar name is suggested. Values follow as --n 50 or --n=50, integers as
+ * 1000000, 1e6 or 1M; "--" ends the options. */
 #ifndef GLINT_SIM_CLI_OPTIONS_H
 #define GLINT_SIM_CLI_OPTIONS_H
 
@@ -47,10 +47,10 @@ typedef struct glint_option {
     const char *name;        /* without the dashes */
     const char *placeholder; /* of the value in --help; NULL: the kind's own (N, X, a|b|c, WxH …) */
     const char *help;        /* one sentence; the default is added to it */
-    const char *usually;     /* a default that is no value: "one a processor"; else NULL */
+    const char *usually;     /* a default that is not a value: "one per processor"; else NULL */
     glint_option_kind kind;
     bool required;
-    bool *given; /* set to true when the option is there; may be NULL */
+    bool *given; /* set to true if the option was given; may be NULL */
     union {
         bool *flag; /* set to true */
         struct {
@@ -101,8 +101,8 @@ typedef struct glint_command_line {
     const char *summary;   /* what it does, a sentence or a few */
     const char *details;   /* more text below the options, in paragraphs; indented lines are not
                               broken   anew; may be NULL */
-    const char *done;      /* exit status 0, if more is to be said than "done" */
-    const char *different; /* exit status 1, of a command that compares; else NULL */
+    const char *done;      /* meaning of exit status 0, unless it is just "done" */
+    const char *different; /* meaning of exit status 1 for a command that compares; else NULL */
     const glint_example *examples;
     const glint_option *options;
     size_t option_count; /* at most GLINT_OPTIONS_MAX */
@@ -112,15 +112,15 @@ typedef struct glint_command_line {
 
 #define GLINT_OPTIONS_MAX 64
 
-/* glint_options_parse() returns this when the subcommand is to do its work, else the exit status
- * to leave with: 0 after --help, 2 after a refusal and when --help could not be written. */
+/* Returned by glint_options_parse() if the subcommand should proceed; otherwise it returns the exit
+ * status to leave with: 0 after --help, 2 after an error or if --help could not be written. */
 #define GLINT_OPTIONS_RUN (-1)
 
 /* argv[0] is the subcommand's name, as main() passes it. */
 int glint_options_parse(const glint_command_line *line, int argc, char **argv);
 
-/* The names of the settings, in the order of their enums, for GLINT_OPTION_CHOICE and for what is
- * printed: glint_gate_names[GLINT_GATE_SIGN] is "sign". Each list ends with NULL. */
+/* The names of the settings, in the order of their enums, for GLINT_OPTION_CHOICE and for output:
+ * glint_gate_names[GLINT_GATE_SIGN] is "sign". Each list ends with NULL. */
 extern const char *const glint_gate_names[];
 extern const char *const glint_pipeline_names[];
 extern const char *const glint_backend_names[];

@@ -1,4 +1,4 @@
-/* The words that an option table says of itself: --help and what a value should have been. */
+/* The text generated from an option table: --help, and what a value must be. */
 #ifndef GLINT_SIM_CLI_OPTIONS_HELP_H
 #define GLINT_SIM_CLI_OPTIONS_HELP_H
 

@@ -1,5 +1,5 @@
-/* What the command says and how it ends: exit statuses, the one-line messages, a standard output
- * that is checked, progress on a terminal, and Ctrl-C. */
+/* How the command reports and ends: exit statuses, one-line messages, checked standard output,
+ * progress on a terminal, and Ctrl-C. */
 #ifndef GLINT_SIM_CLI_OUTPUT_H
 #define GLINT_SIM_CLI_OUTPUT_H
 
@@ -13,19 +13,19 @@
 
 /* What every subcommand returns, as cmp does. */
 enum {
-    GLINT_EXIT_OK = 0,        /* done, and equal where it compares */
+    GLINT_EXIT_OK = 0,        /* done; equal, for commands that compare */
     GLINT_EXIT_DIFFERENT = 1, /* a comparison found a difference; only commands that compare */
-    GLINT_EXIT_TROUBLE = 2,   /* malformed, unreadable, unwritable, interrupted: nothing is known */
+    GLINT_EXIT_TROUBLE = 2,   /* bad input, unreadable, unwritable or interrupted: no verdict */
 };
 
-/* Called once, first thing in main(): a closed standard stream is held by /dev/null, opened so
- * that using it still fails (else the next file opened would take its number and receive its
- * text); a broken pipe and a limit on file sizes become write errors; SIGINT, SIGTERM
- * and, but under nohup, SIGHUP raise the stop flag, a second one of them kills. */
+/* Call once, first thing in main(). A closed standard stream is replaced by /dev/null, opened so
+ * that using it still fails (otherwise the next file opened would get its number and receive its
+ * text); a broken pipe and a limit on file sizes become write errors; SIGINT, SIGTERM and, except
+ * under nohup, SIGHUP raise the stop flag, and a second one kills. */
 void glint_output_init(void);
 
-/* Flushes and checks standard output: the last thing a subcommand does. Returns status, or
- * GLINT_EXIT_TROUBLE after saying so when anything that was printed did not arrive. */
+/* Flushes and checks standard output: the last thing a subcommand does. Returns status, or reports
+ * the error and returns GLINT_EXIT_TROUBLE if any output was lost. */
 int glint_output_finish(const char *command, int status);
 
 /* Prints "glint COMMAND: message" as one line on standard error ("glint: message" when command is
@@ -34,7 +34,7 @@ int glint_output_finish(const char *command, int status);
 int glint_complain(const char *command, int exit_status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Says why a library call failed and returns the exit status for it: 2. */
+/* Reports why a library call failed and returns its exit status, 2. */
 int glint_complain_error(const char *command, const glint_error *err);
 
 /* Prints to standard output or error, in bold green when it is good news and bold red when it is
@@ -52,17 +52,15 @@ bool glint_output_json(cJSON *json);
 /* True once SIGINT, SIGTERM or SIGHUP has arrived. */
 bool glint_stop_requested(void);
 
-/* Waits until a read from fd would not block: for input, its end, or an error of which the read
- * will tell. False when the stop flag is up: before, or while it waits; a signal never comes
- * between the look at the flag and the wait. Called where no other thread is. fd below FD_SETSIZE.
- */
+/* Waits until a read from fd would not block: for input, end of file, or an error that the read
+ * will report. False if the stop flag is raised before or during the wait, without a race between
+ * checking the flag and waiting. For single-threaded callers; fd must be below FD_SETSIZE. */
 bool glint_wait_readable(int fd);
 
 /* The same flag for library calls that poll it while they work, such as glint_render(). */
 const volatile bool *glint_stop_flag(void);
 
-/* A line of progress on standard error, at most ten times a second, only when that is a terminal.
- */
+/* A progress line on standard error, at most ten times per second, and only on a terminal. */
 typedef struct glint_progress {
     const char *command;
     const char *unit; /* "clocks" */
@@ -75,7 +73,7 @@ void glint_progress_update(glint_progress *progress, uint64_t done, uint64_t tot
 void glint_progress_say(glint_progress *progress, const char *what); /* before there are numbers */
 void glint_progress_end(glint_progress *progress);                   /* wipes the line */
 
-/* Seconds of a clock that never goes back. */
+/* Seconds on a monotonic clock. */
 double glint_seconds(void);
 
 #endif

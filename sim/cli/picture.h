@@ -1,9 +1,9 @@
-/* Where a picture goes: one rule for every command that writes one under a name its user chose.
+/* Output pictures: one rule for every command that writes one under a user-chosen name.
  *
- * Its name ends in .png, unless what is there is no file (a pipe, /dev/null). "-" is standard
- * output, refused when that is a terminal; what the command says goes to standard error then. A
- * file that is there and is no PNG is overwritten with --force only. A symbolic link is followed,
- * and what it names is made if missing (file/new_file.h). */
+ * The name must end in .png, unless it is an existing non-file (a pipe, /dev/null). "-" is standard
+ * output, rejected if that is a terminal; messages then go to standard error. An existing file that
+ * is not a PNG is overwritten only with --force. A symbolic link is followed, and its target is
+ * created if missing (file/new_file.h). */
 #ifndef GLINT_SIM_CLI_PICTURE_H
 #define GLINT_SIM_CLI_PICTURE_H
 
@@ -14,15 +14,15 @@
 
 bool glint_picture_is_stdout(const char *path);
 
-/* Before the work: whether a picture may go there. option: what named it, for messages. */
+/* Checks beforehand whether a picture may go there. option: the option's name, for messages. */
 glint_status glint_picture_check(const char *option, const char *path, bool force,
                                  glint_error *err);
 
-/* Writes it, until the process is asked to stop; tells a terminal how far it is. */
+/* Writes it, unless the process is asked to stop, with progress on a terminal. */
 glint_status glint_picture_write(const char *command, const glint_image *image, const char *path,
                                  glint_error *err);
 
-/* Where a command that writes that picture says what it has to say. path NULL: no picture. */
+/* The stream for the command's messages when it writes that picture. path NULL: no picture. */
 FILE *glint_picture_talk(const char *path);
 
 /* A row of an option table, and lines for its details. */

@@ -1,4 +1,4 @@
-/* What `glint render` says of the frames it made. */
+/* What `glint render` prints about its frames. */
 #ifndef GLINT_SIM_CLI_RENDER_REPORT_H
 #define GLINT_SIM_CLI_RENDER_REPORT_H
 

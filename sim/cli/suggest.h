@@ -1,15 +1,15 @@
-/* What somebody who mistyped a word will have meant. */
+/* Suggestions for mistyped words. */
 #ifndef GLINT_SIM_CLI_SUGGEST_H
 #define GLINT_SIM_CLI_SUGGEST_H
 
-/* The name nearest to word, of a list that ends with NULL; NULL when none is near enough to be
- * meant. Near is: the same but for upper and lower case, begun with the word (two characters at
- * least), or one slip away (a character wrong, missing, too many, or two swapped), two in a word of
- * five characters or more, three in one of nine or more. */
+/* The name in the NULL-terminated list that is nearest to word, or NULL if none is close. Close
+ * means equal but for case, starting with the word (at least two characters), or one slip away (a
+ * character wrong, missing, extra, or two swapped); two slips from five characters up, three from
+ * nine. */
 const char *glint_suggest(const char *word, const char *const *names);
 
-/* " (did you mean NAME?)", or "" when there is nothing to suggest; with PREFIX before the name.
- * Returns text. */
+/* " (did you mean NAME?)", or "" without a suggestion; PREFIX is put before the name. Returns
+ * text. */
 typedef struct glint_suggestion {
     char text[96];
 } glint_suggestion;

@@ -1,4 +1,4 @@
-/* How `glint verify` tells what its random pins reached. */
+/* How `glint verify` reports what its random pins covered. */
 #ifndef GLINT_SIM_CLI_VERIFY_REACH_H
 #define GLINT_SIM_CLI_VERIFY_REACH_H
 
@@ -18,7 +18,7 @@ typedef struct glint_reach_sum {
     bool alone;        /* in every setting each lane took a point while no other did */
 } glint_reach_sum;
 
-/* Adds a setting that ran; begin with {0}. */
+/* Adds one setting's run; start from {0}. */
 void glint_reach_sum_add(glint_reach_sum *sum, const glint_setting *setting,
                          const glint_reach *reach);
 

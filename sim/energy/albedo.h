@@ -1,7 +1,7 @@
-/* The directional albedo R(L) (2.21) of a reflectance model: the share of a beam of light from
- * direction L that the surface throws back, ∫ f_r(L,V) (N·V) dω over the hemisphere of V. A model
+/* The directional albedo R(L) (2.21) of a reflectance model: the fraction of a beam of light from
+ * direction L that the surface reflects, ∫ f_r(L,V) (N·V) dω over the hemisphere of V. A model
  * conserves energy when it is at most 1 (2.22). By reciprocity it is also what a viewer in
- * direction L sees of the surface in a white furnace, where light of 1 comes from everywhere.
+ * direction L sees of the surface in a white furnace, lit uniformly with 1 from all directions.
  *
  *     glint_albedo_rules rules;
  *     glint_albedo_rules_make(1, &rules);
@@ -9,22 +9,22 @@
  *     glint_albedo_prepare(&reflectance, &rules, &albedo);
  *     r = glint_albedo_at(&albedo, 0.0);
  *
- * How it integrates. Instead of V the half vector H runs over the sphere, in polar coordinates (t,
- * φ) around N: V is L mirrored at H, dω_V = 4 (L·H) dω_H, and N·V > 0 bounds φ by a closed form.
- * For a lobe of N·H the integral over φ is elementary, which leaves one over t; Phong's is treated
- * alike in polar coordinates around R. What a microfacet model needs is integrated over φ too,
- * piece by piece between the angles where its geometry term has an edge. In t the pieces follow the
- * lobe: they double from its half width on, and where φ is bounded, t = b + (e−b) sin²u takes the
- * roots at both ends of that range away. */
+ * Method. The half vector H, instead of V, runs over the sphere, in polar coordinates (t, φ) around
+ * N: V is L mirrored at H, dω_V = 4 (L·H) dω_H, and N·V > 0 bounds φ by a closed form. For a lobe
+ * of N·H the integral over φ is elementary, leaving one over t; Phong's is treated likewise in
+ * polar coordinates around R. Microfacet models are integrated over φ as well, piecewise between
+ * the angles where the geometry term has an edge. In t the pieces follow the lobe, doubling from
+ * its half width outwards; where φ is bounded, t = b + (e−b) sin²u removes the square-root
+ * singularities at both ends. */
 #ifndef GLINT_SIM_ENERGY_ALBEDO_H
 #define GLINT_SIM_ENERGY_ALBEDO_H
 
 #include "energy/gauss.h"
 #include "reflectance/reflectance.h"
 
-/* What the results are within of those with twice the nodes in each direction, at every incidence
- * 0…89° and n from 1 to 1000 (measured at every n to 19 and at every ninth or closer beyond): lobes
- * of one cosine and Lambert's; the device, whose steps no rule follows; microfacets. */
+/* Largest difference from results with twice the nodes in each direction, for angles of incidence
+ * 0…89° and n from 1 to 1000 (measured at every n up to 19, then at least every ninth): lobes of
+ * one cosine and Lambert's; the device, whose steps no quadrature rule follows; microfacets. */
 #define GLINT_ALBEDO_ERROR_LOBE       1e-7
 #define GLINT_ALBEDO_ERROR_DEVICE     2e-5
 #define GLINT_ALBEDO_ERROR_MICROFACET 2e-5
@@ -45,7 +45,7 @@ typedef struct glint_albedo {
     const glint_albedo_rules *rules;
     glint_reflectance_cosine kind;
     double half_width; /* radians from the lobe's axis where it is half as high */
-    double reach;      /* from there on it is nothing */
+    double reach;      /* zero from here on */
     int pieces;        /* of each interval */
 } glint_albedo;
 
@@ -56,7 +56,7 @@ void glint_albedo_prepare(const glint_reflectance *reflectance, const glint_albe
 /* angle: between N and L, radians, 0 ≤ angle < π/2. */
 double glint_albedo_at(const glint_albedo *albedo, double angle);
 
-/* The same integral by both coordinates of H whatever the model is: slower, for checking. */
+/* The same integral over both coordinates of H for every model: slower, as a check. */
 double glint_albedo_over_sphere(const glint_albedo *albedo, double angle);
 
 #endif

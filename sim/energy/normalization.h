@@ -1,5 +1,5 @@
-/* Section 2.5: the albedo of the cosine-quadratic at normal incidence as (2.25) has it, and the
- * factor (n + A)/B of (2.26) that is to keep it at most 1 for all n. */
+/* Section 2.5: the albedo of the cosine-quadratic at normal incidence by (2.25), and the factor (n
+ * + A)/B of (2.26), meant to keep it at most 1 for all n. */
 #ifndef GLINT_SIM_ENERGY_NORMALIZATION_H
 #define GLINT_SIM_ENERGY_NORMALIZATION_H
 
@@ -20,7 +20,7 @@ double glint_misprinted_albedo(double n);
  * that factor at normal incidence. */
 typedef struct glint_normalization {
     double a, b;
-    int tight_n; /* where the albedo is 1: B is the smallest that conserves for all n */
+    int tight_n; /* where the albedo is 1; B is the smallest that conserves energy for all n */
     double mean_loss;
     double largest_loss;
     int largest_n; /* where that is */
@@ -35,7 +35,7 @@ typedef enum glint_loss {
     GLINT_LOSS_LARGEST /* of any exponent */
 } glint_loss;
 
-/* The largest A looked at. */
+/* The largest A searched. */
 #define GLINT_NORMALIZATION_A_MAX 1000.0
 
 /* The A, with its smallest B, of the least loss. Both losses have one minimum in A (the part that

@@ -17,8 +17,8 @@ typedef struct glint_reciprocity {
 } glint_reciprocity;
 
 /* Compares at `pairs` random pairs of directions above the surface (half of them with V near the
- * mirrored L, where narrow lobes are not 0) and at every pair of a grid of directions that has the
- * normal, grazing and nearly equal ones. Returns where f is least symmetric. */
+ * mirrored L, where narrow lobes are not 0) and at every pair of a grid of directions that includes
+ * the normal, grazing and nearly equal ones. Returns where f is least symmetric. */
 void glint_reciprocity_measure(glint_brdf *f, const void *context, uint64_t pairs, uint64_t seed,
                                glint_reciprocity *result);
 

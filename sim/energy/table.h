@@ -14,8 +14,8 @@ typedef struct glint_energy_plan {
     const double *angle; /* of incidence, degrees, 0 ≤ angle < 90 */
     int angle_count;
     double f0; /* of the microfacet models */
-    /* In the place of glint_reflectance_prepare(), of a plan with one model; may be NULL. What it
-     * gives must last until the same worker, 0 … threads − 1, asks again. */
+    /* Replaces glint_reflectance_prepare() in a plan with one model; may be NULL. Its result must
+     * stay valid until the same worker, 0 … threads − 1, calls again. */
     glint_status (*prepare)(void *prepare_context, int worker,
                             const glint_reflectance_parameters *parameters,
                             const glint_reflectance **reflectance, glint_error *err);
@@ -25,13 +25,13 @@ typedef struct glint_energy_plan {
     uint64_t seed;
     int threads;
     const volatile bool *stop; /* may be NULL */
-    /* Called by one thread now and then; may be NULL. A row is one model and n. */
+    /* Called by one thread from time to time; may be NULL. A row is one model and n. */
     void (*progress)(void *context, uint64_t rows_done, uint64_t rows);
     void *context;
 } glint_energy_plan;
 
 typedef struct glint_energy_cell {
-    double quadrature;          /* not a number where it was not asked for */
+    double quadrature;          /* NaN if not requested */
     glint_estimate monte_carlo; /* the same */
 } glint_energy_cell;
 
@@ -41,7 +41,7 @@ typedef struct glint_energy_table {
 } glint_energy_table;
 
 /* A cell's random numbers depend on the seed, the model, n and the angle alone. GLINT_BAD_ARGUMENT
- * when a model does not take an n. To be destroyed; the plan's arrays must outlive it. */
+ * if a model does not accept an n. The caller destroys it; the plan's arrays must outlive it. */
 glint_status glint_energy_table_make(const glint_energy_plan *plan, glint_energy_table **table,
                                      glint_error *err);
 void glint_energy_table_destroy(glint_energy_table *table); /* NULL is allowed */
@@ -55,7 +55,7 @@ static inline const glint_energy_cell *glint_energy_at(const glint_energy_table 
                         (size_t)angle];
 }
 
-/* An albedo above this counts as more than 1: the error of the quadrature stays below. */
+/* An albedo above this counts as more than 1: the quadrature error is smaller. */
 #define GLINT_ENERGY_ONE 1.00003
 
 /* One model of a table. Where there is no quadrature, R is Monte Carlo's. */

@@ -1,5 +1,5 @@
-/* How the answers of each circuit that has any are told and kept in a packet: one file each,
- * point_form.c and division_form.c. */
+/* How answers are reported and stored in a packet, for each circuit that has any: point_form.c and
+ * division_form.c. */
 #ifndef GLINT_SIM_FAILURE_ANSWER_FORM_H
 #define GLINT_SIM_FAILURE_ANSWER_FORM_H
 
@@ -11,7 +11,7 @@
 typedef struct glint_answer_form {
     const glint_circuit *circuit;
 
-    /* The lines of the report that say what was asked and answered. */
+    /* The report lines with question and answer. */
     void (*print)(FILE *out, const glint_failure *failure);
 
     /* What stands below the report's table, which begins with that row of the capture; may be NULL.

@@ -1,5 +1,5 @@
-/* The clocks around a mismatch, with all that both sides had: made by playing pins through the C
- * model and the Verilog. */
+/* The clocks around a mismatch, with everything on both sides, obtained by replaying pins through
+ * the C model and the Verilog. */
 #ifndef GLINT_SIM_FAILURE_CAPTURE_H
 #define GLINT_SIM_FAILURE_CAPTURE_H
 
@@ -12,8 +12,8 @@
 #define GLINT_CAPTURE_AFTER  8
 #define GLINT_CAPTURE_CLOCKS (GLINT_CAPTURE_BEFORE + 1 + GLINT_CAPTURE_AFTER)
 
-/* So many clocks are played whether stopped or not: a run that was interrupted still leaves the
- * packet of a mismatch that a few clocks show. */
+/* This many clocks are replayed even when stopped, so an interrupted run still leaves a packet for
+ * an early mismatch. */
 #define GLINT_CAPTURE_UNSTOPPED 16384
 
 /* For work that may take long. */
@@ -30,8 +30,8 @@ typedef struct glint_play {
     size_t count;           /* of pins */
     uint64_t first_clock;   /* number of the clock that takes pins[0], 1… */
     uint64_t seed;
-    uint64_t expected;   /* the clock whose surroundings are wanted when nothing differs */
-    bool up_to_expected; /* or also when an earlier one does */
+    uint64_t expected;                    /* the clock to capture around if nothing differs */
+    bool up_to_expected;                  /* or also when an earlier one does */
     const glint_capture_control *control; /* may be NULL */
     glint_pins *kept; /* where random pins go, from clock kept_from to the last; NULL: nowhere */
     uint64_t kept_from;
@@ -71,9 +71,9 @@ static inline bool glint_capture_differs_at(const glint_capture *capture, int cl
                   words * sizeof(uint64_t)) != 0;
 }
 
-/* Plays until 8 clocks after the first mismatch, or after the expected clock when there is none up
- * to there or play.up_to_expected, or until the pins end. To be freed with free().
- * GLINT_BAD_ARGUMENT when the pins end before both; GLINT_INTERRUPTED when stopped. */
+/* Replays until 8 clocks after the first mismatch, or after the expected clock if there was none by
+ * then or play.up_to_expected is set, or until the pins run out. Free the result with free().
+ * GLINT_BAD_ARGUMENT if the pins run out before both; GLINT_INTERRUPTED if stopped. */
 glint_status glint_capture_play(const glint_play *play, glint_capture **capture, glint_error *err);
 
 #endif

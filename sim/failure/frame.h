@@ -1,4 +1,4 @@
-/* From two frames that differ to the answer of the circuit that made them differ. */
+/* From two differing frames to the circuit's answer that caused the difference. */
 #ifndef GLINT_SIM_FAILURE_FRAME_H
 #define GLINT_SIM_FAILURE_FRAME_H
 
@@ -9,11 +9,11 @@ typedef struct glint_frame_pair {
     const glint_scene *scene;            /* rendered twice, */
     const glint_backend_config *backend; /* by the C model and by this */
     const glint_image *model, *rtl;
-    const glint_image_difference *difference; /* of the two, not equal; NULL: the circuit kept an
-                                               * answer back, and there is no frame of the rtl */
+    const glint_image_difference *difference; /* of the two, not equal; NULL: the circuit failed to
+                                               * answer, so there is no rtl frame */
 } glint_frame_pair;
 
-/* Renders the scene once more by the Verilog with every answer held against the C model's. stop:
+/* Renders the scene once more with the Verilog, comparing every answer with the C model's. stop:
  * may be NULL. */
 glint_status glint_failure_of_frame(const glint_frame_pair *pair, const volatile bool *stop,
                                     glint_failure **failure, glint_error *err);

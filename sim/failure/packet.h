@@ -1,5 +1,4 @@
-/* A failure as a directory: what a person reads, what a waveform viewer opens, and what `glint
- * replay` needs. */
+/* A failure as a directory: a report to read, a waveform to view, and what `glint replay` needs. */
 #ifndef GLINT_SIM_FAILURE_PACKET_H
 #define GLINT_SIM_FAILURE_PACKET_H
 
@@ -21,18 +20,18 @@ typedef struct glint_packet_frames {
     const glint_image *model, *rtl;
 } glint_packet_frames;
 
-/* Writes the packet, and plays the failure where it has no capture yet: under another name beside
- * `directory`, which it takes when it is complete. The directories above are made if missing; an
- * older packet of that name is replaced, but not a directory with anything else in it. frames: NULL
- * for none. */
+/* Writes the packet, replaying the failure first if it has no capture yet. It is written under a
+ * temporary name next to `directory` and renamed when complete. Missing parent directories are
+ * created; an older packet of that name is replaced, but not a directory containing anything else.
+ * frames: NULL for none. */
 glint_status glint_packet_write(const glint_failure *failure, const glint_packet_frames *frames,
                                 const char *directory, glint_error *err);
 
 /* Reads a packet's failure. extra: a circuit besides Glint's own that it may be of; NULL: none.
- * setting.verilog is NULL: where its Verilog was is in failure->rtl, to be told. A packet may come
- * from anywhere: nothing that it names is opened, as a circuit's sources are run.
- * GLINT_IO_ERROR when it cannot be read; GLINT_BAD_INPUT, naming the file and what is wrong in it,
- * when it is no packet, is of no circuit that is known, or holds a value out of its range. */
+ * setting.verilog is NULL: failure->rtl names the Verilog's directory, for messages only. A packet
+ * may come from anywhere and a circuit's sources are executed, so nothing that it names is opened.
+ * GLINT_IO_ERROR if it cannot be read; GLINT_BAD_INPUT, naming the file and the fault, if it is not
+ * a packet, belongs to an unknown circuit, or has a value out of range. */
 glint_status glint_packet_read(const char *directory, const glint_circuit *extra,
                                glint_failure **failure, glint_error *err);
 

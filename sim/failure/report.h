@@ -1,4 +1,4 @@
-/* What a person reads of a failure. */
+/* The human-readable report of a failure. */
 #ifndef GLINT_SIM_FAILURE_REPORT_H
 #define GLINT_SIM_FAILURE_REPORT_H
 
@@ -7,10 +7,10 @@
 #include "failure/failure.h"
 
 /* Writes it: what differs where, both values as bits and as numbers, the pins of the last 32 clocks
- * as a table with the failing one marked, the seed, and the commands that look at it and play it
- * again. The command that asks an answer's point alone is there where that shows the difference.
- * capture: what the failure's play gave; NULL when it has none. directory: of the packet; NULL when
- * there is none to look at. */
+ * as a table with the failing one marked, the seed, and the commands to view and replay it. It
+ * includes the command that evaluates an answer's point alone if that shows the difference.
+ * capture: from the failure's replay; NULL if there is none. directory: the packet's; NULL if there
+ * is no packet. */
 void glint_failure_report(FILE *out, const glint_failure *failure, const glint_capture *capture,
                           const char *directory);
 

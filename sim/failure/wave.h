@@ -4,12 +4,11 @@
 
 #include "failure/capture.h"
 
-/* Writes a VCD, beside and then renamed. The rising edge of clock c stands at 10·c ns; pins change
- * half a clock before it. Scope TOP has `mismatch` (1 where any signal differs), `clock` (its
- * number), clk, the pins by their names, and of each signal NAME_rtl and NAME_model; NAME_differs
- * too, where it ever does. Behind the name of what is fixed-point, _real has the number that the
- * code stands for, as a text. Signals and pins of one lane or stage are in TOP.lane[i] or
- * TOP.stage[i]. */
+/* Writes a VCD under a temporary name, then renames it. The rising edge of clock c is at 10·c ns;
+ * pins change half a clock earlier. Scope TOP has `mismatch` (1 where any signal differs), `clock`
+ * (its number), clk, the pins by their names, and of each signal NAME_rtl and NAME_model; plus
+ * NAME_differs if it ever does. For fixed-point signals, NAME_…_real holds the number that the code
+ * stands for, as text. Signals and pins of one lane or stage are in TOP.lane[i] or TOP.stage[i]. */
 glint_status glint_failure_write_wave(const glint_capture *capture, const char *path,
                                       glint_error *err);
 

@@ -4,7 +4,7 @@
 
 #include "glint_status.h"
 
-/* Makes path and the directories above it that are missing. One that is there already is fine. */
+/* Creates path and any missing parent directories. It may already exist. */
 glint_status glint_directory_make(const char *path, glint_error *err);
 
 #endif

@@ -1,4 +1,4 @@
-/* JSON as text that every reader takes. */
+/* JSON as text that every reader accepts. */
 #ifndef GLINT_SIM_FILE_JSON_TEXT_H
 #define GLINT_SIM_FILE_JSON_TEXT_H
 

@@ -1,16 +1,16 @@
-/* A file that appears whole or not at all: it is written without a name, where the file system has
- * such files (O_TMPFILE), else under another name in the same directory, and takes its own name
- * only when everything has arrived. What a killed process left in that directory goes when the next
- * file is opened there (temporary.h).
+/* A file that appears complete or not at all: it is written as an unnamed file if the file system
+ * has them (O_TMPFILE), else under a temporary name in the same directory, and gets its real name
+ * only when complete. Leftovers of killed processes are removed when the next file is opened in
+ * that directory (temporary.h).
  *
  *     glint_new_file *file;
  *     status = glint_new_file_open(path, &file, err);
  *     …fprintf(glint_new_file_stream(file), …) …
  *     return good ? glint_new_file_commit(file, err) : (glint_new_file_discard(file), status);
  *
- * An existing file keeps its permissions; a symbolic link is followed and stays: the file that it
- * leads to is replaced, or made if missing. A path that names no regular file (a device, a pipe) is
- * written to directly; a pipe once somebody reads it. */
+ * An existing file keeps its permissions; a symbolic link is followed and kept: its target is
+ * replaced, or created if missing. A path that is not a regular file (a device, a pipe) is written
+ * to directly; a pipe as soon as it has a reader. */
 #ifndef GLINT_SIM_FILE_NEW_FILE_H
 #define GLINT_SIM_FILE_NEW_FILE_H
 
@@ -21,7 +21,7 @@
 
 typedef struct glint_new_file glint_new_file;
 
-/* How long a pipe may be without a reader before GLINT_IO_ERROR says so, seconds. */
+/* Seconds to wait for a pipe's reader before GLINT_IO_ERROR. */
 #define GLINT_NEW_FILE_PATIENCE 5
 
 glint_status glint_new_file_open(const char *path, glint_new_file **file, glint_error *err);
@@ -33,19 +33,19 @@ glint_status glint_new_file_open_until(const char *path, const volatile bool *st
 /* Binary, fully buffered. Writers need not check each write: commit does. */
 FILE *glint_new_file_stream(const glint_new_file *file);
 
-/* Closes the stream before the file is given its name, which commit does: for several files that
- * are to appear together. Where anything was not written, removes the file, which is gone as an
- * object, and returns GLINT_IO_ERROR. */
+/* Closes the stream but leaves the renaming to commit, for several files that should appear
+ * together. If any write failed, removes the file, destroys the object and returns
+ * GLINT_IO_ERROR. */
 glint_status glint_new_file_close(glint_new_file *file, glint_error *err);
 
-/* Closes the file and gives it its name; where anything was not written, removes it instead and
- * returns GLINT_IO_ERROR. The file is gone as an object either way. */
+/* Closes the file and gives it its name; if any write failed, removes it instead and returns
+ * GLINT_IO_ERROR. Destroys the object either way. */
 glint_status glint_new_file_commit(glint_new_file *file, glint_error *err);
 
 /* Closes and removes what was written. NULL is allowed. */
 void glint_new_file_discard(glint_new_file *file);
 
-/* Tells, before long work, whether path could be written; leaves nothing behind. */
+/* Checks, before long work, whether path could be written; leaves nothing behind. */
 glint_status glint_new_file_check(const char *path, glint_error *err);
 
 #endif

@@ -26,9 +26,9 @@ void glint_image_destroy(glint_image *image); /* NULL is allowed */
  * with the picture. Written beside the target, then renamed: never a half-written file. */
 glint_status glint_image_write_png(const glint_image *image, const char *path, glint_error *err);
 
-/* What may be wanted while a large picture is written, all of it optional. */
+/* Optional controls for writing a large picture. */
 typedef struct glint_image_control {
-    const volatile bool *stop; /* gives up with GLINT_INTERRUPTED when it becomes true */
+    const volatile bool *stop; /* aborts with GLINT_INTERRUPTED when true */
     void (*progress)(void *context, uint64_t rows, uint64_t height); /* after each row */
     void *context;
 } glint_image_control;
@@ -37,23 +37,23 @@ typedef struct glint_image_control {
 glint_status glint_image_write_png_until(const glint_image *image, const char *path,
                                          const glint_image_control *control, glint_error *err);
 
-/* The same into a stream that is the caller's to flush and close; path: for what is said when it
- * fails. */
+/* The same to a stream that the caller flushes and closes; path: for error messages. */
 glint_status glint_image_print_png(const glint_image *image, FILE *stream, const char *path,
                                    const glint_image_control *control, glint_error *err);
 
-/* Reads any PNG that libpng reads: grey becomes R = G = B, palettes and fewer bits are expanded,
- * 16 bits are rounded to 8; no gamma or colour profile is applied, and alpha does not change the
+/* Reads any PNG that libpng reads: grey becomes R = G = B, palettes and fewer bits are expanded, 16
+ * bits are rounded to 8; no gamma or colour profile is applied, and alpha does not change the
  * colours. The object is where alpha is above 0; a picture without alpha is all object.
- * GLINT_BAD_INPUT for a file that is no whole PNG or has a side above GLINT_IMAGE_SIDE_MAX. */
+ * GLINT_BAD_INPUT for a file that is not a complete PNG or has a side above
+ * GLINT_IMAGE_SIDE_MAX. */
 glint_status glint_image_read_png(const char *path, glint_image **image, glint_error *err);
 
 /* The same, given up with GLINT_INTERRUPTED when *stop becomes true; stop may be NULL. */
 glint_status glint_image_read_png_until(const char *path, const volatile bool *stop,
                                         glint_image **image, glint_error *err);
 
-/* The square of side × side pixels with (x, y) in its middle, moved where it would reach beyond the
- * picture and cut to what there is of it; each pixel as a square of factor × factor. */
+/* The square of side × side pixels centred on (x, y), shifted to stay inside the picture and cut to
+ * its size; each pixel becomes factor × factor pixels. */
 glint_status glint_image_crop(const glint_image *image, int x, int y, int side, int factor,
                               glint_image **crop, glint_error *err);
 
@@ -75,10 +75,10 @@ typedef struct glint_image_difference {
 glint_status glint_image_compare(const glint_image *a, const glint_image *b,
                                  glint_image_difference *difference, glint_error *err);
 
-/* What the thesis, section 3.4, reads from an NMSE: "no visible difference", … */
+/* The thesis's reading of an NMSE (section 3.4): "no visible difference", … */
 const char *glint_image_reading(double nmse);
 
-/* A picture of where and how much they differ; legend in docs/frames.md, "Comparing frames". Its
+/* A picture of where and by how much they differ; legend in docs/frames.md, "Comparing frames". Its
  * object mask is 1 everywhere, so that a difference on the background is seen too. */
 glint_status glint_image_difference_picture(const glint_image *a, const glint_image *b,
                                             glint_image **picture, glint_error *err);

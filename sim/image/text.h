@@ -6,8 +6,8 @@
 
 typedef struct glint_text glint_text;
 
-/* Letters of that height of line, in pixels (6…200). NULL when the font is not there (Debian:
- * fonts-dejavu-core) or there is no memory: who labels a picture does without then. */
+/* Letters for that line height, in pixels (6…200). NULL if the font is missing (Debian:
+ * fonts-dejavu-core) or out of memory; callers then leave the labels out. */
 glint_text *glint_text_open(int height);
 void glint_text_close(glint_text *text); /* NULL is allowed */
 

@@ -1,7 +1,7 @@
-/* An answer of a circuit that is not the C model's, out of a run of points or divisions, as the
- * exhaustive comparison and a frame find it: what was asked, and what was asked about that time, so
- * that the circuit can be asked again. Only the thesis's circuits have answers: points and
- * divisions are typed, here alone and in their batches. */
+/* A circuit's answer that differs from the C model's, found by an exhaustive run or a frame in a
+ * run of points or divisions: the question, and the questions around it, so that it can be asked
+ * again. Only the thesis's circuits have answers: points and divisions are typed only here and in
+ * their batches. */
 #ifndef GLINT_SIM_LOCKSTEP_ANSWER_H
 #define GLINT_SIM_LOCKSTEP_ANSWER_H
 
@@ -37,8 +37,8 @@ typedef struct glint_answer {
     int32_t model, rtl;       /* both: a code of W or of a quotient, or an intensity */
 } glint_answer;
 
-/* Keeps point `at` of a run of `count` points that went through `lanes` lanes, and those about it.
- * It stays on its lane. */
+/* Keeps point `at` of a run of `count` points through `lanes` lanes, with its neighbours. It stays
+ * on its lane. */
 void glint_answer_keep_points(glint_answer *answer, int lanes, const glint_material *material,
                               const uint32_t *cos_code, size_t count, size_t at);
 
@@ -46,9 +46,9 @@ void glint_answer_keep_points(glint_answer *answer, int lanes, const glint_mater
 void glint_answer_keep_divisions(glint_answer *answer, const glint_division *divisions,
                                  size_t count, size_t at);
 
-/* What asks for its point or division without its neighbours, in the same place of the circuit, as
- * whoever types it can: points from lane 0 up to the answer's, all of them it, and of a division
- * the differences up to the answer's component. */
+/* Reduces it to its point or division alone, in the same place of the circuit and in a form that
+ * can be typed: copies of the point from lane 0 up to the answer's, or the differences up to the
+ * answer's component. */
 void glint_answer_alone(const glint_answer *answer, const glint_setting *setting,
                         glint_answer *alone);
 
@@ -58,13 +58,13 @@ bool glint_answer_possible(const glint_circuit *circuit);
 /* "W", "red", "green", "blue". */
 const char *glint_answer_value_name(glint_answer_value value);
 
-/* Asks the circuit of the setting again, as a frame would, of the fast kind, and the C model: fills
- * both values of the answer's point. */
+/* Asks the setting's circuit again, in its fast build as a frame would, and the C model; fills in
+ * both values. */
 glint_status glint_answer_ask(const glint_answer *answer, const glint_setting *setting,
                               int32_t *model, int32_t *rtl, glint_error *err);
 
-/* The pins that ask it clock by clock, until everything has come out; to be freed. NULL: no memory.
- * *expected: the clock, from 1 on, after which the answer is out. */
+/* The pins that ask it clock by clock, until everything has come out; free with free(). NULL: no
+ * memory. *expected: the clock, from 1 on, after which the answer is out. */
 glint_pins *glint_answer_pins(const glint_answer *answer, const glint_setting *setting,
                               size_t *count, uint64_t *expected);
 

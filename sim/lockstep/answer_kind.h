@@ -1,6 +1,5 @@
-/* What differs between the circuits whose answers are asked for by number: the thesis's, which
- * frames and the exhaustive comparison of points ask. One file each: specular_answer.c,
- * divider_answer.c. */
+/* What differs between the thesis's circuits, whose answers frames and exhaustive runs ask for by
+ * number: specular_answer.c and divider_answer.c. */
 #ifndef GLINT_SIM_LOCKSTEP_ANSWER_KIND_H
 #define GLINT_SIM_LOCKSTEP_ANSWER_KIND_H
 

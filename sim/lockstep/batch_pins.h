@@ -1,5 +1,5 @@
-/* The pins by which a run of points or divisions goes through a circuit, clock by clock, as
- * glint_rtl_shade() and glint_rtl_divide() feed it: of the thesis's circuits (answer_kind.h). */
+/* The pins that take a run of points or divisions through one of the thesis's circuits clock by
+ * clock, exactly as glint_rtl_shade() and glint_rtl_divide() do (answer_kind.h). */
 #ifndef GLINT_SIM_LOCKSTEP_BATCH_PINS_H
 #define GLINT_SIM_LOCKSTEP_BATCH_PINS_H
 

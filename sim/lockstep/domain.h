@@ -1,15 +1,15 @@
-/* The Verilog against the C model over the whole domain that a circuit's description names
- * (glint_domain): every point taken by one clock, and after every clock every signal of kind
- * output compared.
+/* The Verilog against the C model over the whole domain in a circuit's description (glint_domain):
+ * each point goes in on one clock, and every output is compared after every clock.
  *
- * The pins of a point: all 0, but enables, valid pins' lowest bit and active-low resets 1; then the
- * domain's put(). A circuit with a pace has idle clocks behind each point, with no valid pin 1. The
- * points go in their order, in blocks of GLINT_DOMAIN_BLOCK clocks, each block from reset state
- * with circuits of its own and with idle clocks at its end until all has come out: what a block
- * shows does not depend on how many threads there are, and can be played again by itself.
+ * A point's pins: all 0 except enables, the lowest bit of valid pins and active-low resets, which
+ * are 1; then the domain's put(). A circuit with a pace gets idle clocks after each point, with no
+ * valid pin set. Points run in order, in blocks of GLINT_DOMAIN_BLOCK clocks; each block starts
+ * from reset with its own circuits and ends with idle clocks until everything has come out. A
+ * block's result is therefore independent of the number of threads, and it can be replayed by
+ * itself.
  *
- * What it does not reach: no reset and no stall comes up unless the domain's points have them, and
- * only outputs are compared. Lockstep is for the rest. */
+ * Not covered: resets and stalls, unless the domain's points contain them, and signals other than
+ * outputs. Lockstep covers those. */
 #ifndef GLINT_SIM_LOCKSTEP_DOMAIN_H
 #define GLINT_SIM_LOCKSTEP_DOMAIN_H
 
@@ -52,9 +52,9 @@ typedef struct glint_domain_result {
 /* Where the stride begins: 0…stride−1. */
 uint64_t glint_domain_offset(const glint_domain_options *options);
 
-/* Runs it; progress is called by the caller's thread. GLINT_OK whatever it finds: the finding is in
- * result. GLINT_INTERRUPTED when stopped: blocks that were begun are finished, and result->next
- * says where to go on. GLINT_BAD_ARGUMENT for a circuit without a domain or without outputs, for
+/* Runs it; progress is called on the caller's thread. GLINT_OK regardless of the finding, which is
+ * in result. GLINT_INTERRUPTED if stopped: blocks already started are finished, and result->next
+ * says where to resume. GLINT_BAD_ARGUMENT for a circuit without a domain or without outputs, for
  * options out of range, or with no point among those chosen. */
 glint_status glint_domain_run(const glint_domain_options *options, glint_domain_result *result,
                               glint_error *err);

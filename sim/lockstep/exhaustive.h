@@ -1,27 +1,26 @@
 /* The Verilog against the C model over the whole domain: W and the three colours of every code of
- * the cosine pin, 0…GLINT_COS_CODE_MAX, with every n, and every pair of a W code that occurs and a
- * colour in the multipliers 13, 14 and 15.
+ * the cosine pin, 0…GLINT_COS_CODE_MAX, with every n, and every pair of a reachable W code and a
+ * colour in multipliers 13, 14 and 15.
  *
- * The work is cut by n. For each n and each circuit there are three sweeps:
+ * The work is split by n. For each n and each circuit there are three sweeps:
  *   1. every cosine code with the colour 255,255,255;
  *   2. every cosine code with a colour that n chooses;
- *   3. the multipliers: with n = 2, where σ = 1 and t = cos γ, so that every t and with it every W
- *      that can occur does occur, a quarter of those W codes with the colours c, c+85, c+170 (mod
- *      256). The quarter is n / 256 and c is n mod 256: all n together try every W with every
- *      colour in each multiplier.
+ *   3. the multipliers: with n = 2, where σ = 1 and t = cos γ, so that every possible t and W
+ *      occurs, a quarter of those W codes with the colours c, c+85, c+170 (mod 256). The quarter is
+ *      n / 256 and c is n mod 256: all n together try every W with every colour in each multiplier.
  *
  * Which lane sees what. A sweep fills every lane in every clock, so with `lanes` lanes each of them
- * sees one code in `lanes` of a sweep. Which one, turns: code c of sweep 1 (with a stride, the c-th
- * that is taken) goes through lane c − n − n/16 (mod lanes), of sweep 2 through the one lanes/2
- * away; with more than 16 lanes it is n/lanes. So with 1, 2, 4, 8 or 16 lanes any 16 values of n
- * from a multiple of 16 on take each code through each lane, equally often; but a lane does not see
- * each code with each n. With every_lane it does: each sweep comes `lanes` times, a lane further
- * each time.
+ * sees one code in `lanes` of a sweep. The assignment rotates: code c of sweep 1 (with a stride,
+ * the c-th that is taken) goes through lane c − n − n/16 (mod lanes), of sweep 2 through the one
+ * lanes/2 away; with more than 16 lanes it is n/lanes. So with 1, 2, 4, 8 or 16 lanes any 16 values
+ * of n from a multiple of 16 on take each code through each lane, equally often; but a lane does
+ * not see each code with each n. With every_lane it does: each sweep runs `lanes` times, one lane
+ * further each time.
  *
- * What it does not reach: the inputs are one steady flow. A material is written with the first
- * clock of a run of at most 4096 points, when nothing is in flight; all lanes are valid or none;
- * enable is always 1; the one reset is that of the circuit's creation. Only outputs are compared.
- * Lockstep and `make formal` are for the rest. */
+ * Not covered, because the inputs are one steady flow: a material is written with the first clock
+ * of a run of at most 4096 points, when nothing is in flight; either all lanes are valid or none;
+ * enable is always 1; the only reset is the initial one. Only outputs are compared. Lockstep and
+ * `make formal` cover the rest. */
 #ifndef GLINT_SIM_LOCKSTEP_EXHAUSTIVE_H
 #define GLINT_SIM_LOCKSTEP_EXHAUSTIVE_H
 
@@ -77,18 +76,18 @@ typedef struct glint_exhaustive_result {
     uint32_t next; /* every chosen n below it is done; GLINT_N_COUNT: all are */
     int kept;      /* the first mismatches, n rising */
     glint_exhaustive_mismatch mismatch[GLINT_EXHAUSTIVE_KEPT];
-    glint_history *history; /* of the first mismatch's circuit up to it, or of a circuit that kept
-                             * an answer back; NULL: neither, not asked for, or no memory */
+    glint_history *history; /* of the first mismatch's circuit up to it, or of a circuit that failed
+                             * to answer; NULL: neither, not requested, or out of memory */
 } glint_exhaustive_result;
 
 /* Where the stride begins for this n: 0…stride−1. */
 uint32_t glint_exhaustive_offset(const glint_exhaustive_options *options, uint32_t n);
 
-/* Runs it, one circuit of each config for each thread; progress is called by the caller's thread.
- * GLINT_OK whatever it finds: the finding is in result. GLINT_INTERRUPTED when stopped: what was
- * begun of an n is finished, and result->next says where to go on. GLINT_BAD_ARGUMENT for options
- * out of range, or with no n among those chosen. GLINT_DEVICE_FAULT when a circuit keeps an answer
- * back. */
+/* Runs it, one circuit of each config for each thread; progress is called on the caller's thread.
+ * GLINT_OK regardless of the finding, which is in result. GLINT_INTERRUPTED if stopped: any n
+ * already started is finished, and result->next says where to resume. GLINT_BAD_ARGUMENT for
+ * options out of range or an empty selection of n. GLINT_DEVICE_FAULT if a circuit fails to
+ * answer. */
 glint_status glint_exhaustive_run(const glint_exhaustive_options *options,
                                   glint_exhaustive_result *result, glint_error *err);
 

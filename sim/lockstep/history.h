@@ -1,5 +1,5 @@
-/* What a circuit was asked since it was made, as the pins of its last clocks: for an answer that is
- * wrong only because of what went before it. */
+/* A circuit's recent inputs, as the pins of its last clocks, for answers that are wrong only
+ * because of what preceded them. */
 #ifndef GLINT_SIM_LOCKSTEP_HISTORY_H
 #define GLINT_SIM_LOCKSTEP_HISTORY_H
 

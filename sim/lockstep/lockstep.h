@@ -1,5 +1,5 @@
-/* The C model and the Verilog side by side: the same random pins, one clock after the other, and
- * after each clock every register and every named internal value compared, bit for bit. */
+/* The C model and the Verilog in lockstep: both get the same random pins, and after each clock
+ * every register and every named internal value is compared bit for bit. */
 #ifndef GLINT_SIM_LOCKSTEP_LOCKSTEP_H
 #define GLINT_SIM_LOCKSTEP_LOCKSTEP_H
 
@@ -12,7 +12,7 @@
 
 typedef struct glint_lockstep_options {
     glint_setting setting;
-    uint64_t clocks; /* how many; 0 compares nothing, and is refused */
+    uint64_t clocks; /* how many; 0 would compare nothing and is rejected */
     uint64_t seed;
     const volatile bool *stop;                                      /* may be NULL */
     void (*progress)(void *context, uint64_t done, uint64_t total); /* may be NULL */
@@ -42,8 +42,8 @@ typedef struct glint_lockstep_result {
     glint_reach reach; /* of the pins that both sides were given */
 } glint_lockstep_result;
 
-/* Runs it. GLINT_OK whatever it finds: the finding is in result. GLINT_INTERRUPTED when stopped:
- * result then holds what was compared up to there. */
+/* Runs it. GLINT_OK regardless of the finding, which is in result. GLINT_INTERRUPTED if stopped:
+ * result then holds the comparison so far. */
 glint_status glint_lockstep_run(const glint_lockstep_options *options,
                                 glint_lockstep_result *result, glint_error *err);
 

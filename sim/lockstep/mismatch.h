@@ -1,4 +1,4 @@
-/* What every comparison of signals does with a mismatch: keep the first ones, count all, print. */
+/* What every signal comparison does with mismatches: keep the first few, count all, print them. */
 #ifndef GLINT_SIM_LOCKSTEP_MISMATCH_H
 #define GLINT_SIM_LOCKSTEP_MISMATCH_H
 
@@ -7,7 +7,7 @@
 #include "lockstep/lockstep.h"
 #include "lockstep/twin.h"
 
-/* Compares all signals as they are after clock result->clocks, and adds what comes of it. */
+/* Compares all signals after clock result->clocks and adds the outcome. */
 void glint_mismatch_compare(glint_lockstep_result *result, const glint_twin *twin);
 
 /* The same for words read already. */

@@ -1,5 +1,5 @@
-/* What the pins of a run reached, counted at the pins as they are driven, by their roles: how deep
- * into the state of a circuit it got, and what came while something was in flight. */
+/* What a run's pins covered, counted at the pins by their roles: how deep into the circuit's state
+ * it got, and what happened while something was in flight. */
 #ifndef GLINT_SIM_LOCKSTEP_REACH_H
 #define GLINT_SIM_LOCKSTEP_REACH_H
 
@@ -10,8 +10,8 @@ typedef struct glint_reach {
     uint64_t run_enabled;      /* the most enabled clocks between two resets */
     uint64_t stall;            /* the most clocks in a row with neither enable nor reset */
     uint64_t resets;           /* clocks */
-    uint64_t resets_in_flight; /* those that met a point or a division on its way */
-    uint64_t taken;            /* clocks that took points, or a division */
+    uint64_t resets_in_flight; /* those that hit a point or a division in flight */
+    uint64_t taken;            /* clocks that accepted points or a division */
 
     /* Pins of role strobe, as those of the specular device's material: */
     uint64_t changes;           /* clocks with one of them 1, or several */
@@ -46,7 +46,7 @@ typedef struct glint_reach_count {
     int lanes; /* as glint_reach_lanes() */
     uint64_t latency, pace;
     uint64_t run, run_enabled, stall; /* under way */
-    uint64_t since; /* enabled clocks since something was taken, 1 at the next; 0: nothing */
+    uint64_t since; /* enabled clocks since the last input, 1 at the next; 0: none yet */
     uint64_t alone; /* a bit for each lane that was */
     uint64_t patterns[(1u << GLINT_REACH_PATTERN_LANES) / 64]; /* a bit each */
 } glint_reach_count;

@@ -1,10 +1,10 @@
-/* The signals and pins of a setting, as everything that compares or shows them asks for them. */
+/* The signals and pins of a setting, in the form that comparisons and displays need. */
 #ifndef GLINT_SIM_LOCKSTEP_SIGNALS_H
 #define GLINT_SIM_LOCKSTEP_SIGNALS_H
 
 #include "circuit/words.h"
 
-/* All of a setting's signals, asked for once: descriptions are functions, and a comparer comes by
+/* All of a setting's signals, looked up once: descriptions are functions, and a comparison visits
  * each signal after each clock. Words stand as glint_signal_places() has them. */
 typedef struct glint_signals {
     int count, words;
@@ -21,7 +21,7 @@ glint_status glint_signals_find(const glint_setting *setting, glint_signals *sig
 /* The words of every signal of the C model, from its struct. */
 void glint_signals_read(const glint_signals *signals, const void *from, uint64_t *words);
 
-/* What the circuit's description says of a setting. */
+/* What the circuit's description says about a setting. */
 static inline int glint_setting_signal_count(const glint_setting *setting)
 {
     return setting->circuit->signal_count(setting->values);
@@ -39,7 +39,7 @@ static inline glint_pin_info glint_setting_pin(const glint_setting *setting, int
     return setting->circuit->pin(setting->values, index);
 }
 
-/* Clocks that one thing keeps the circuit busy: 1 when it takes one a clock. */
+/* Clocks from one input to the next: 1 if the circuit accepts one every clock. */
 static inline int glint_setting_pace(const glint_setting *setting)
 {
     return setting->circuit->pace != NULL ? setting->circuit->pace(setting->values) : 1;

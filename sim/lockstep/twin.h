@@ -1,4 +1,4 @@
-/* A C model and its Verilog side by side, of any circuit: clocked with the same pins, read signal
+/* The C model and the Verilog of any circuit side by side: clocked with the same pins, read signal
  * by signal. */
 #ifndef GLINT_SIM_LOCKSTEP_TWIN_H
 #define GLINT_SIM_LOCKSTEP_TWIN_H
@@ -11,7 +11,7 @@ typedef struct glint_twin glint_twin;
  * when its Verilog does not build. */
 glint_status glint_twin_create(const glint_setting *setting, glint_twin **twin, glint_error *err);
 
-/* The C model alone: rtl of glint_twin_read() is then not to be asked for. */
+/* The C model alone: glint_twin_read() must then not be asked for rtl. */
 glint_status glint_twin_create_model(const glint_setting *setting, glint_twin **twin,
                                      glint_error *err);
 
@@ -23,8 +23,8 @@ const glint_signals *glint_twin_signals(const glint_twin *twin);
 /* One rising edge. */
 void glint_twin_clock(glint_twin *twin, const glint_pins *pins);
 
-/* The words of every signal as the last edge left them, GLINT_SIGNAL_WORDS_MAX at the most; rtl may
- * be NULL. */
+/* The words of every signal after the last edge, at most GLINT_SIGNAL_WORDS_MAX; rtl may be
+ * NULL. */
 void glint_twin_read(const glint_twin *twin, uint64_t *model, uint64_t *rtl);
 
 #endif

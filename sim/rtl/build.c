@@ -106,7 +106,7 @@ static glint_status check_other_ports(const build *b, const char *said, glint_er
         status = is_output(b, port, &output, err);
         if (status == GLINT_OK && !output)
             status = glint_fail(err, GLINT_DEVICE_FAULT,
-                                "%s has an input %s that the description has not",
+                                "%s has an input %s that is missing from the description",
                                 glint_setting_top(p->setting), port);
     }
     return status;
