@@ -5,8 +5,8 @@
 #include <stdatomic.h>
 #include <stdio.h>
 
-#include "thread/crew.h"
 #include "render/render.h"
+#include "thread/crew.h"
 
 static const double few[] = {1, 2, 3, 5, 8, 13, 20, 35, 50, 80, 100, 200, 500, 1000};
 
