@@ -1,4 +1,4 @@
-/* How far a lobe is from exact cosⁿ of the same cosine. */
+/* The deviation of a lobe from exact cosⁿ. */
 #ifndef GLINT_SIM_REFLECTANCE_ACCURACY_H
 #define GLINT_SIM_REFLECTANCE_ACCURACY_H
 
@@ -16,9 +16,9 @@ typedef struct glint_accuracy {
 } glint_accuracy;
 
 /* Measures a prepared lobe, n > 0. level: above 0, below 1; GLINT_EPICENTRE_LEVEL is the thesis's.
- * Thousands of places and golden section at the worst: for a formula exact to some 1e-12, for the
- * device, which has steps, the largest that was met. GLINT_BAD_ARGUMENT for a level out of range,
- * n = 0, Lambert's and the microfacet models. */
+ * Samples thousands of places and refines the worst by golden section: exact to about 1e-12 for a
+ * formula; for the device, which has steps, the largest value sampled. GLINT_BAD_ARGUMENT for a
+ * level out of range, n = 0, Lambert's and the microfacet models. */
 glint_status glint_accuracy_measure(const glint_reflectance *prepared, double level,
                                     glint_accuracy *accuracy, glint_error *err);
 

@@ -1,4 +1,4 @@
-/* What the files of this folder tell reflectance.c of their models. */
+/* How the files of this folder describe their models to reflectance.c. */
 #ifndef GLINT_SIM_REFLECTANCE_DEFINITION_H
 #define GLINT_SIM_REFLECTANCE_DEFINITION_H
 
@@ -6,7 +6,7 @@
 
 typedef struct glint_reflectance_definition {
     glint_reflectance_info info;
-    /* Fills prepared->of_cosine and the union; the rest is there. */
+    /* Fills prepared->of_cosine and the union; the rest is already set. */
     void (*prepare)(const glint_reflectance_parameters *parameters, glint_reflectance *prepared);
     /* NULL: of_cosine() one by one. */
     void (*batch)(const glint_reflectance *prepared, const float *restrict cosine, size_t count,

@@ -1,19 +1,20 @@
-/* The reflectance models of the thesis, and what they are measured against, behind one interface.
+/* The reflectance models of the thesis, and their references, behind one interface.
  *
  *     glint_reflectance schlick;
  *     const glint_reflectance_parameters glossy = {.n = 80};
  *     if (glint_reflectance_prepare(GLINT_REFLECTANCE_SCHLICK, &glossy, &schlick, &error) ==
  * GLINT_OK) w = glint_reflectance_of_cosine(&schlick, 0.99);
  *
- * Three kinds of models. Lambert's is N·L. A *lobe* is a function of one cosine and n: of N·H, or
- * for Phong's of R·V. A *microfacet* model needs all the cosines of a glint_geometry. Directions
- * are of unit length and point away from the surface: N the normal, L to the light, V to the
- * viewer, H = (L+V)/|L+V|, R = 2(L·N)N − L (2.10).
+ * There are three kinds of models. Lambert's is N·L. A *lobe* is a function of one cosine and n: of
+ * N·H, or for Phong's of R·V. A *microfacet* model needs all the cosines of a glint_geometry.
+ * Directions have unit length and point away from the surface: N the normal, L to the light, V to
+ * the viewer, H = (L+V)/|L+V|, R = 2(L·N)N − L (2.10).
  *
- * Preparing does what depends on n alone (a coefficient, a search for the best width: at most about
- * a millisecond); the prepared value is plain, may be copied, and any number of threads may use it.
+ * Preparing computes whatever depends only on n (a coefficient, a search for the best width: at
+ * most about a millisecond). The prepared value is plain data: it may be copied and used by any
+ * number of threads.
  *
- * docs/models.md compares the models and says how the misprinted equations are read. */
+ * docs/models.md compares the models and explains how misprinted equations are interpreted. */
 #ifndef GLINT_SIM_REFLECTANCE_REFLECTANCE_H
 #define GLINT_SIM_REFLECTANCE_REFLECTANCE_H
 
@@ -23,7 +24,7 @@
 #include "glint_status.h"
 #include "reflectance/vec3.h"
 
-/* X(enumerator, definition, name): the name is the one of command lines and tables. */
+/* X(enumerator, definition, name): the name is used on command lines and in tables. */
 #define GLINT_REFLECTANCE_MODELS(X)                                                                \
     X(LAMBERT, lambert, "lambert")                                                                 \
     X(PHONG, phong, "phong")                                                                       \
@@ -56,7 +57,7 @@ typedef enum glint_reflectance_model {
         GLINT_REFLECTANCE_COUNT
 } glint_reflectance_model;
 
-/* What a model is a function of. */
+/* The argument of a model. */
 typedef enum glint_reflectance_cosine {
     GLINT_REFLECTANCE_OF_NL,      /* N·L */
     GLINT_REFLECTANCE_OF_RV,      /* R·V, the thesis's cos α and cos λ */
@@ -70,11 +71,11 @@ typedef struct glint_reflectance_info {
     const char *formula;  /* c: the cosine */
     const char *edges;    /* what happens at the ends of the domain */
     glint_reflectance_cosine cosine;
-    double n_min, n_max; /* the exponents taken; the thesis's are 1…1000 */
+    double n_min, n_max; /* accepted exponents; the thesis's are 1…1000 */
     bool whole_n;        /* integers only */
 } glint_reflectance_info;
 
-/* NULL for a number that is no model. */
+/* NULL for an unknown number. */
 const glint_reflectance_info *glint_reflectance_describe(glint_reflectance_model model);
 
 /* glint_reflectance_names[GLINT_REFLECTANCE_BLINN] is "blinn"; the list ends with NULL. */
@@ -83,7 +84,7 @@ extern const char *const glint_reflectance_names[];
 /* false when no model has the name; *model is then left alone. */
 bool glint_reflectance_find(const char *name, glint_reflectance_model *model);
 
-/* Exponents above this are taken by no model. */
+/* The largest exponent that any model accepts. */
 #define GLINT_EXPONENT_MAX 1e6
 
 /* The normal reflectance of glass and of most plastics, refractive index 1.5. */
@@ -99,7 +100,7 @@ typedef struct glint_reflectance_parameters {
 double glint_roughness_of_exponent(double n);
 double glint_exponent_of_roughness(double m);
 
-/* A model with all that depends on its parameters alone. Its fields are the library's. */
+/* A model with everything that depends only on its parameters. The fields are private. */
 typedef struct glint_reflectance {
     glint_reflectance_model model;
     double n;
@@ -133,23 +134,22 @@ glint_status glint_reflectance_prepare(glint_reflectance_model model,
                                        const glint_reflectance_parameters *parameters,
                                        glint_reflectance *prepared, glint_error *err);
 
-/* The value at a cosine, which is a number; outside 0…1 it counts as the nearer end. Not a number
- * for microfacet models. */
+/* The value at a cosine, which must be a number; outside 0…1 it is clamped. NaN for microfacet
+ * models. */
 static inline double glint_reflectance_of_cosine(const glint_reflectance *prepared, double cosine)
 {
     const double above = cosine < 0.0 ? 0.0 : cosine;
     return prepared->of_cosine(prepared, above > 1.0 ? 1.0 : above);
 }
 
-/* The same for many cosines in single precision, the faster for it. The difference from
- * glint_reflectance_of_cosine() of the same cosine is at most 1e-6 of the lobe's height, which is
- * its value at 1, and at most 1e-6 where that is below 1. So it is no relative bound: of
- * energy-conserving with n = 1e5, whose height is 4074, it is 0.004 everywhere. The arrays may not
- * overlap. */
+/* The same for many cosines in single precision, which is faster. It differs from
+ * glint_reflectance_of_cosine() by at most 1e-6 times the lobe's height (its value at 1), or 1e-6
+ * if the height is below 1. This is not a relative bound: of energy-conserving with n = 1e5, whose
+ * height is 4074, it is 0.004 everywhere. The arrays may not overlap. */
 void glint_reflectance_batch(const glint_reflectance *prepared, const float *restrict cosine,
                              size_t count, float *restrict value);
 
-/* One value, everything checked: prepares, evaluates, forgets. GLINT_BAD_ARGUMENT when n is outside
+/* One value with all checks: prepares, evaluates, discards. GLINT_BAD_ARGUMENT when n is outside
  * the model's domain, cosine is not in 0…1, or the model is a microfacet one. */
 glint_status glint_reflectance_eval(glint_reflectance_model model, double n, double cosine,
                                     double *value, glint_error *err);
@@ -161,13 +161,13 @@ typedef struct glint_geometry {
 } glint_geometry;
 
 /* From three directions. GLINT_BAD_ARGUMENT when the length of one is not 1 to within 1e-6, or when
- * L = −V, for which there is no H. */
+ * L = −V, where H is undefined. */
 glint_status glint_geometry_of(glint_vec3 normal, glint_vec3 light, glint_vec3 viewer,
                                glint_geometry *geometry, glint_error *err);
 
-/* By what the light's intensity is multiplied, beside Kd or Ks: N·L in (1.2), the lobe in (1.6) and
+/* The factor on the light's intensity, besides Kd or Ks: N·L in (1.2), the lobe in (1.6) and
  * (2.11), Rs in (1.4). 0 where N·L ≤ 0 or N·V ≤ 0. For Lambert's and the microfacet models it is
- * π·BRDF·(N·L), so that white by Lambert's is 1. */
+ * π·BRDF·(N·L), so that Lambert's white is 1. */
 double glint_reflectance_intensity(const glint_reflectance *prepared,
                                    const glint_geometry *geometry);
 
@@ -189,8 +189,8 @@ double glint_lyon_slope_minimax(int k, double n);
 /* Where the epicentre of a highlight ends: cosⁿ = 0.6 (section 2.1). */
 #define GLINT_EPICENTRE_LEVEL 0.6
 
-/* The exponent a of Table 3.2, which does not say it: the one for which the largest relative error
- * in the epicentre is the smallest. n ≥ 1. */
+/* The exponent a of Table 3.2, which does not state it: the one that minimises the largest relative
+ * error in the epicentre. n ≥ 1. */
 double glint_schlick_power_a(double n);
 
 #endif

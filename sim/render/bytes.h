@@ -1,4 +1,4 @@
-/* Bytes in memory that grow at their end. */
+/* A growable byte buffer. */
 #ifndef GLINT_SIM_RENDER_BYTES_H
 #define GLINT_SIM_RENDER_BYTES_H
 
@@ -8,10 +8,10 @@
 typedef struct glint_bytes {
     char *at; /* NULL while there are none */
     size_t count, room;
-    bool failed; /* for want of memory: something is missing */
+    bool failed; /* out of memory: something is missing */
 } glint_bytes;
 
-/* Where `count` more bytes are to be written, which are then part of it; NULL without memory. */
+/* Appends room for `count` bytes and returns it; NULL when out of memory. */
 char *glint_bytes_more(glint_bytes *bytes, size_t count);
 
 void glint_bytes_add(glint_bytes *bytes, const void *from, size_t count);

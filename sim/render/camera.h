@@ -1,11 +1,11 @@
-/* Where a mesh is seen from: object coordinates to camera coordinates to the frame. */
+/* The viewpoint: from object coordinates to camera coordinates to the frame. */
 #ifndef GLINT_SIM_RENDER_CAMERA_H
 #define GLINT_SIM_RENDER_CAMERA_H
 
 #include "reflectance/vec3.h"
 #include "render/render.h"
 
-/* Nothing nearer to the camera than this many radii of the object is drawn. */
+/* Nothing closer to the camera than this many object radii is drawn. */
 #define GLINT_NEAR (1.0 / 1024.0)
 
 typedef struct glint_camera {

@@ -4,9 +4,9 @@
 
 #include "render/camera.h"
 
-/* A plane adds one corner to a convex polygon, so 8 is what a triangle ends with. Rounding can take
- * corners that lie on a plane to its two sides by turns; then n corners become at most 3n/2:
- * 4, 6, 9, 13, 19. */
+/* A plane adds one corner to a convex polygon, so a triangle ends with 8. Rounding can put corners
+ * that lie on a plane on alternate sides of it; then n corners become at most 3n/2: 4, 6, 9, 13,
+ * 19. */
 #define GLINT_CLIP_PLANES      5
 #define GLINT_CLIP_CORNERS_MAX 19
 

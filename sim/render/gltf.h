@@ -1,13 +1,12 @@
-/* What assimp does not tell of a glTF 2.0 file. */
+/* What assimp does not report about a glTF 2.0 file. */
 #ifndef GLINT_SIM_RENDER_GLTF_H
 #define GLINT_SIM_RENDER_GLTF_H
 
 #include "render/plain.h"
 
-/* Looks through the JSON of a .gltf or .glb. GLINT_BAD_INPUT where an extension is required that is
- * not read: without it the mesh would be another. Remarks on what is not: such extensions that are
- * only used, shapes blended in by weight. What is no JSON is left to assimp to refuse. `plain`
- * stays empty. */
+/* Examines the JSON of a .gltf or .glb file. GLINT_BAD_INPUT for a required extension that is not
+ * supported, since the mesh would be wrong without it. Remarks on unsupported optional extensions
+ * and morph targets. Invalid JSON is left for assimp to reject. `plain` stays empty. */
 glint_status glint_gltf_check(const glint_text *text, glint_bytes *plain, glint_remarks *remarks,
                               glint_error *err);
 

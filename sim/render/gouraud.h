@@ -1,6 +1,6 @@
 /* Deferred Gouraud shading of one band of rows by the span unit (span.h): intensities along the
- * edges of the triangles seen in it, then along their rows. And the two shadings that need no
- * division by the circuit: flat, and Gouraud's in perspective. */
+ * edges of the triangles seen in it, then along their rows. Also the two shadings that need no
+ * division by the circuit: flat, and Gouraud in perspective. */
 #ifndef GLINT_SIM_RENDER_GOURAUD_H
 #define GLINT_SIM_RENDER_GOURAUD_H
 
@@ -17,7 +17,7 @@ glint_gouraud *glint_gouraud_create(int32_t width);
 void glint_gouraud_destroy(glint_gouraud *gouraud); /* NULL is allowed */
 
 /* Shades the band into the image. divider has that many shifts; NULL: the values of a run are
- * exact, no circuit has a part in them. Adds to *fragments and *operations. */
+ * exact, without a circuit. Adds to *fragments and *operations. */
 glint_status glint_gouraud_band(glint_gouraud *gouraud, const glint_visibility *band,
                                 glint_divider_backend *divider, int shifts, glint_image *image,
                                 uint64_t *fragments, glint_span_operations *operations,

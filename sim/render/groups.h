@@ -1,6 +1,6 @@
-/* The smoothing groups of .3ds and .ase files. assimp reads them, but takes a triangle of no group
- * for one of every group, and its normals depend on the order of triangles where groups overlap;
- * here they are read beside it. */
+/* The smoothing groups of .3ds and .ase files. assimp reads them, but treats a triangle in no group
+ * as one in every group, and its normals depend on triangle order where groups overlap; so they are
+ * read here separately. */
 #ifndef GLINT_SIM_RENDER_GROUPS_H
 #define GLINT_SIM_RENDER_GROUPS_H
 
@@ -16,15 +16,15 @@ typedef struct glint_groups_object {
 } glint_groups_object;
 
 typedef struct glint_groups {
-    const char *format; /* as assimp takes it: "3ds", "ase" */
-    uint8_t *bytes;     /* of the file, and a 0 after them; what gives faces their materials is made
-                           unknown, as assimp would sort them by it */
+    const char *format; /* in assimp's spelling: "3ds", "ase" */
+    uint8_t *bytes;     /* the file plus a 0; keywords that assign materials to faces are disguised,
+                         * because assimp would sort faces by them */
     size_t count;
     size_t objects;              /* those that have faces */
     glint_groups_object *object; /* in the file's order */
 } glint_groups;
 
-/* *file is NULL when the file at path does not begin as one of these does. */
+/* *file is NULL if the file at path does not start like one of these. */
 glint_status glint_groups_read(const char *path, glint_groups **file, glint_error *err);
 
 void glint_groups_destroy(glint_groups *file); /* NULL is allowed */

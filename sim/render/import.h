@@ -1,5 +1,5 @@
-/* Mesh files through assimp, in this process. assimp crashes on damaged files, or never ends, or
- * takes all memory: glint_mesh_load() (mesh.h) is the call for files from elsewhere. */
+/* Mesh files through assimp, in this process. On damaged files assimp may crash, hang or exhaust
+ * memory: use glint_mesh_load() (mesh.h) for untrusted files. */
 #ifndef GLINT_SIM_RENDER_IMPORT_H
 #define GLINT_SIM_RENDER_IMPORT_H
 

@@ -1,4 +1,4 @@
-/* What a scene that assimp has read does not give to its mesh. */
+/* What a scene read by assimp contains that its mesh does not. */
 #ifndef GLINT_SIM_RENDER_LEFT_OUT_H
 #define GLINT_SIM_RENDER_LEFT_OUT_H
 
@@ -6,7 +6,7 @@
 
 #include "render/remarks.h"
 
-/* Remarks on faces of one corner or two, and on meshes that no node shows. */
+/* Remarks on faces with only one or two corners and on meshes that no node uses. */
 void glint_left_out(const struct aiScene *scene, glint_remarks *remarks);
 
 #endif

@@ -1,13 +1,13 @@
-/* What glint_mesh_load() is made of, for who wants other limits. */
+/* glint_mesh_load() with explicit limits. */
 #ifndef GLINT_SIM_RENDER_LOAD_H
 #define GLINT_SIM_RENDER_LOAD_H
 
 #include "render/mesh.h"
 
-/* What reading one file may take. */
+/* The resources that reading one file may use. */
 typedef struct glint_load_limits {
     unsigned seconds; /* at least 1 */
-    size_t bytes;     /* of address space, beyond what this process has */
+    size_t bytes;     /* of address space, beyond this process's own */
 } glint_load_limits;
 
 /* 5 s and 2 s for each megabyte of the file; 1 GB and 256 times the file. Of assimp's own test

@@ -16,13 +16,13 @@ typedef struct glint_mesh {
     float *normal;   /* vertex_count × 3, unit length */
     size_t triangle_count;
     uint32_t *index; /* triangle_count × 3, each < vertex_count, counter-clockwise from outside */
-    char remarks[GLINT_MESH_REMARKS]; /* what its file has and it has not: one line, or "" */
+    char remarks[GLINT_MESH_REMARKS]; /* what was left out of its file: one line, or "" */
 } glint_mesh;
 
 void glint_mesh_destroy(glint_mesh *mesh); /* NULL is allowed */
 
-/* Densities at which the outline is within half a pixel of the true one at 1920×1080 and the frame
- * rate does not suffer: 25,440 and 16,128 triangles. */
+/* Densities at which the outline is within half a pixel of the true one at 1920×1080 without
+ * hurting the frame rate: 25,440 and 16,128 triangles. */
 #define GLINT_TEAPOT_DENSITY 20
 #define GLINT_SPHERE_DENSITY 128
 
@@ -40,37 +40,35 @@ glint_status glint_mesh_teapot(int density, glint_mesh **mesh, glint_error *err)
  * even): density·(density − 2) triangles. The poles are on the y axis. */
 glint_status glint_mesh_sphere(int density, glint_mesh **mesh, glint_error *err);
 
-/* A long rectangle on the ground, of two triangles, that recedes from the default camera: from
- * z = 8 back to z = −8. Its normals lean differently at its four corners, so that the light falls
- * on them very differently. It shows what Gouraud's shading on the screen does to perspective. */
+/* A long rectangle on the ground, of two triangles, that recedes from the default camera: from z =
+ * 8 back to z = −8. Its normals lean differently at its four corners, so that the light falls on
+ * them very differently. It shows how screen-space Gouraud shading distorts perspective. */
 glint_status glint_mesh_quad(glint_mesh **mesh, glint_error *err);
 
-/* More triangles than this are refused rather than tried: of an .stl, 5 million take 1.0 GB. */
+/* More triangles than this are rejected outright: 5 million from an .stl take 1.0 GB. */
 #define GLINT_MESH_TRIANGLES_MAX ((size_t)32 << 20)
 
-/* Reads a mesh file through assimp (.3ds .obj .ply .stl …): all meshes under their node
- * transforms, triangulated. The middle of the whole is moved to the origin, and half its largest
- * extent is 1. What is left out is in the mesh's remarks: points, lines, curves, meshes that no
- * node shows, statements, elements and extensions of a format that are not read. What cannot be
- * left out is refused.
+/* Reads a mesh file through assimp (.3ds .obj .ply .stl …): all meshes under their node transforms,
+ * triangulated. The whole is centred on the origin and scaled so that half its largest extent is 1.
+ * Whatever is left out is listed in the mesh's remarks: points, lines, curves, meshes that no node
+ * uses, unsupported statements, elements and extensions. Anything essential that is unsupported is
+ * an error.
  *
- * Normals are the file's, made as long as 1. Where it has none, or 0 0 0 or what is not a number, a
- * corner gets the mean of the triangles about its place that lie within 66 degrees of its own:
- * smooth but for sharp edges, whatever the format, the order of triangles and the sharing of
- * vertices. Exceptions are .stl (the facet's own) and glTF meshes without normals (flat, as its
- * specification says). Of a .3ds or .ase file the smoothing groups count: triangles that share one
- * are smooth over each other at any angle, one of no group is flat.
+ * Normals are the file's, normalised. Where it has none, or 0 0 0 or NaN, a corner gets the mean of
+ * the triangles around its position that lie within 66 degrees of its own: smooth except at sharp
+ * edges, independent of the format, the order of triangles and the sharing of vertices. Exceptions
+ * are .stl (the facet's own) and glTF meshes without normals (flat, as its specification says). In
+ * .3ds and .ase files smoothing groups apply: triangles sharing a group are smooth across any
+ * angle, and one in no group is flat.
  *
- * GLINT_IO_ERROR for a path that cannot be read; GLINT_BAD_INPUT for what is no mesh file, has no
- * triangles, more than 32 million of them, a coordinate that is not a number or beyond 1e18, or an
- * index of a vertex that is not there, and for what lies so far from the origin that single
- * precision cannot hold it.
+ * GLINT_IO_ERROR for a path that cannot be read; GLINT_BAD_INPUT for a file that is not a mesh, has
+ * no triangles or more than 32 million, has a coordinate that is NaN or beyond 1e18 or an invalid
+ * vertex index, or lies too far from the origin for single precision.
  *
- * assimp works in a process of its own, with as much time and memory as the size of the file
- * justifies: when it crashes or does not come to an end, that is GLINT_BAD_INPUT too, or
- * GLINT_NO_MEMORY. GLINT_INTERRUPTED soon after *stop becomes true; stop may be NULL. The process
- * is made with fork(): no other thread of the caller's may be at work meanwhile. Those of a
- * renderer are not, between frames. */
+ * assimp runs in a separate process, with time and memory limits based on the file's size: if it
+ * crashes or does not finish, the result is GLINT_BAD_INPUT or GLINT_NO_MEMORY. GLINT_INTERRUPTED
+ * soon after *stop becomes true; stop may be NULL. The process is created with fork(), so no other
+ * thread of the caller may be active meanwhile; a renderer's threads are idle between frames. */
 glint_status glint_mesh_load(const char *path, const volatile bool *stop, glint_mesh **mesh,
                              glint_error *err);
 

@@ -1,5 +1,5 @@
-/* What the makers of meshes share: room for a mesh, filled one vertex and one triangle at a time.
- */
+/* Shared by everything that builds meshes: room for a mesh, filled one vertex and one triangle at a
+ * time. */
 #ifndef GLINT_SIM_RENDER_MESH_BUILD_H
 #define GLINT_SIM_RENDER_MESH_BUILD_H
 

@@ -1,5 +1,5 @@
-/* The shadings whose pixels need no circuit any more: flat, and Gouraud's in perspective; and the
- * picture's rows and pixels as every shading of whole runs writes them. */
+/* The shadings whose pixels need no circuit (flat, and Gouraud in perspective), and the row and
+ * pixel writers shared by all run-based shadings. */
 #ifndef GLINT_SIM_RENDER_PAINT_H
 #define GLINT_SIM_RENDER_PAINT_H
 
@@ -32,8 +32,8 @@ static inline uint8_t *glint_paint_pixel(const glint_image *image, int32_t x, in
 /* Each pixel has its triangle's colour. Adds to *fragments. */
 void glint_flat_band(const glint_visibility *band, glint_image *image, uint64_t *fragments);
 
-/* Each pixel has the colour of the object's point that is seen in it: the corners' colours
- * interpolated on the object, not on the screen. Adds to *fragments. */
+/* Each pixel gets the colour of the object's point seen in it: corner colours interpolated on the
+ * object, not on the screen. Adds to *fragments. */
 void glint_perspective_band(const glint_visibility *band, glint_image *image, uint64_t *fragments);
 
 #endif

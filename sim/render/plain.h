@@ -1,10 +1,9 @@
-/* Files that are sound, or nearly, and that assimp 5.2 misreads, refuses with words that mislead,
- * or never comes to an end with: each is put into a plainer form before assimp sees it.
+/* Valid or nearly valid files that assimp 5.2 misreads, rejects with a misleading message, or hangs
+ * on are converted to a plainer form before assimp sees them.
  *
- * Each function below looks through the whole text of a file. Where it finds nothing to put right
- * `plain` stays empty: assimp can have the file as it is. What cannot be read is GLINT_BAD_INPUT,
- * with the line where the format has lines; what can be read but does not become triangles gets a
- * remark. */
+ * Each function below scans a whole file. If nothing needs fixing, `plain` stays empty and assimp
+ * gets the file as it is. Unreadable content is GLINT_BAD_INPUT, with the line number for text
+ * formats; readable content that does not become triangles gets a remark. */
 #ifndef GLINT_SIM_RENDER_PLAIN_H
 #define GLINT_SIM_RENDER_PLAIN_H
 
@@ -32,17 +31,16 @@ glint_status glint_plain_stl(const glint_text *text, glint_bytes *plain, glint_r
 glint_status glint_plain_ply(const glint_text *text, glint_bytes *plain, glint_remarks *remarks,
                              glint_error *err);
 
-/* Where a text begins behind its byte order mark. UTF-16 is GLINT_BAD_INPUT. */
+/* Where a text begins after its byte order mark. UTF-16 is GLINT_BAD_INPUT. */
 glint_status glint_plain_begin(const glint_text *text, size_t *begin, glint_error *err);
 
-/* The line, from 1 on, in which a place of the text is; lines end with \n, \r or \r\n. */
+/* The line number, from 1, of a place in the text; lines end with \n, \r or \r\n. */
 size_t glint_plain_line(const glint_text *text, const char *place);
 
-/* A decimal number that is a whole word; false when it is none. */
+/* A decimal number that fills a whole word; false otherwise. */
 bool glint_plain_number(const char *word, size_t length, double *value);
 
-/* Remarks on statements that begin with a word the format has not: the first of them and its line.
- */
+/* Remarks on statements with unknown keywords: the first one and its line. */
 void glint_plain_unknown(glint_remarks *remarks, size_t line, glint_word first, size_t count);
 
 glint_status glint_plain_no_memory(const glint_text *text, glint_error *err);

@@ -1,4 +1,4 @@
-/* What the header of a .ply file promises. */
+/* The contents announced by a .ply header. */
 #ifndef GLINT_SIM_RENDER_PLY_HEADER_H
 #define GLINT_SIM_RENDER_PLY_HEADER_H
 
@@ -59,7 +59,7 @@ size_t glint_ply_size(glint_ply_type type);
 
 bool glint_ply_is_named(const char *name, size_t length, const char *expected);
 
-/* The property of that name; -1 when there is none. */
+/* The property of that name; -1 if there is none. */
 int glint_ply_find(const glint_ply_element *element, const char *name);
 
 #endif

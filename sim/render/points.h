@@ -6,7 +6,7 @@
 #include "render/setup.h"
 #include "render/shade.h"
 
-/* Points that go to the backend together. */
+/* Points sent to the backend together. */
 #define GLINT_POINTS_RUN 1024
 
 /* One thread's room. */
@@ -26,8 +26,8 @@ typedef struct glint_point_light {
     const glint_lighting *lighting;
 } glint_point_light;
 
-/* Gives screen[first] … screen[last−1] the colours of the mesh's vertices, those out of sight too:
- * a clipped triangle needs them. At most GLINT_POINTS_RUN. */
+/* Gives screen[first] … screen[last−1] the colours of the mesh's vertices, including those out of
+ * sight, which clipped triangles need. At most GLINT_POINTS_RUN. */
 glint_status glint_light_vertices(glint_lit_points *points, const glint_point_light *light,
                                   size_t first, size_t last, glint_backend *backend,
                                   glint_screen_vertex *screen, glint_error *err);

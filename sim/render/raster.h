@@ -1,16 +1,16 @@
-/* Visibility: which triangle is seen in each pixel of a band of rows. */
+/* Visibility: which triangle each pixel in a band of rows shows. */
 #ifndef GLINT_SIM_RENDER_RASTER_H
 #define GLINT_SIM_RENDER_RASTER_H
 
 #include "render/setup.h"
 
-/* Rows a band. Fixed, so that no result depends on how bands fall to threads. */
+/* Rows per band. Fixed, so that results do not depend on how bands are assigned to threads. */
 #define GLINT_BAND_ROWS 16
 
 /* What is seen of a band, row by row, extent.width pixels each. */
 typedef struct glint_visibility {
     int32_t first_y, last_y;
-    float *depth;                    /* 1/w of what is nearest so far, 0 for nothing */
+    float *depth;                    /* 1/w of the nearest so far, 0 for nothing */
     const glint_triangle **triangle; /* and the triangle, NULL for nothing */
 } glint_visibility;
 
@@ -54,9 +54,9 @@ static inline const glint_triangle *glint_visible_next(const glint_visibility *b
  * covers none. */
 glint_pixels glint_triangle_pixels(const glint_triangle *t, int32_t y);
 
-/* How far corners 1 and 2 of a triangle pull at the sample of pixel (x, y), 0…1 inside, and what
- * one pixel to the right adds. From the exact integer edge functions: they do not run out of the
- * triangle however thin it is. */
+/* The weights of corners 1 and 2 of a triangle at the sample of pixel (x, y), 0…1 inside, and their
+ * increments for one pixel to the right. They come from the exact integer edge functions, so they
+ * stay inside the triangle however thin it is. */
 typedef struct glint_weights {
     double at1, at2, step1, step2;
 } glint_weights;

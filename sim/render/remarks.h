@@ -1,4 +1,4 @@
-/* What of a file does not get into its mesh: one line for who asked for the mesh. */
+/* What a mesh leaves out of its file: one line for the caller. */
 #ifndef GLINT_SIM_RENDER_REMARKS_H
 #define GLINT_SIM_RENDER_REMARKS_H
 
@@ -10,15 +10,15 @@ typedef struct glint_remarks {
     char text[GLINT_MESH_REMARKS]; /* "" while there is nothing to say */
 } glint_remarks;
 
-/* Puts one more behind the others, with a semicolon between; what there is no room for is lost. */
+/* Appends one, separated by a semicolon; text that does not fit is dropped. */
 void glint_remark(glint_remarks *remarks, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* "12 lines left out", "1 line left out": nothing for a count of 0. */
 void glint_remark_count(glint_remarks *remarks, size_t count, const char *one, const char *several);
 
-/* A word of a file as it may stand in a message: what cannot be printed is '?', a long one is cut.
- */
+/* A word from a file, safe for a message: unprintable characters become '?', and a long word is
+ * cut. */
 typedef struct glint_word {
     char text[64];
 } glint_word;

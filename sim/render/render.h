@@ -1,5 +1,6 @@
-/* The software rasterizer: a mesh, a camera and a light become fragments; a backend gives each its
- * highlight; a picture comes out. Bit-equal whatever the number of threads (docs/frames.md). */
+/* The software rasterizer: a mesh, a camera and a light become fragments; a backend computes each
+ * one's highlight; the result is a picture, identical for any number of threads
+ * (docs/frames.md). */
 #ifndef GLINT_SIM_RENDER_RENDER_H
 #define GLINT_SIM_RENDER_RENDER_H
 
@@ -19,7 +20,8 @@
 #define GLINT_DISTANCE_MAX 1000.0f
 #define GLINT_THREADS_MAX  64
 
-/* Where the formula below is evaluated, and how colours come to be in between (docs/frames.md). */
+/* Where the formula below is evaluated, and how colours are interpolated in between
+ * (docs/frames.md). */
 typedef enum glint_shading {
     GLINT_SHADING_FLAT,                /* once for each triangle */
     GLINT_SHADING_GOURAUD,             /* at vertices; between them by the divider, on the screen */
@@ -28,8 +30,7 @@ typedef enum glint_shading {
     GLINT_SHADING_COUNT
 } glint_shading;
 
-/* Instead of a number of shifts: increments are not divided, values are exact and rounded half up.
- */
+/* In place of a number of shifts: values are exact and rounded half up, without the divider. */
 #define GLINT_SHIFTS_EXACT 0
 
 /* I = C·(Ka·Ia + Kd·Ie·(N·L)) + Ie·Ks·W(N·H)·S : ambient, Lambert (1.2) and the device's highlight.
@@ -46,10 +47,10 @@ typedef struct glint_scene {
     float yaw, pitch;     /* the camera's place around the object, degrees: yaw turns it from the +z
                              axis towards +x, pitch lifts it towards +y [25, 22] */
     float fov;            /* vertical field of view, degrees, 1…170 [35] */
-    float distance; /* of the camera from the object's centre in multiples of the radius of its
-                       bounding sphere (about the centre of its bounding box), up to 1000; it
-                       may stand inside. 0: the object fills the frame, its projection centred
-                       and 2 % short of two opposite sides [0] */
+    float distance; /* distance of the camera from the object's centre, in multiples of the radius
+                     * of its bounding sphere (about the centre of its bounding box), up to 1000; it
+                     * may stand inside. 0: the object fills the frame, its projection centred and 2
+                     * % short of two opposite sides [0] */
     glint_shading shading; /* [phong] */
     int shifts; /* of the divider, for Gouraud's shading on the screen: GLINT_DIVIDER_SHIFTS_MIN…
                    MAX or GLINT_SHIFTS_EXACT. Backend real is always exact. [default] */
@@ -60,10 +61,10 @@ typedef struct glint_scene {
     float f0; /* of the microfacet models: F at normal incidence, 0…1 [GLINT_F0_DEFAULT] */
 } glint_scene;
 
-/* Everything but the mesh set to the defaults that stand in brackets above. */
+/* Sets everything but the mesh to the defaults in brackets above. */
 void glint_scene_defaults(glint_scene *scene);
 
-/* GLINT_BAD_ARGUMENT for an n outside what the model and a scene both take. */
+/* GLINT_BAD_ARGUMENT for an n that the model or the scene does not accept. */
 glint_status glint_scene_check_exponent(glint_reflectance_model model, int n, glint_error *err);
 
 typedef struct glint_render_stats {
@@ -92,15 +93,15 @@ void glint_renderer_destroy(glint_renderer *renderer); /* NULL is allowed */
 glint_status glint_renderer_watch(glint_renderer *renderer, glint_backend_watch *watch,
                                   glint_error *err);
 
-/* Called by glint_render() from its own thread, now and then, with how many bands of the frame are
- * begun; NULL: not at all. */
+/* Called by glint_render() on its own thread from time to time with the number of bands started;
+ * NULL: never. */
 typedef void glint_render_progress(void *context, uint64_t done, uint64_t total);
 void glint_renderer_show(glint_renderer *renderer, glint_render_progress *progress, void *context);
 
 /* Renders one frame into image (of the renderer's size; every pixel is written, the object mask
- * too; the background is 0). stop (may be NULL): when it becomes true the frame is given up with
- * GLINT_INTERRUPTED. GLINT_BAD_ARGUMENT for a scene value out of range, naming it, n outside the
- * domain of the model, or a model with another backend than real. */
+ * too; the background is 0). stop (may be NULL): when it becomes true, the frame is abandoned with
+ * GLINT_INTERRUPTED. GLINT_BAD_ARGUMENT for a scene value out of range, naming it, for n outside
+ * the model's domain, or for a model with a backend other than real. */
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, glint_image *image,
                           const volatile bool *stop, glint_render_stats *stats, glint_error *err);
 

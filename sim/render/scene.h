@@ -1,4 +1,4 @@
-/* A scene's values held against their ranges. */
+/* Range checks for a scene's values. */
 #ifndef GLINT_SIM_RENDER_SCENE_H
 #define GLINT_SIM_RENDER_SCENE_H
 

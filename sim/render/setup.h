@@ -1,9 +1,9 @@
-/* Geometry: vertices projected onto the frame, triangles culled, clipped and made ready to be
- * rasterized.
+/* Geometry: vertices projected onto the frame, triangles culled, clipped and prepared for
+ * rasterization.
  *
  * Screen coordinates are fixed-point, 1/4096 of a pixel, x to the right and y down from the frame's
- * upper left corner; the sample of a pixel is its centre. From here on every question of coverage
- * is one of integers, so that it has one answer. */
+ * upper left corner; the sample of a pixel is its centre. From here on coverage is decided in
+ * integers, so every question has exactly one answer. */
 #ifndef GLINT_SIM_RENDER_SETUP_H
 #define GLINT_SIM_RENDER_SETUP_H
 

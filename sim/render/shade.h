@@ -1,5 +1,5 @@
-/* Deferred Phong shading of one band of rows: what is seen becomes fragments, the fragments'
- * cosines go to the backend in one run, and its highlights join ambient and Lambert light in the
+/* Deferred Phong shading of one band of rows: visible pixels become fragments, their cosines go to
+ * the backend in one run, and the highlights are added to ambient and Lambert light in the
  * picture. */
 #ifndef GLINT_SIM_RENDER_SHADE_H
 #define GLINT_SIM_RENDER_SHADE_H
@@ -17,7 +17,7 @@ typedef struct glint_lighting {
     float inv_focal;                   /* 1 / distance of the frame from the eye in pixels */
     float half_width, half_height;     /* of the frame in pixels */
     glint_material material;           /* of the highlight */
-    const glint_reflectance *specular; /* whose highlights these are; NULL: the backend's */
+    const glint_reflectance *specular; /* the model for the highlights; NULL: the backend */
 } glint_lighting;
 
 /* specular may be NULL; it must outlive the lighting. */
@@ -33,7 +33,7 @@ static inline uint8_t glint_intensity_of(float value)
 
 _Static_assert(GLINT_COS_BITS + 1 <= 24, "a float holds a code of the cosine and its half");
 
-/* The code of a cosine, half up, held in 0 … 1 as an integer. */
+/* The code of a cosine, rounded half up and clamped to 0 … 1. */
 static inline uint32_t glint_cos_code_of(float cosine)
 {
     const int32_t code = (int32_t)(cosine * (float)GLINT_COS_ONE + 0.5f);
@@ -42,7 +42,7 @@ static inline uint32_t glint_cos_code_of(float cosine)
     return (uint32_t)(above < one ? above : one);
 }
 
-/* What stands for W at a point, where it is lit, with a model's highlights. */
+/* The model's replacement for W at a lit point. */
 double glint_specular_value(const glint_reflectance *specular, const glint_geometry *geometry);
 
 /* One component of the highlights: value ≥ 0 times the component of the material, rounded half up

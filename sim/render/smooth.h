@@ -1,5 +1,5 @@
-/* Normals that no one gave: a surface of triangles gets one normal for each corner, whatever the
- * order in which its triangles come and however its vertices are shared. */
+/* Generated normals: one per triangle corner, independent of the order of triangles and the sharing
+ * of vertices. */
 #ifndef GLINT_SIM_RENDER_SMOOTH_H
 #define GLINT_SIM_RENDER_SMOOTH_H
 
@@ -7,7 +7,7 @@
 
 #include "render/mesh.h"
 
-/* Of two triangles about one point, which are smooth over each other. */
+/* Which pairs of triangles at a point are smoothed together. */
 typedef struct glint_smoothing {
     uint32_t *group;  /* for each triangle, bits: they have one in common; 0: with none, flat */
     uint32_t *object; /* for each triangle: they are of one object. NULL: all are */
@@ -16,11 +16,11 @@ typedef struct glint_smoothing {
 } glint_smoothing;
 
 /* Replaces a mesh in which vertices may have no normal (0 0 0, all others of unit length) by one
- * where each has one. Vertices in exactly one place are one point. A corner without a normal gets
- * the mean of the planes' normals of those triangles about its point that are smooth over its own,
- * each by its angle there; that no triangle has a plane is left to any unit vector. Corners of one
- * point and one normal become one vertex; vertices of no triangle are dropped. The same picture
- * comes of the same triangles in any order, to the last bit. `what` names it in the error. */
+ * where each has one. Vertices at exactly the same position are one point. A corner without a
+ * normal gets the mean normal of the triangles at its point that are smoothed with its own,
+ * weighted by their angles there; if none of them has a plane, any unit vector. Corners of one
+ * point and one normal become one vertex; vertices of no triangle are dropped. The same triangles
+ * in any order give the same picture to the last bit. `what` names it in the error. */
 glint_status glint_smooth(const char *what, const glint_smoothing *smoothing, glint_mesh **mesh,
                           glint_error *err);
 

@@ -3,9 +3,9 @@
  *
  * A run is an edge of a triangle (a value for each pixel row or, where it is shallow, for each
  * column) or a row's span (a value for each pixel). It has three channels, one for each colour
- * component, all alike: a channel subtracts the intensities of the ends and their coordinates, has
- * the one divided by the other, and adds the quotient step after step. All of that is counted,
- * always: what the four rows of the thesis's Table 2.1 count. */
+ * component, all alike: a channel subtracts the end intensities and the end coordinates, has the
+ * first divided by the second, and adds the quotient step by step. All of these operations are
+ * counted, as in the four rows of the thesis's Table 2.1. */
 #ifndef GLINT_SIM_RENDER_SPAN_H
 #define GLINT_SIM_RENDER_SPAN_H
 
@@ -35,17 +35,16 @@ typedef struct glint_span_operations {
 } glint_span_operations;
 
 /* A run longer than the divider's table is cut into segments of GLINT_DIVIDER_K_MAX steps; the last
- * one may be shorter. A segment is a run in its own right, from and to the exact values of the
- * whole at its ends, rounded half up, so that no error is carried from one to the next. A run of no
- * steps is one segment. */
+ * one may be shorter. A segment is a run in its own right between the exact values of the whole run
+ * at its ends, rounded half up, so no error carries over. A run without steps is one segment. */
 int32_t glint_run_segment_count(const glint_run *run);
 glint_run glint_run_segment(const glint_run *run, int32_t index);
 
 /* The segment to which the value at a place start … end belongs: where two meet, the later one. */
 int32_t glint_run_segment_at(const glint_run *run, int32_t place);
 
-/* Sets a segment's increments up: the differences for the divider. false: it has no steps, and
- * nothing is to be divided. */
+/* Sets a segment's increments up: the differences for the divider. false: it has no steps and needs
+ * no division. */
 bool glint_run_set_up(const glint_run *segment, glint_division *division,
                       glint_operations *operations);
 
@@ -60,7 +59,7 @@ void glint_run_walk(const glint_run *segment, int shifts, const glint_quotients 
 void glint_run_exact(const glint_run *run, int32_t first, int32_t last, uint8_t *values);
 
 /* The thesis's triangle: Δx/Δy AB 7/8, AC 9/12, BC 16/4. Here its corners are on pixel centres, A
- * on top. Table 2.1 has 18/9, 99, 66/33, 225. */
+ * on top. Table 2.1 gives 18/9, 99, 66/33, 225. */
 typedef struct glint_table_21 {
     /* The rasterizer drawing it: edges as far as rows need them, spans from the first to the last
      * pixel that the fill rule gives. The first value of a run is there without an addition. */

@@ -1,5 +1,5 @@
 /* Runs of points and of divisions at full speed, through the ports of a fast circuit: one small
- * file a circuit (specular_batch.c, divider_batch.c). */
+ * file per circuit (specular_batch.c, divider_batch.c). */
 #ifndef GLINT_SIM_RTL_BATCH_H
 #define GLINT_SIM_RTL_BATCH_H
 
@@ -15,15 +15,16 @@ typedef struct glint_points {
     uint8_t *r, *g, *b;
 } glint_points;
 
-/* Writes the material with the first cosines, then feeds `lanes` cosines a clock with no gap and
- * collects the results. GLINT_DEVICE_FAULT when the circuit does not give every result back within
- * its latency. Points that glint_rtl_clock() left in flight would be taken for results. */
+/* Writes the material with the first cosines, then feeds `lanes` cosines per clock without gaps and
+ * collects the results. GLINT_DEVICE_FAULT if the circuit does not return every result within its
+ * latency. Nothing may be left in flight from glint_rtl_clock(): it would be mistaken for
+ * results. */
 glint_status glint_rtl_shade(glint_rtl *rtl, const glint_material *material,
                              const glint_points *points, glint_error *err);
 
-/* Divides count times: the pipelined form takes one division a clock, the sequential one component
- * after component. GLINT_DEVICE_FAULT when the circuit does not give every quotient back in time.
- */
+/* Divides count times: the pipelined form takes one division per clock, the sequential one
+ * component after component. GLINT_DEVICE_FAULT if the circuit does not return every quotient in
+ * time. */
 glint_status glint_rtl_divide(glint_rtl *rtl, const glint_division *divisions, size_t count,
                               glint_quotients *quotients, glint_error *err);
 

@@ -1,8 +1,8 @@
-/* Values side by side in the memory of a port, the first one lowest: the one place that packs
- * lanes.
+/* Values packed side by side in the memory of a port, the first one lowest: the only place that
+ * packs lanes.
  *
- * On a machine whose lowest byte comes first, a port is a row of bits whatever its size: an integer
- * of 1, 2, 4 or 8 bytes, or 32-bit words. */
+ * On a little-endian machine a port of any size is a row of bits: an integer of 1, 2, 4 or 8 bytes,
+ * or 32-bit words. */
 #ifndef GLINT_SIM_RTL_BITS_H
 #define GLINT_SIM_RTL_BITS_H
 

@@ -1,9 +1,9 @@
-/* Makes the shared object of a setting, where the cache has none for these sources, parameters,
+/* Builds the shared object of a setting unless the cache has it for these sources, parameters,
  * compiler and Verilator.
  *
  * The cache is a directory of files NAME-KIND-SOURCES-TOOLS.so: NAME is the setting's, SOURCES a
  * hash over its Verilog, its probe and the shim, TOOLS one over Verilator, the compiler and the
- * flags. Where there is no Verilator or compiler, the newest of these sources is taken. */
+ * flags. Without Verilator or a compiler, the newest object for these sources is used. */
 #ifndef GLINT_SIM_RTL_BUILD_H
 #define GLINT_SIM_RTL_BUILD_H
 
@@ -34,8 +34,8 @@ typedef struct glint_rtl_build_control {
 glint_status glint_rtl_build_all(const glint_setting *settings, int count, glint_rtl_kind kind,
                                  const glint_rtl_build_control *control, glint_error *err);
 
-/* For who will build many of a kind (glint_rtl_build_all() does so itself): Verilator's headers,
- * precompiled. */
+/* Precompiles Verilator's headers, for callers that build many circuits of a kind
+ * (glint_rtl_build_all() does it by itself). */
 glint_status glint_rtl_precompile(glint_rtl_kind kind, glint_error *err);
 
 /* What Verilator calls itself: "Verilator 5.006 2023-01-22 rev (Debian 5.006-3)"; to be freed.

@@ -1,6 +1,6 @@
-/* A directory of things that are built once: each is one file, made in a work directory beside and
- * renamed when it is whole; whoever wants it meanwhile, thread or process, waits for its builder.
- * What a killed builder left is removed by the next one. */
+/* A directory of things built once. Each is one file, made in a work directory next to it and
+ * renamed when complete; any other thread or process that wants it meanwhile waits for its builder.
+ * The next builder removes what a killed one left. */
 #ifndef GLINT_SIM_RTL_CACHE_H
 #define GLINT_SIM_RTL_CACHE_H
 
@@ -13,8 +13,8 @@ typedef struct glint_cache_entry {
     int lock;
 } glint_cache_entry;
 
-/* The file `name` of the cache directory: where it is not there, this caller is the one to make it,
- * in entry->work, and then to commit or discard. */
+/* The file `name` of the cache directory: if it is missing, this caller must build it in
+ * entry->work and then commit or discard. */
 glint_status glint_cache_open(const char *cache, const char *name, glint_cache_entry *entry,
                               glint_error *err);
 
@@ -28,7 +28,7 @@ void glint_cache_close(glint_cache_entry *entry);
 int glint_cache_lock(const char *path);
 void glint_cache_unlock(const char *path, int lock);
 
-/* Says that a file is used: of those alike, the ones that were not for longest go first. */
+/* Marks a file as used: the least recently used of its kind are removed first. */
 void glint_cache_touch(const char *path);
 
 /* Keeps so many of the files, or directories of files, whose names begin and end so, and all that

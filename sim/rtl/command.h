@@ -1,7 +1,7 @@
-/* A child process with what it says kept, for Verilator and the compiler.
+/* A child process with captured output, for Verilator and the compiler.
  *
- * It stays in the process group of the terminal, so that Ctrl-C ends it as well, and goes when who
- * started it is killed. */
+ * It stays in the terminal's process group, so Ctrl-C ends it too, and it dies if its parent is
+ * killed. */
 #ifndef GLINT_SIM_RTL_COMMAND_H
 #define GLINT_SIM_RTL_COMMAND_H
 
@@ -10,9 +10,9 @@
 
 #include "glint_status.h"
 
-/* From now on, once *stop is true, no command is started any more and those that run are ended, all
- * with GLINT_INTERRUPTED: Ctrl-C reaches the tools as well, but some of them only say that they
- * failed, and who waited for their builder would begin anew. stop is to stay. */
+/* From now on, once *stop is true, no command is started and running ones are ended, all with
+ * GLINT_INTERRUPTED. (Ctrl-C also reaches the tools, but some just report failure, and callers
+ * waiting for a builder would start over.) stop must stay valid. */
 void glint_command_stop_when(const volatile bool *stop);
 
 /* A command line, to be added to; what does not fit is left out. */
@@ -34,9 +34,9 @@ typedef struct glint_command {
 glint_status glint_command_start(const char *const *arguments, const char *directory,
                                  glint_command *command, glint_error *err);
 
-/* Waits until it has ended. *success: it exited with 0; *said (may be NULL): all that it wrote to
- * standard output and error, to be freed. GLINT_INTERRUPTED when SIGINT, SIGTERM or SIGHUP ended
- * it. */
+/* Waits for it to end. *success: it exited with 0; *said (may be NULL): everything it wrote to
+ * standard output and error, for the caller to free. GLINT_INTERRUPTED when SIGINT, SIGTERM or
+ * SIGHUP ended it. */
 glint_status glint_command_wait(glint_command *command, bool *success, char **said,
                                 glint_error *err);
 

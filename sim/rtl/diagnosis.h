@@ -1,4 +1,4 @@
-/* What Verilator and the compiler say, as one line. */
+/* Reduces the output of Verilator and the compiler to one line. */
 #ifndef GLINT_SIM_RTL_DIAGNOSIS_H
 #define GLINT_SIM_RTL_DIAGNOSIS_H
 

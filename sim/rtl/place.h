@@ -1,4 +1,4 @@
-/* Where a running glint finds what it builds circuits from, and where it keeps them.
+/* Where a running glint finds the sources of circuits, and where it keeps the built ones.
  *
  * Built: the Makefile leaves a link `tree` to the source tree in the build directory, which lies
  * above the executable. Installed, <prefix>/bin/glint: <prefix>/share/glint. */
@@ -10,7 +10,7 @@
 /* Glint's own Verilog: $GLINT_RTL, else rtl/ of the source tree or of share/glint. To be freed. */
 glint_status glint_place_rtl(char **directory, glint_error *err);
 
-/* shim.cpp and shim.h; the headers that a circuit of one's own includes. To be freed. */
+/* shim.cpp and shim.h; the headers that a user's circuit includes. To be freed. */
 glint_status glint_place_shim(char **directory, glint_error *err);
 glint_status glint_place_headers(char **directory, glint_error *err);
 

@@ -1,5 +1,5 @@
-/* The ports of a setting's Verilog, as its description has them: those that pins and outputs make,
- * lane beside lane. The clock is none of them. */
+/* The ports of a setting's Verilog according to its description: pins and outputs, lane beside
+ * lane, without the clock. */
 #ifndef GLINT_SIM_RTL_PORTS_H
 #define GLINT_SIM_RTL_PORTS_H
 

@@ -1,8 +1,7 @@
-/* The Verilog module that a setting is looked at through: `glint_probe` instantiates the top as
- * `dut` and has a port for each of its ports and for each signal below it. So Verilator's ports are
- * all that is needed of it, and Verilator itself checks that the Verilog has the description's
- * pins and signals, and their widths: what it says of a line of the probe is said of one of them.
- */
+/* The Verilog wrapper through which a setting is observed: `glint_probe` instantiates the top
+ * module as `dut` and has a port for each of its ports and for each signal below it. Verilator's
+ * ports are then all that is needed, and Verilator itself checks that the description's pins and
+ * signals exist with the right widths: a message about a line of the probe concerns one of them. */
 #ifndef GLINT_SIM_RTL_PROBE_H
 #define GLINT_SIM_RTL_PROBE_H
 

@@ -1,4 +1,4 @@
-/* One shared object to be made: everything it is made of, and its name in the cache. */
+/* One shared object to build: everything that goes into it, and its name in the cache. */
 #ifndef GLINT_SIM_RTL_PRODUCT_H
 #define GLINT_SIM_RTL_PRODUCT_H
 
@@ -35,7 +35,7 @@ void glint_product_end(glint_product *product);
 /* The path in the cache when it is there, else NULL. To be freed. */
 char *glint_product_find(const glint_product *product);
 
-/* Lets go of what the cache has of earlier edits of the same setting: all but the latest ones. */
+/* Removes all but the latest builds of the same setting from the cache. */
 void glint_product_prune(const glint_product *product);
 
 #endif

@@ -1,9 +1,9 @@
-/* A Verilated circuit behind a plain C interface, whatever the circuit.
+/* Any Verilated circuit behind a plain C interface.
  *
- * One glint_rtl is one instance with a context of its own: instances share nothing and may run, and
- * be destroyed, in different threads. The circuit is a shared object that glint_rtl_open() loads;
- * where there is none for these sources, parameters, compiler and Verilator, it is built first and
- * kept in a cache (build.h). */
+ * A glint_rtl is one instance with its own context: instances share nothing and may run, and be
+ * destroyed, in different threads. The circuit is a shared object that glint_rtl_open() loads,
+ * building it first if the cache has none for these sources, parameters, compiler and Verilator
+ * (build.h). */
 #ifndef GLINT_SIM_RTL_RTL_H
 #define GLINT_SIM_RTL_RTL_H
 
@@ -16,15 +16,15 @@ typedef struct glint_rtl glint_rtl;
 
 typedef enum glint_rtl_kind {
     GLINT_RTL_OBSERVED, /* every signal readable: for lockstep */
-    GLINT_RTL_FAST,     /* inputs and outputs alone, made for this machine: for batches */
+    GLINT_RTL_FAST,     /* inputs and outputs only, tuned for this machine: for batches */
     GLINT_RTL_FST,      /* inputs and outputs, and waveforms as FST … */
     GLINT_RTL_VCD,      /* … or as VCD */
 } glint_rtl_kind;
 
-/* Loads, and builds where needed, and creates an instance: reset for one clock, enable 1; without a
- * reset its registers are as they begin.
- * GLINT_BAD_ARGUMENT for a setting out of range; GLINT_DEVICE_FAULT, with the tool's own words,
- * when the Verilog does not build, or has not the pins and signals of the description. */
+/* Loads the circuit, building it if needed, and creates an instance: reset for one clock, enable 1;
+ * without a reset its registers are as they begin. GLINT_BAD_ARGUMENT for a setting out of range;
+ * GLINT_DEVICE_FAULT, with the tool's own message, if the Verilog does not build or lacks the
+ * description's pins and signals. */
 glint_status glint_rtl_open(const glint_setting *setting, glint_rtl_kind kind, glint_rtl **rtl,
                             glint_error *err);
 void glint_rtl_destroy(glint_rtl *rtl); /* closes an open trace; NULL is allowed */
@@ -48,8 +48,7 @@ void glint_rtl_edge(glint_rtl *rtl);
 /* What it was opened with. */
 const glint_setting *glint_rtl_setting(const glint_rtl *rtl);
 
-/* Room for what a fast path has found out about its circuit: zeros at first, aligned for pointers.
- */
+/* Scratch space for a fast path's notes on its circuit: initially zero, aligned for pointers. */
 #define GLINT_RTL_NOTES_SIZE 512
 void *glint_rtl_notes(glint_rtl *rtl);
 

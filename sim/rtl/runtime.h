@@ -1,5 +1,5 @@
-/* What every circuit is linked with, Verilator's own runtime, and its headers: made once for each
- * Verilator and compiler, and kept in the cache. */
+/* Verilator's runtime, which every circuit is linked with, and its precompiled headers: built once
+ * per Verilator and compiler and kept in the cache. */
 #ifndef GLINT_SIM_RTL_RUNTIME_H
 #define GLINT_SIM_RTL_RUNTIME_H
 
@@ -37,8 +37,8 @@ typedef struct glint_runtime {
     int lock;
 } glint_runtime;
 
-/* Starts to make what every circuit of this kind needs, where it is not there. To be ended,
- * whatever it returns. */
+/* Starts building whatever every circuit of this kind needs and the cache lacks. Must be ended
+ * regardless of the result. */
 glint_status glint_runtime_begin(glint_runtime *runtime, const char *cache,
                                  const glint_tools *tools, glint_rtl_kind kind, glint_error *err);
 
@@ -51,8 +51,8 @@ glint_status glint_runtime_wait(glint_runtime *runtime, glint_error *err);
 
 void glint_runtime_end(glint_runtime *runtime);
 
-/* Precompiles Verilator's headers for circuits of this kind: that takes the time of four circuits,
- * and saves half of each one's. */
+/* Precompiles Verilator's headers for circuits of this kind: costs as much as four circuits and
+ * then halves the time of each. */
 glint_status glint_runtime_precompile(const char *cache, const glint_tools *tools,
                                       glint_rtl_kind kind, glint_error *err);
 

@@ -1,5 +1,5 @@
-/* What a circuit's shared object offers, as a table of functions: the border between C and the C++
- * shim. shim.cpp defines the one symbol, GLINT_SHIM_SYMBOL; rtl.c calls it. */
+/* The function table of a circuit's shared object: the border between C and the C++ shim. shim.cpp
+ * defines the one symbol, GLINT_SHIM_SYMBOL; rtl.c calls it. */
 #ifndef GLINT_SIM_RTL_SHIM_H
 #define GLINT_SIM_RTL_SHIM_H
 

@@ -1,5 +1,5 @@
-/* What a circuit is built from, as it was read: so what is hashed is what is built, whatever an
- * editor does meanwhile. */
+/* The sources of a circuit as read, so that exactly what was hashed is built even if a file is
+ * edited meanwhile. */
 #ifndef GLINT_SIM_RTL_SOURCES_H
 #define GLINT_SIM_RTL_SOURCES_H
 
@@ -21,11 +21,11 @@ typedef struct glint_sources {
 } glint_sources;
 
 /* Adds every file of a directory whose name has one of these endings (".v", …; the last NULL), by
- * name. GLINT_IO_ERROR, naming it, when there is none or one cannot be read. */
+ * name. GLINT_IO_ERROR, naming it, if there is none or one is unreadable. */
 glint_status glint_sources_read(glint_sources *sources, const char *directory,
                                 const char *const *endings, glint_error *err);
 
-/* Adds one file; one of one's own making. */
+/* Adds one file; adds generated text as a file. */
 glint_status glint_sources_read_file(glint_sources *sources, const char *directory,
                                      const char *name, glint_error *err);
 glint_status glint_sources_add(glint_sources *sources, const char *name, const char *text,

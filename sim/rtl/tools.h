@@ -1,4 +1,4 @@
-/* Verilator and the C++ compiler: where they are, and which ones. */
+/* Finds Verilator and the C++ compiler and identifies their versions. */
 #ifndef GLINT_SIM_RTL_TOOLS_H
 #define GLINT_SIM_RTL_TOOLS_H
 
@@ -28,8 +28,8 @@ typedef struct glint_tools {
     char *compiler_version;
 } glint_tools;
 
-/* GLINT_IO_ERROR, saying what to install, when one is missing. The versions are asked once and then
- * kept in the cache directory, beside which files they are of. */
+/* GLINT_IO_ERROR, saying what to install, if one is missing. Versions are queried once and then
+ * kept in the cache directory, together with the identity of the files. */
 glint_status glint_tools_find(const char *cache, glint_tools *tools, glint_error *err);
 bool glint_tools_are_clang(const glint_tools *tools);
 void glint_tools_free(glint_tools *tools); /* all zeros: nothing happens */

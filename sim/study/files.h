@@ -1,5 +1,4 @@
-/* The files of a study: together they take their names, so that a directory holds one study and
- * not two mixed.
+/* The files of a study, renamed into place together, so a directory never mixes two studies.
  *
  *     glint_study_files *files;
  *     glint_study_files_create(directory, &files, err);
@@ -23,17 +22,17 @@ glint_status glint_study_files_create(const char *directory, glint_study_files *
 /* Removes what was added and not committed. NULL is allowed. */
 void glint_study_files_destroy(glint_study_files *files);
 
-/* Begins a file, under another name for now. The one before it is ended. */
+/* Starts a file under a temporary name and ends the previous one. */
 glint_status glint_study_files_add(glint_study_files *files, const char *name, FILE **stream,
                                    glint_error *err);
 
-/* Closes the file begun last; tells whether all of it was written. */
+/* Closes the file started last; reports whether all of it was written. */
 glint_status glint_study_files_end(glint_study_files *files, glint_error *err);
 
 /* Gives all files their names, and removes those an earlier study wrote and this one did not:
- * n-NNNN.png and times.csv, no others. Where the system refuses a name or a removal on the way,
- * which it does not where it let the files be begun and the directory be read, but for someone
- * else's files in a sticky directory, what is done by then stays. */
+ * n-NNNN.png and times.csv, no others. If a rename or a removal fails halfway, what was done so far
+ * stays; that is unlikely once the files could be created and the directory read, except for
+ * someone else's files in a sticky directory. */
 glint_status glint_study_files_commit(glint_study_files *files, glint_error *err);
 
 #endif

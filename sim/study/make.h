@@ -1,4 +1,4 @@
-/* A whole study as files: a contact sheet for each n and one of all, and the tables. */
+/* A whole study as files: a contact sheet for each n, an overview sheet, and the tables. */
 #ifndef GLINT_SIM_STUDY_MAKE_H
 #define GLINT_SIM_STUDY_MAKE_H
 
@@ -17,8 +17,8 @@ typedef struct glint_study_options {
     void *context;
 } glint_study_options;
 
-/* All files take their names at the end, together: until then, and when it fails or is interrupted
- * before, the directory holds what it held (see glint_study_files_commit()). Then n-NNNN.png and
+/* All files are renamed into place together at the end; until then, or if it fails or is
+ * interrupted, the directory is unchanged (see glint_study_files_commit()). Then n-NNNN.png and
  * times.csv of an earlier study that this one did not write are removed.
  *
  * Fills rows[0] … rows[count − 1] and writes

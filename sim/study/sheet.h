@@ -1,4 +1,4 @@
-/* Contact sheets: pictures in rows and columns, with two lines of words over each. */
+/* Contact sheets: pictures in rows and columns, with two lines of text above each. */
 #ifndef GLINT_SIM_STUDY_SHEET_H
 #define GLINT_SIM_STUDY_SHEET_H
 
@@ -22,15 +22,15 @@ int glint_sheet_shrink_for(int rows, int columns, int width, int height, int max
 void glint_sheet_put(glint_sheet *sheet, int row, int column, const glint_image *picture,
                      const char *first_line, const char *second_line);
 
-/* The same for a difference picture: of shrink × shrink pixels the one that differs most stands for
- * all, so that a lone pixel is not lost. */
+/* The same for a difference picture: each block of shrink × shrink pixels shows its largest
+ * difference, so a single pixel is not lost. */
 void glint_sheet_put_difference(glint_sheet *sheet, int row, int column, const glint_image *picture,
                                 const char *first_line, const char *second_line);
 
 /* All object. */
 const glint_image *glint_sheet_image(const glint_sheet *sheet);
 
-/* False when there was no font: the words are missing. */
+/* False if the font was missing and there is no text. */
 bool glint_sheet_has_words(const glint_sheet *sheet);
 
 #endif

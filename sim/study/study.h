@@ -1,5 +1,5 @@
-/* One scene by two methods side by side, as the program of the thesis's section 3.3 did it: how
- * their pictures differ, the time a frame takes, and the triangles that the highlight touches.
+/* A scene rendered by two methods side by side, as in the program of the thesis's section 3.3: how
+ * the pictures differ, how long a frame takes, and which triangles the highlight touches.
  *
  *     glint_study_setup setup = {.scene = …, .width = 640, .height = 480, .threads = 2};
  *     glint_study_method_parse("blinn", &setup.method[0], err);
@@ -66,13 +66,12 @@ typedef struct glint_study_row {
 } glint_study_row;
 
 /* Renders both and compares them, then `frames` (0…GLINT_STUDY_FRAMES_MAX) pairs more for their
- * times, A and B in turn. GLINT_BAD_ARGUMENT for an n outside a model's domain, GLINT_BAD_INPUT
- * when no pixel of the object is in the frame, GLINT_INTERRUPTED when *stop (may be NULL) becomes
- * true. */
+ * times, A and B in turn. GLINT_BAD_ARGUMENT for an n outside a model's domain, GLINT_BAD_INPUT if
+ * the object is outside the frame, GLINT_INTERRUPTED when *stop (may be NULL) becomes true. */
 glint_status glint_study_run(glint_study *study, int n, int frames, const volatile bool *stop,
                              glint_study_row *row, glint_error *err);
 
-/* How the pictures differ and nothing else: half the work of a run without times. Fails alike. */
+/* Only compares the pictures: half the work of a run without times. Fails likewise. */
 glint_status glint_study_compare(glint_study *study, int n, const volatile bool *stop,
                                  glint_image_difference *difference, glint_error *err);
 

@@ -1,5 +1,5 @@
-/* The rows of a study as text for other programs. Times are apart from all else, which is the same
- * on every run. */
+/* The rows of a study as text for other programs. Times are kept separate from everything else,
+ * which is the same on every run. */
 #ifndef GLINT_SIM_STUDY_TABLE_H
 #define GLINT_SIM_STUDY_TABLE_H
 

@@ -1,6 +1,6 @@
-/* The dividers' demonstration scene: 255/7, −255/9 with a stall in its middle, a start while that
- * division is under way, 100/1 (the bit i₀), 200/16, and 37/17, which is beyond the table. The
- * sequential form takes one after the other, the pipelined one of them a clock. */
+/* The dividers' demonstration scene: 255/7, −255/9 with a stall in the middle, a start while that
+ * division is in progress, 100/1 (the bit i₀), 200/16, and 37/17, which is outside the table. The
+ * sequential form takes them one after another, the pipelined form one per clock. */
 #ifndef GLINT_SIM_WAVE_DIVIDER_SCENE_H
 #define GLINT_SIM_WAVE_DIVIDER_SCENE_H
 

@@ -31,10 +31,10 @@ typedef struct glint_gtkw_window {
 #define GLINT_GTKW_CLOCKS 20
 #define GLINT_GTKW_BEFORE 8
 
-/* GTKWave takes the beginning of the view from a save file only when the whole view then lies in
- * the waveform, else it begins at the waveform's beginning, wherever the marker is. How wide the
- * view is depends on the window, which may have any width. A waveform that goes on until this time
- * has its marker in view in every window that is wide enough for GLINT_GTKW_BEFORE clocks. */
+/* GTKWave uses a save file's start of view only if the whole view then lies within the waveform;
+ * otherwise it starts at the beginning, wherever the marker is. The width of the view depends on
+ * the window. A waveform that lasts until this time has its marker in view in every window wide
+ * enough for GLINT_GTKW_BEFORE clocks. */
 uint64_t glint_gtkw_end_for_marker(uint64_t first_time, uint64_t marker_time);
 
 /* One signal of the waveform as a row. */
@@ -52,7 +52,7 @@ typedef struct glint_gtkw_trace {
 /* The rows under way. */
 typedef struct glint_gtkw glint_gtkw;
 
-/* A row of text, and a group that is folded until somebody opens it. */
+/* A row of text, and a group that starts folded. */
 void glint_gtkw_heading(glint_gtkw *rows, const char *title);
 void glint_gtkw_begin_closed_group(glint_gtkw *rows, const char *title);
 void glint_gtkw_end_group(glint_gtkw *rows, const char *title);
@@ -62,8 +62,8 @@ void glint_gtkw_add(glint_gtkw *rows, const glint_gtkw_trace *trace);
 /* The empty rows that the curve above them grows into. */
 void glint_gtkw_curve_height(glint_gtkw *rows);
 
-/* Writes the file, beside and then renamed. `fill` makes the rows; it is called twice, first to
- * learn how wide names and values are: both are to be seen whole. */
+/* Writes the file under a temporary name, then renames it. `fill` makes the rows; it is called
+ * twice, first to measure names and values so that both are fully visible. */
 typedef void glint_gtkw_fill(glint_gtkw *rows, const void *context);
 glint_status glint_gtkw_write(const char *path, const char *title, const glint_gtkw_window *window,
                               glint_gtkw_fill *fill, const void *context, glint_error *err);

@@ -1,5 +1,5 @@
-/* How a circuit is shown, in waveforms of it and of a failure: by what name, in which radix and
- * colour. Under which heading is the description's: signal.heading, circuit.headings. */
+/* How a circuit is shown in its waveforms and in a failure's: names, radices and colours. Headings
+ * come from the description: signal.heading, circuit.headings. */
 #ifndef GLINT_SIM_WAVE_PRESENTATION_H
 #define GLINT_SIM_WAVE_PRESENTATION_H
 
@@ -10,7 +10,7 @@
 
 #define GLINT_SHOW_LABEL 128
 
-/* Headings are short: the widest of them and of the names is the width of the column of names. */
+/* Keep headings short: the widest heading or name sets the width of the name column. */
 #define GLINT_SHOW_INPUTS  "Inputs"
 #define GLINT_SHOW_SIGNALS "Signals" /* those without a heading of their own */
 
@@ -30,8 +30,8 @@ void glint_show_label(const glint_signal_info *signal, const char *place, const 
  * what is read bit by bit as bits, what is wider than 64 bits in hex. */
 unsigned glint_show_number(const glint_signal_info *signal);
 
-/* Flags where two sides are held against each other: fixed-point codes and long rows of bits in
- * hex, so that the last place is seen; the rest as above. */
+/* Flags for comparing two sides: fixed-point codes and wide values in hex, so that the last place
+ * is visible; the rest as above. */
 unsigned glint_show_code(const glint_signal_info *signal);
 
 /* Pipeline registers and outputs have a colour of their own. */

@@ -1,6 +1,6 @@
-/* What a waveform of a circuit shows: the pins of some dozens of clocks. The circuits of the thesis
- * have scenes of their own (specular_scene.h, divider_scene.h); any other gets random pins, with a
- * reset, gaps and a stall. */
+/* What a circuit's waveform shows: the pins for a few dozen clocks. The thesis's circuits have
+ * their own scenes (specular_scene.h, divider_scene.h); any other gets random pins, with a reset,
+ * gaps and a stall. */
 #ifndef GLINT_SIM_WAVE_SCENE_H
 #define GLINT_SIM_WAVE_SCENE_H
 

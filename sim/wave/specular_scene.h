@@ -1,6 +1,6 @@
-/* The specular device's demonstration scene: a scan line across a highlight, from outside over its
- * edge and its centre and out again, with a stall in its middle; then another material with the
- * very next point, a gap, a code above 1.0, and a third material between points. */
+/* The specular device's demonstration scene: a scan line across a highlight, in over its edge,
+ * through its centre and out again, with a stall in the middle; then a new material with the very
+ * next point, a gap, a code above 1.0, and a third material between points. */
 #ifndef GLINT_SIM_WAVE_SPECULAR_SCENE_H
 #define GLINT_SIM_WAVE_SPECULAR_SCENE_H
 
