@@ -5,9 +5,9 @@
 #include <stdlib.h>
 
 #define MARGIN 20
-#define TRACK  11 /* from trunk to trunk */
-#define ARROW  12 /* room for an arrowhead */
-#define BEHIND 10 /* and before the first trunk */
+#define TRACK  9  /* from trunk to trunk */
+#define ARROW  10 /* room for an arrowhead */
+#define BEHIND 7  /* and before the first trunk */
 
 /* ---- Channels -------------------------------------------------------------------------------- */
 
@@ -125,7 +125,8 @@ static int column_width(const glint_draw_graph *graph, int column)
     int width = 12;
     for (int i = 0; i < graph->count; i++) {
         const glint_draw_node *node = &graph->node[i];
-        const int name = node->has_name ? glint_draw_length(node->name) * GLINT_DRAW_MONO : 0;
+        const int name =
+            node->has_name ? (int)(glint_draw_length(node->name) * GLINT_DRAW_MONO) : 0;
         if (node->column != column)
             continue;
         width = node->width > width ? node->width : width;
@@ -143,7 +144,7 @@ static int format_width(const glint_draw_graph *graph, int column)
         if (graph->node[i].column != column)
             continue;
         glint_draw_format(&graph->node[i], text);
-        const int needed = glint_draw_length(text) * GLINT_DRAW_MONO;
+        const int needed = (int)(glint_draw_length(text) * GLINT_DRAW_MONO);
         width = needed > width ? needed : width;
     }
     return width;

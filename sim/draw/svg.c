@@ -8,19 +8,19 @@
 #define SHADOW 4 /* offset of the second outline */
 
 static const char style[] =
-    "  text { font-family: 'DejaVu Sans', Verdana, sans-serif; font-size: 12px; fill: #1f2933; "
+    "  text { font-family: 'DejaVu Sans', Verdana, sans-serif; font-size: 13px; fill: #1f2933; "
     "text-anchor: middle }\n"
-    "  .title { font-size: 15px; font-weight: bold; text-anchor: start }\n"
-    "  .note { font-size: 11px; fill: #52606d; text-anchor: start }\n"
-    "  .name { font-family: 'DejaVu Sans Mono', Menlo, monospace; font-size: 9.5px; "
+    "  .title { font-size: 16px; font-weight: bold; text-anchor: start }\n"
+    "  .note { font-size: 12px; fill: #52606d; text-anchor: start }\n"
+    "  .name { font-family: 'DejaVu Sans Mono', Menlo, monospace; font-size: 10.5px; "
     "fill: #52606d; "
     "paint-order: stroke; stroke: #ffffff; stroke-width: 3px }\n"
-    "  .kind { font-size: 10px; fill: #334e68 }\n"
-    "  .format { font-family: 'DejaVu Sans Mono', Menlo, monospace; font-size: 9.5px; "
+    "  .kind { font-size: 11px; fill: #334e68 }\n"
+    "  .format { font-family: 'DejaVu Sans Mono', Menlo, monospace; font-size: 10.5px; "
     "fill: #0b5394; text-anchor: start }\n"
-    "  .control { font-size: 9.5px; font-style: italic; fill: #9c3d10; text-anchor: start }\n"
-    "  .number { font-size: 10px; font-weight: bold; fill: #ffffff }\n"
-    "  .edge { font-size: 11px; fill: #8a6d00 }\n"
+    "  .control { font-size: 10.5px; font-style: italic; fill: #9c3d10; text-anchor: start }\n"
+    "  .number { font-size: 11px; font-weight: bold; fill: #ffffff }\n"
+    "  .edge { font-size: 12px; fill: #8a6d00 }\n"
     "  .cut { stroke: #c9a400; stroke-width: 1.2; stroke-dasharray: 6 4; fill: none }\n"
     "  .shape { stroke: #1f2933; stroke-width: 1.4; fill: #ffffff }\n"
     "  .register { fill: #fff3c4 } .rom { fill: #d9eaf7 } .multiplier { fill: #dff2df }\n"
@@ -150,8 +150,8 @@ static void write_node(const glint_draw_node *node, FILE *out)
         fprintf(out,
                 "<rect class=\"badge\" x=\"%d\" y=\"%d\" width=\"20\" height=\"14\" "
                 "rx=\"7\"/>\n",
-                node->x - 6, top - 9);
-        label(out, "number", node->x + 4, top + 2, number);
+                node->x - 1, top - 9);
+        label(out, "number", node->x + 9, top + 2, number);
     }
     if (!is_block && node->kind == GLINT_DRAW_PIN && node->text != NULL)
         label(out, "name", node->x + 10, top - 3 - shadow, node->text);

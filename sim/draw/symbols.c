@@ -43,7 +43,7 @@ void glint_draw_size(glint_draw_node *node)
     };
     const int length = glint_draw_length(glint_draw_text(node));
     if (node->kind != GLINT_DRAW_BLOCK) {
-        node->width = length * GLINT_DRAW_SANS + 24;
+        node->width = length * GLINT_DRAW_SANS + 18;
         node->height = 22;
         return;
     }
