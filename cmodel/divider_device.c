@@ -57,7 +57,7 @@ static void settle_sequential(glint_divider_device *d)
 
 /* ---- The pipelined form: a stage for each bit ---- */
 
-/* What stage 1 takes: element 0 of the arrays between the stages. */
+/* The input of stage 1: element 0 of the arrays between the stages. */
 static glint_divider_stage_signals before_first_stage(const glint_divider_device *d)
 {
     const glint_divider_pipelined_signals *s = &d->pipelined;

@@ -1,4 +1,4 @@
-/* glint-gen: writes the files that are generated from the C model, so that a fact stands once.
+/* glint-gen: generates files from the C model, so that every fact is stated only once.
  *
  *     glint-gen FILE KIND
  *

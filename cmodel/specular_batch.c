@@ -14,7 +14,7 @@ typedef struct run {
     uint8_t r, g, b;
 } run;
 
-/* W of one point for the gates that a limit of the cosine can stand for; inlined into the loops
+/* W of one point, for gates that can be expressed as a cosine limit; inlined into the loops
  * below. */
 static inline uint32_t shade_w(const run *run, uint32_t cos_code)
 {

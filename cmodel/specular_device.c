@@ -1,6 +1,6 @@
 /* The specular device clock by clock. Each pass_* function is the row of pipeline registers between
- * two stages: in the pipelined form an edge moves all of them, the last first, so that each takes
- * what its stage held before the edge; in the combinational form they are wires, passed while
+ * two stages: in the pipelined form an edge moves all of them, last first, so that each gets its
+ * stage's value from before the edge; in the combinational form they are wires, passed while
  * settling. */
 #include "glint_specular_device.h"
 

@@ -1,4 +1,4 @@
-/* Points a second of the formulas that stand for cosⁿ. */
+/* Points per second of the formulas that approximate cosⁿ. */
 #include <stdlib.h>
 
 #include "bench/bench.h"

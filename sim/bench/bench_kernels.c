@@ -1,4 +1,4 @@
-/* Points a second: the C model, the circuits, and the formulas they stand against. */
+/* Points per second of the C model, the circuits, and the baseline formulas. */
 #include <stdlib.h>
 
 #include "bench/bench.h"

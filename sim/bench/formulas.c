@@ -1,5 +1,5 @@
-/* Each formula is written once, in the list of formulas.h; here it becomes its two loops. This file
- * alone is compiled with -ffast-math: without it gcc calls powf for one point at a time. */
+/* Each formula is written once, in the list in formulas.h, and expands to its two loops here. Only
+ * this file is compiled with -ffast-math: without it gcc calls powf one point at a time. */
 #include "bench/formulas.h"
 
 #include <math.h>

@@ -15,9 +15,9 @@ static double now(clockid_t clock)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Items a second over at least `seconds`, and at least one pass. The seconds of the rate are those
- * that the thread had a processor; asking for them takes as long as a fast pass, so the clock on
- * the wall says when it is enough. */
+/* Items per second over at least `seconds` and at least one pass. The rate uses the thread's
+ * processor time; since reading that takes as long as a fast pass, wall-clock time decides when to
+ * stop. */
 static glint_status measure(glint_bench_pass *pass, void *work, int candidate, int items,
                             double seconds, const volatile bool *stop, double *rate,
                             glint_error *err)

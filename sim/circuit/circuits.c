@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* A line each: its description is glint_circuit_NAME, in a file of its own. */
+/* One line per circuit: its description is glint_circuit_NAME, in its own file. */
 #define CIRCUITS(X)                                                                                \
     X(specular)                                                                                    \
     X(divider)                                                                                     \

@@ -25,7 +25,7 @@
 #define FLAGS_MAX 8
 #define KEPT      64 /* objects, of all directories; loaded ones stay */
 
-/* A directory of one's own on its way to a shared object. */
+/* A user's directory on its way to a shared object. */
 typedef struct own {
     const char *directory;
     char *full; /* the same from / on */
@@ -36,7 +36,7 @@ typedef struct own {
     glint_cache_entry entry;
 } own;
 
-/* What the object depends on beside its sources. */
+/* What the object depends on besides its sources. */
 static const char *const flags[FLAGS_MAX] = {"-std=gnu17", "-O2",         "-g", "-fPIC",
                                              "-shared",    "-Wl,-z,defs", NULL};
 
@@ -98,7 +98,7 @@ static glint_status find_all(own *o, glint_error *err)
 /* ---- Compiling --------------------------------------------------------------------------------
  */
 
-/* The first line that says why, of a compiler's or a linker's words. */
+/* The first line of a compiler's or a linker's output that gives the reason. */
 static const char *reason_in(const char *said)
 {
     static const char *const reasons[] = {"multiple definition of", "undefined reference to",

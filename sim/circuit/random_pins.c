@@ -7,7 +7,7 @@
 #include "circuit/schedule.h"
 #include "circuit/words.h"
 
-/* What the pins of a circuit without a stimulus of its own are drawn from. */
+/* The state behind the pins of a circuit without its own stimulus. */
 typedef struct by_roles {
     glint_random random;
     glint_schedule schedule;
@@ -110,7 +110,7 @@ static void random_data(glint_random *random, const glint_pin_info *pin, uint64_
 
 /* ---- All pins -------------------------------------------------------------------------------- */
 
-/* Of several bits each has a chance of its own where any is set. */
+/* With several bits, each is drawn separately if any is to be set. */
 static void random_valid(by_roles *r, const glint_pin_info *pin, uint64_t *words)
 {
     const int width = glint_pin_width(pin);

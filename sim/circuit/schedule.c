@@ -12,7 +12,7 @@ static void begin_era(glint_schedule *s)
     const int fixed = sizeof run / sizeof run[0];
     s->mixed_left = s->era < fixed ? mixed[s->era] : s->previous_run;
     s->previous_run = s->era < fixed ? run[s->era] : 2 * s->previous_run;
-    /* What has waited for so many clocks still has to meet a point that shows it. */
+    /* After so many clocks, a fault still needs a point that exposes it. */
     s->enabled_left = s->previous_run + 4096;
     s->era++;
 }

@@ -104,8 +104,8 @@ static glint_pin_info pin(const int *values, int index)
 
 /* ---- Signals --------------------------------------------------------------------------------- */
 
-/* The outputs first, as the pins are to be seen together in any window, then the figure's blocks as
- * the data flows. Short: the widest of them is the width of the column of names. */
+/* Outputs first, so that all pins are visible together in any window, then the figure's blocks in
+ * data-flow order. Kept short: the widest sets the width of the name column. */
 static const glint_heading headings[] = {
     {.title = "Outputs"},
     {.title = "Register 1: cos"},
@@ -158,9 +158,9 @@ static int heading_of(const glint_signal_info *signal)
     return heading == COLORS && signal->kind == GLINT_SIGNAL_STAGE ? DELAYED_COLORS : heading;
 }
 
-/* With the combinational pipeline a stage is a wire and says nothing new, but for the first, which
- * has a register. The saturated square differs from the square, and the limit is needed in stage 2,
- * with gate drawn only. */
+/* In the combinational form a stage is a wire and adds nothing, except the first, which has a
+ * register. Only with gate drawn does the saturated square differ from the square, and is the limit
+ * needed in stage 2. */
 static int is_copy(const glint_specular_config *config, const glint_signal_info *signal)
 {
     if (signal->kind == GLINT_SIGNAL_STAGE && config->pipeline == GLINT_PIPELINE_COMBINATIONAL)

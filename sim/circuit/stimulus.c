@@ -1,5 +1,5 @@
-/* Each phase of the schedule has its own mood; so a long dense run, a trickle and a storm of
- * material changes all come up, which evenly random pins would never give. */
+/* Each phase of the schedule has its own character, so that long dense runs, trickles and storms of
+ * material changes all occur, which uniformly random pins would never produce. */
 #include "circuit/stimulus.h"
 
 #include <string.h>
@@ -37,7 +37,7 @@ static uint16_t random_n(glint_random *random)
     return (uint16_t)glint_random_below(random, GLINT_N_COUNT);
 }
 
-/* Full white comes up often: it shows the most of W. */
+/* Full white is frequent: it reveals the most of W. */
 static uint8_t random_color(glint_random *random)
 {
     return glint_random_chance(random, 64) ? GLINT_COLOR_MAX

@@ -104,7 +104,7 @@ static glint_status check_place(const described *d, const glint_pin_info *pin)
     return GLINT_OK;
 }
 
-/* Lanes of a port stand one behind the other, 0 first; else a name comes once. */
+/* The lanes of a port are consecutive, starting at 0; otherwise names are unique. */
 static glint_status check_port(const described *d, int index)
 {
     const glint_pin_info *pin = &d->pins[index];
@@ -184,7 +184,7 @@ static glint_status check_heading(const described *d, const glint_signal_info *s
     return GLINT_OK;
 }
 
-/* What may stand in a path: names, dots and indices. */
+/* Paths consist of names, dots and indices. */
 static bool is_path(const char *path)
 {
     if (*path == '\0')

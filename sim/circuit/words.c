@@ -109,7 +109,7 @@ static void negate(uint64_t *words, int width)
     cut(words, width);
 }
 
-/* The value without its sign, the bits above the width 0; whether it is below 0. */
+/* The magnitude, with the bits above the width 0; returns whether the value is negative. */
 static bool magnitude_of(const uint64_t *words, int width, bool is_signed, uint64_t *magnitude)
 {
     const bool negative = is_signed && bit_of(words, width - 1);
@@ -184,7 +184,7 @@ double glint_words_number(const uint64_t *words, int width, int frac_bits, bool 
 
 /* ---- Parsing --------------------------------------------------------------------------------- */
 
-/* A digit of base 10 or 16; −1: it is none. */
+/* A digit of base 10 or 16; −1 if it is not one. */
 static int digit_of(char c, unsigned base)
 {
     const char *digits = "0123456789abcdef";

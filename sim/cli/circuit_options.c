@@ -39,7 +39,7 @@ static bool has_parameter(const glint_circuit *circuit, const char *name)
 /* ---- The rows ----------------------------------------------------------------------------------
  */
 
-/* "DIR" of `--circuit-dir DIR` or `--circuit-dir=DIR`; NULL: there is none. */
+/* "DIR" of `--circuit-dir DIR` or `--circuit-dir=DIR`; NULL if absent. */
 static const char *find_directory(int argc, char **argv)
 {
     static const char option[] = "--circuit-dir";
@@ -139,7 +139,7 @@ static glint_parameter_option *row_of(glint_circuit_options *options, const char
     return &options->parameter[i];
 }
 
-/* What options of one's own circuit cannot be called: some subcommand has it already. */
+/* Names that a user's circuit cannot use for options, because some subcommand already does. */
 static const char *taken_name(const glint_circuit *circuit)
 {
     static const char *const taken[] = {

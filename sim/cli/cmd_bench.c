@@ -1,4 +1,4 @@
-/* `glint bench`: fragments, divisions, clocks and frames a second, with ratios, in one run. */
+/* `glint bench`: fragments, divisions, clocks and frames per second, with ratios, in one run. */
 #define _POSIX_C_SOURCE 200809L
 
 #include <inttypes.h>
@@ -270,7 +270,7 @@ static int check_verilog(const bench_options *chosen)
     return status;
 }
 
-/* What is measured is not how long it takes to build. */
+/* Build first: compilation must not count as measured time. */
 static glint_status build(const bench_options *chosen, glint_error *err)
 {
     glint_setting settings[GLINT_BENCH_CANDIDATES + 2];

@@ -34,8 +34,9 @@ typedef struct row {
     int component;
 } row;
 
-/* The numbers of a row, as text. There are as many divisions as differences and lengths, far fewer
- * than rows: finding the fewest decimals takes much longer than a division. */
+/* The numbers of a row, as text. There are only as many divisions as pairs of difference and
+ * length, far fewer than rows, and finding the fewest decimals takes much longer than a
+ * division. */
 #define NUMBER      32
 #define DIFFERENCES (2 * GLINT_DIVIDER_DIFFERENCE_MAX + 1)
 typedef struct numbers {
@@ -261,7 +262,7 @@ static int divide(run *all)
         all->command, "divisions, one per line: difference k, such as 255 7", take_line, all);
     if (status != GLINT_EXIT_OK && ferror(stdout)) /* which has been said */
         return status;
-    if (all->json) /* closed whatever ended it: the rows before that are valid */
+    if (all->json) /* closed in any case: the rows so far are valid */
         fputs("\n]\n", stdout);
     return glint_output_finish(all->command, status);
 }

@@ -28,7 +28,7 @@ static const char *const method_names[] = {"quadrature", "monte-carlo", "both", 
 #define SAMPLES_MAX 100000000
 #define ANGLE_MAX   89.9999 /* degrees: at 90 no light arrives */
 
-/* The exponents of the furnace, when none are asked for. */
+/* The furnace's default exponents. */
 #define FURNACE_N "1,3,10,30,100,300,1000"
 
 typedef struct energy_options {
@@ -228,7 +228,7 @@ static int check_picture(const run *all)
                      most);
 }
 
-/* Before the long work: whether each model takes each n. */
+/* Before the long work: checks that each model accepts each n. */
 static int check_exponents(const run *all)
 {
     for (int i = 0; i < all->plan.model_count; i++) {
@@ -296,7 +296,7 @@ static glint_status write_table(const char *directory, const glint_energy_table 
     return glint_new_file_commit(file, err);
 }
 
-/* Before the long work: whether each file may take the place of what is there. */
+/* Before the long work: checks that existing files may be replaced. */
 static glint_status check_files(const run *all, glint_error *err)
 {
     char name[64] = "furnace.png";
@@ -360,7 +360,7 @@ static void print_summary(const char *name, const glint_energy_summary *summary)
                100.0 * share(summary->within_2, summary), 100.0 * share(summary->within_3, summary),
                summary->farthest);
     putchar('\n');
-    fflush(stdout); /* a long run is read as it goes */
+    fflush(stdout); /* so that a long run can be followed */
 }
 
 static bool add_number(cJSON *object, const char *name, double value)
@@ -464,8 +464,7 @@ static int do_models(run *all, int first, int count)
     return done;
 }
 
-/* Model by model, so that what is done is written when the rest is interrupted; all at once for a
- * picture. */
+/* Model by model, so that an interrupted run keeps what is done; all at once for a picture. */
 static int do_all(run *all)
 {
     const int group = all->chosen->furnace ? all->plan.model_count : 1;

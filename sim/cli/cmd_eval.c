@@ -26,7 +26,7 @@ typedef struct eval_options {
     bool json;
 } eval_options;
 
-/* Points of one material that stand one after the other in the input, shaded together. */
+/* Consecutive input points with the same material, shaded together. */
 typedef struct run {
     glint_backend *backend;
     bool json;
@@ -206,7 +206,7 @@ static int eval(run *points)
                           take_line, points);
     if (status != GLINT_EXIT_OK && ferror(stdout)) /* which has been said */
         return status;
-    if (points->json) /* closed whatever ended it: the rows before that are valid */
+    if (points->json) /* closed in any case: the rows so far are valid */
         fputs("\n]\n", stdout);
     return glint_output_finish("eval", status);
 }

@@ -15,7 +15,7 @@ typedef struct choices {
     bool coefficients, as_json;
 } choices;
 
-/* false for a model that stands for no power of one cosine, or does not take this n. */
+/* false for a model that does not approximate a power of one cosine or does not accept this n. */
 static bool measure(glint_reflectance_model model, const choices *chosen, glint_accuracy *accuracy)
 {
     glint_reflectance prepared;
@@ -87,7 +87,7 @@ static bool print_json(const choices *chosen)
     return glint_output_json(json);
 }
 
-/* What depends on n alone, for whoever fills a table with it. */
+/* Whatever depends only on n, for filling tables. */
 static void print_coefficients(void)
 {
     static const int members[] = {2, 4, 8, 16};

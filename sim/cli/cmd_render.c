@@ -1,4 +1,4 @@
-/* `glint render`: a lit mesh as a PNG, every highlight by the backend. */
+/* `glint render`: a lit mesh as a PNG, with every highlight computed by the backend. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -91,7 +91,7 @@ static glint_status render_frame(const glint_render_options *chosen, glint_backe
     return status == GLINT_OK ? draw_frame(scene, frame, err) : status;
 }
 
-/* Two empty frames are equal and say nothing. */
+/* Two empty frames are equal, which proves nothing. */
 static glint_status compare_frames(glint_render_result *result, glint_error *err)
 {
     if (result->frame[0].stats.fragments == 0) {
@@ -189,7 +189,7 @@ static glint_status run(const glint_render_options *chosen, const outputs *files
     return status;
 }
 
-/* The packet of two frames that differ, or of a circuit that kept an answer back. The report is for
+/* The packet for two differing frames, or for a circuit that failed to answer. The report is for
  * people; with --json it must not mix with the result. Returns whether there is a packet. */
 static bool explain(const glint_render_options *chosen, const char *command, const glint_mesh *mesh,
                     const outputs *files, const glint_render_result *result)
@@ -219,14 +219,14 @@ static bool explain(const glint_render_options *chosen, const char *command, con
     return written;
 }
 
-/* Of frames that are equal now, a packet says that they are not. */
+/* The frames are now equal, but an old packet claims that they differ. */
 static void tell_of_earlier(const outputs *files)
 {
     if (access(files->failure, F_OK) == 0)
         printf("%s is left over from an earlier run\n", files->failure);
 }
 
-/* The report of a failure comes last where people read; with --json, first, on standard error. */
+/* People get a failure's report last; with --json it goes first, to standard error. */
 static int report(const glint_render_options *chosen, const char *command, const glint_mesh *mesh,
                   const outputs *files, const glint_render_result *result)
 {

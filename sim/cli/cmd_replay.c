@@ -1,4 +1,4 @@
-/* `glint replay`: what a failure packet tells, tried again. */
+/* `glint replay`: reproduces a failure packet. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,7 +25,7 @@ typedef struct replay_options {
     char **argv;
 } replay_options;
 
-/* The packet, and what came of it now. */
+/* The packet, and the result of replaying it. */
 typedef struct replay {
     glint_failure *packet;
     glint_failure_finding now;
@@ -33,7 +33,7 @@ typedef struct replay {
     bool same;
 } replay;
 
-/* What comes of a packet has no pictures, and would take the place of those that it has. */
+/* A replay produces no pictures, and would overwrite the packet's. */
 static bool is_same_packet(const char *a, const char *b)
 {
     char data_of_a[FILENAME_MAX], data_of_b[FILENAME_MAX];
@@ -96,7 +96,7 @@ static int parse(int argc, char **argv, replay_options *chosen)
     return status;
 }
 
-/* Whether the answer was asked again: pins are played without it. */
+/* Whether the answer was asked again; a replay of pins does not need it. */
 static bool has_answers(const replay *of)
 {
     return of->packet->has_answer && of->packet->pins == NULL;
@@ -219,8 +219,8 @@ static glint_status play(replay *of, glint_error *err)
     return status;
 }
 
-/* A packet may come from anywhere, and to build Verilog is to run what it says: a directory that
- * only the packet names is said, and not opened. */
+/* A packet may come from anywhere, and building Verilog executes it, so a directory named only by
+ * the packet is mentioned but never opened. */
 static void choose_verilog(const replay_options *chosen, glint_failure *packet)
 {
     char directory[GLINT_SHELL_WORD(GLINT_FAILURE_DIRECTORY)] = "";

@@ -164,7 +164,7 @@ static int read_methods(const study_options *chosen, glint_study_setup *setup)
     return GLINT_OPTIONS_RUN;
 }
 
-/* The circuits of the methods by the Verilog: the specular device, and with Gouraud's shading the
+/* The circuits that the rtl methods need: the specular device and, with Gouraud shading, the
  * divider. Returns how many. */
 static int circuits_of(const glint_study_setup *setup, glint_setting settings[2])
 {
@@ -279,7 +279,7 @@ static void show_progress(void *context, int done, int count)
     glint_progress_update(context, (uint64_t)done, (uint64_t)count);
 }
 
-/* Before the long work: whether each file may take the place of what is there. */
+/* Before the long work: checks that existing files may be replaced. */
 static glint_status check_files(const glint_study_options *study, glint_error *err)
 {
     static const char *const fixed[] = {"sheet.png", "study.csv", "study.json", "times.csv"};
@@ -289,7 +289,7 @@ static glint_status check_files(const glint_study_options *study, glint_error *e
         const int length =
             i < 4 ? snprintf(path, sizeof path, "%s/%s", study->directory, fixed[i])
                   : snprintf(path, sizeof path, "%s/n-%04d.png", study->directory, study->n[i - 4]);
-        if (length > 0 && (size_t)length < sizeof path) /* else refused where it is opened */
+        if (length > 0 && (size_t)length < sizeof path) /* otherwise rejected when opened */
             status = glint_file_replaceable(path, err);
     }
     return status;

@@ -31,14 +31,15 @@ typedef struct verify_options {
     bool json;
 } verify_options;
 
-/* One setting's run and what came of it. */
+/* One setting's run and its outcome. */
 typedef struct task {
     glint_lockstep_options options;
     glint_lockstep_result result;
     glint_status status;
     glint_error err;
     char packet[FILENAME_MAX]; /* where it is; "": none */
-    bool is_first;             /* of its circuit: its verdict is told before the others are tried */
+    bool is_first;             /* its circuit's first setting: its verdict is printed before the
+                                * others run */
     bool is_left_out;          /* not tried, as its circuit's first did not build */
     bool is_told;              /* its error has been */
     _Atomic uint64_t done;
@@ -218,14 +219,15 @@ static void verify_settings(verification *all)
     all->finished++;
 }
 
-/* Whether it came to nothing, for a reason of its own. */
+/* Whether it failed to run, for a reason of its own. */
 static bool has_failed(const task *task)
 {
     return task->has_ended && task->status != GLINT_OK && task->status != GLINT_INTERRUPTED &&
            task->result.clocks == 0;
 }
 
-/* Told once it is there, while others still run: which, what, and what is still to come. */
+/* Printed as soon as it is available, while others still run: which setting, the verdict, and how
+ * many remain. */
 static void print_first(const verify_options *chosen, const verification *all, task *task, int told)
 {
     if (has_failed(task)) {
@@ -247,7 +249,7 @@ static void print_first(const verify_options *chosen, const verification *all, t
     fflush(out);
 }
 
-/* Watches the threads until all have finished. first: tells the verdicts as they come. */
+/* Waits for all threads to finish. first: prints verdicts as they become available. */
 static void watch(verification *all, int threads, const verify_options *chosen, bool first)
 {
     glint_progress progress;
@@ -290,7 +292,7 @@ static void take_turn(void *context, int worker)
         watch(turn->all, turn->threads != 0 ? turn->threads : 1, turn->chosen, turn->first);
 }
 
-/* Runs those whose turn it is on the threads asked for. */
+/* Runs the settings that are due on the requested number of threads. */
 static void run_turn(verification *all, const verify_options *chosen, bool first)
 {
     const int threads = chosen->threads < all->turns ? (int)chosen->threads : all->turns;
@@ -307,7 +309,7 @@ static void run_turn(verification *all, const verify_options *chosen, bool first
     glint_crew_destroy(crew);
 }
 
-/* What the first of a circuit did not build of, none of its others will: told once. */
+/* If a circuit's first setting did not build, none of its others will: reported once. */
 static bool first_has_failed(const verification *all, const glint_circuit *circuit)
 {
     bool failed = false;
@@ -330,7 +332,7 @@ static void choose_turn(verification *all, bool first)
     }
 }
 
-/* Builds what is not in the cache, before any of it runs. False: interrupted. */
+/* Builds everything missing from the cache before any of it runs. False: interrupted. */
 static bool build_turn(const verification *all, const verify_options *chosen)
 {
     glint_setting *settings = calloc((size_t)all->turns, sizeof *settings);
@@ -344,8 +346,8 @@ static bool build_turn(const verification *all, const verify_options *chosen)
     return status == GLINT_OK;
 }
 
-/* The first of each circuit, then the others; one alone, or one of each circuit, is its own
- * verdict. */
+/* The first setting of each circuit, then the others; if there are no others, no first verdict is
+ * needed. */
 static void run_all(verification *all, const verify_options *chosen)
 {
     choose_turn(all, true);
@@ -395,7 +397,7 @@ static void write_command(const verify_options *chosen, const glint_setting *set
     glint_circuit_options_append(&chosen->circuits, text, size);
 }
 
-/* The packet of a setting that failed, and what it says. */
+/* The packet of a failing setting, and its report. */
 static void report_failure(const verify_options *chosen, task *task, glint_failure_detail detail,
                            FILE *out)
 {
@@ -419,7 +421,7 @@ static void report_failure(const verify_options *chosen, task *task, glint_failu
     glint_failure_destroy(failure);
 }
 
-/* What is worse of two exit statuses: a difference, whatever else went wrong. */
+/* The worse of two exit statuses: a difference outranks any trouble. */
 static int worse(int a, int b)
 {
     return a == GLINT_EXIT_DIFFERENT || b == GLINT_EXIT_DIFFERENT ? GLINT_EXIT_DIFFERENT
@@ -432,7 +434,7 @@ static int report_task(const verify_options *chosen, task *task, glint_failure_d
 {
     if (task->result.mismatches != 0) {
         report_failure(chosen, task, *detail, out);
-        /* A fault that all settings share would be told over and over. */
+        /* Otherwise a fault shared by all settings would be reported over and over. */
         *detail = GLINT_FAILURE_BRIEFLY;
         return GLINT_EXIT_DIFFERENT;
     }
@@ -466,7 +468,7 @@ static void add_value(cJSON *entry, const char *name, const glint_signal_info *s
     cJSON_AddStringToObject(entry, name, text);
 }
 
-/* What a setting that failed can say of it. */
+/* The summary lines of a failing setting. */
 static void add_failure(cJSON *entry, const task *task)
 {
     if (task->status != GLINT_OK && task->status != GLINT_INTERRUPTED)
@@ -516,7 +518,7 @@ static bool print_json(const verify_options *chosen, const verification *all, co
     return glint_output_json(json);
 }
 
-/* Nothing at all where no circuit could be built, which has been said: that is no verdict. */
+/* Prints nothing if no circuit could be built, which was already reported: there is no verdict. */
 /* Of a circuit whose first setting did not build, the others. */
 static void print_left_out(const verify_options *chosen, const verification *all)
 {
@@ -552,7 +554,7 @@ static int verify(const verify_options *chosen)
     sums sums = add_up(all);
     /* The report of a failure is for people; with --json it must not mix with the result. */
     int status = report_all(chosen, all, chosen->json ? stderr : stdout);
-    /* Where nothing was compared, the error has been told and there is nothing to sum up. */
+    /* If nothing was compared, the error was already reported and there is no summary. */
     if (!chosen->json && (sums.comparisons != 0 || sums.interrupted)) {
         print_text(chosen, &sums, seconds);
         print_left_out(chosen, all);

@@ -67,7 +67,7 @@ static glint_exhaustive_circuit sum_of(const run *run)
 /* ---- What it prints -----------------------------------------------------------------------------
  */
 
-/* " --every-lane --stride N --seed N", each where it was chosen. */
+/* " --every-lane --stride N --seed N", each if it was given. */
 #define POINTS_TEXT 96
 static void points_options(const glint_exhaustive_choice *chosen, char text[POINTS_TEXT])
 {
@@ -93,7 +93,7 @@ static int lanes_option(const glint_exhaustive_choice *chosen)
     return value == GLINT_EVERY_VALUE ? 0 : value;
 }
 
-/* All that was chosen and matters for what is compared, from an n on. */
+/* Every given option that affects the comparison, starting at an n. */
 static void write_command_from(const glint_exhaustive_choice *chosen, uint32_t from, char *text,
                                size_t size)
 {
@@ -139,7 +139,7 @@ static void print_mismatch(const glint_exhaustive_mismatch *m, FILE *out)
             glint_answer_value_name(answer->value), answer->model, answer->rtl);
 }
 
-/* That of the first mismatch, or of the circuit that kept an answer back. */
+/* The one for the first mismatch, or for the circuit that failed to answer. */
 static glint_setting setting_of(const glint_exhaustive_choice *chosen, const run *run)
 {
     if (run->result.kept == 0)
@@ -149,7 +149,7 @@ static glint_setting setting_of(const glint_exhaustive_choice *chosen, const run
     return setting;
 }
 
-/* The packet of the first mismatch, or of a circuit that kept an answer back, and what it says. */
+/* The packet for the first mismatch, or for a circuit that failed to answer, and its report. */
 static void report_failure(const glint_exhaustive_choice *chosen, run *run, FILE *out)
 {
     char name[GLINT_SETTING_TEXT], directory[FILENAME_MAX];
@@ -337,7 +337,7 @@ static int report(const glint_exhaustive_choice *chosen, run *run)
         if (!print_json(chosen, run))
             return glint_complain("verify", GLINT_EXIT_TROUBLE, "out of memory");
     }
-    /* An answer that a circuit kept back is a difference: the C model has it. */
+    /* A missing answer is a difference: the C model has one. */
     const bool differs = sum.mismatches != 0 || run->status == GLINT_DEVICE_FAULT;
     if (run->status != GLINT_OK && run->status != GLINT_INTERRUPTED)
         (void)glint_complain_error("verify", &run->err);
@@ -351,8 +351,8 @@ static int report(const glint_exhaustive_choice *chosen, run *run)
     return run->status == GLINT_OK && sum.points != 0 ? GLINT_EXIT_OK : GLINT_EXIT_TROUBLE;
 }
 
-/* What was found before a failure is still told; of options that fit nothing there is nothing to
- * tell. */
+/* Findings before a failure are still reported; options that select nothing leave nothing to
+ * report. */
 static int end(const glint_exhaustive_choice *chosen, run *run)
 {
     return run->status == GLINT_BAD_ARGUMENT ? glint_complain_error("verify", &run->err)

@@ -99,7 +99,7 @@ static int parse(int argc, char **argv, wave_options *chosen)
     return glint_options_parse(&line, argc, argv);
 }
 
-/* The clocks that were named are those of one scene: of the first circuit. */
+/* The given clocks belong to a single scene, the first circuit's. */
 static int settle(wave_options *chosen)
 {
     const int status = glint_circuit_options_settle(&chosen->circuits);
@@ -240,7 +240,7 @@ static int write_circuit(const wave_options *chosen, int circuit, cJSON *list)
     return status;
 }
 
-/* All that is missing at once; without memory, each when it is its turn. */
+/* Builds everything missing at once; when out of memory, each in its turn. */
 static int build_all(const wave_options *chosen)
 {
     int count = 0;

@@ -140,7 +140,7 @@ static void put(const glint_pin_info *pin, glint_pins *pins, bool all_ones)
     glint_pin_set(pin, pins, words);
 }
 
-/* Nothing is taken; and what takes a line, but for its values. */
+/* The pins of an idle clock, and those that accept a line, except for its values. */
 static void make_pins(evaluation *e)
 {
     for (int i = 0; i < glint_setting_pin_count(e->setting); i++) {
@@ -184,7 +184,7 @@ static void read_signals(evaluation *e)
         glint_signals_read(&e->signals, glint_model_signals(e->setting, e->model), e->words);
 }
 
-/* The line's clock and those until its result is out; then those until the next may come. */
+/* The line's clock and those until its result is out, then those until the next line can go in. */
 static void ask(evaluation *e, const glint_pins *pins)
 {
     const int latency = glint_setting_latency(e->setting);
@@ -307,7 +307,7 @@ static int evaluate(evaluation *e)
     const int status = glint_input_lines("eval", e->values, take_line, e);
     if (status != GLINT_EXIT_OK && ferror(stdout)) /* which has been said */
         return status;
-    if (e->json) /* closed whatever ended it: the rows before that are valid */
+    if (e->json) /* closed in any case: the rows so far are valid */
         fputs("\n]\n", stdout);
     return glint_output_finish("eval", status);
 }
@@ -320,7 +320,7 @@ int glint_eval_circuit(const glint_setting *setting, bool is_rtl, bool json)
         return glint_complain("eval", GLINT_EXIT_TROUBLE, "out of memory");
     e->setting = setting;
     e->json = json;
-    e->at_once = isatty(STDIN_FILENO) == 1; /* whoever types wants each answer at once */
+    e->at_once = isatty(STDIN_FILENO) == 1; /* at a terminal, each answer should appear at once */
     int status = find_columns(e);
     if (status == GLINT_EXIT_OK)
         status =

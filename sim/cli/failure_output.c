@@ -69,7 +69,7 @@ void glint_failure_name_circuit(glint_failure *failure, const char *directory)
                    directory != NULL ? directory : "");
 }
 
-/* As argv[0] of the process: it is found again from the same directory, or on the path. */
+/* argv[0] of the process, which works from the same directory or through the PATH. */
 const char *glint_failure_program(void)
 {
     return program_invocation_name;

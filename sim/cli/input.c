@@ -59,7 +59,7 @@ static bool trim(char *line, size_t length)
     return true;
 }
 
-/* Where the header has the value; -1 when it has not. */
+/* The value's column in the header; -1 if absent. */
 static int find_column(char *const *name, int width, const char *wanted)
 {
     for (int i = 0; wanted != NULL && i < width; i++)
@@ -164,8 +164,8 @@ static bool grow(reader *in)
     return true;
 }
 
-/* Gets bytes that are not read yet; false when there are none: at the end, at an error, with errno,
- * or when it is to stop. */
+/* Fetches more bytes; false if there are none: at the end, on an error (with errno), or when asked
+ * to stop. */
 static bool fill(reader *in)
 {
     if (in->ended)
@@ -182,8 +182,8 @@ static bool fill(reader *in)
     return got > 0;
 }
 
-/* Reads one line with its line end, of at most LINE_MAX_BYTES, and ends it with NUL. The length; 0
- * at the end of the input, at an error, with errno, or when it is to stop. */
+/* Reads one line with its line end, of at most LINE_MAX_BYTES, and ends it with NUL. Returns the
+ * length; 0 at the end of the input, on an error (with errno), or when asked to stop. */
 static size_t read_line(reader *in)
 {
     size_t length = 0;
@@ -200,7 +200,7 @@ static size_t read_line(reader *in)
     return cut_off || glint_stop_requested() ? 0 : length;
 }
 
-/* Why there is no further line: the end of the input, or something worse. */
+/* Why there are no more lines: the end of the input, or something worse. */
 static int check_input(const char *command, const reader *in, int reason)
 {
     if (glint_stop_requested())

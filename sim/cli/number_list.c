@@ -7,7 +7,7 @@
 
 #include "cli/parse.h"
 
-/* Longer items are no numbers that anybody means. */
+/* Longer items cannot be meaningful numbers. */
 #define ITEM_MAX 64
 
 static bool append(glint_number_list *list, double value)

@@ -138,7 +138,7 @@ static int refuse_value(const glint_command_line *line, const glint_option *opti
                           glint_quote(text, &quoted), expected, suggestion.text);
 }
 
-/* getopt_long also takes the beginning of a name for the name; a script must not. */
+/* getopt_long also accepts abbreviated names, which scripts must not rely on. */
 static bool is_abbreviation(const glint_option *option, const char *token)
 {
     return strcspn(token + 2, "=") != strlen(option->name);
@@ -160,7 +160,7 @@ static int refuse_unknown(const glint_command_line *line, const char *token)
         meant != NULL ? meant : "", meant != NULL ? "? " : "", line->command);
 }
 
-/* What getopt_long refused with '?' or ':', by the token it stood at. */
+/* Reports what getopt_long rejected with '?' or ':', based on the current token. */
 static int refuse_token(const glint_command_line *line, int result, const char *token)
 {
     if (optopt == HELP_OPTION)

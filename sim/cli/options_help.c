@@ -1,4 +1,4 @@
-/* The words that an option table says of itself; see options_help.h. */
+/* Text generated from an option table; see options_help.h. */
 #include "cli/options_help.h"
 
 #include <inttypes.h>
@@ -156,7 +156,7 @@ static size_t paragraph_length(const char *text)
     return length;
 }
 
-/* Paragraphs are broken anew; indented lines stay as they are. */
+/* Re-wraps paragraphs; indented lines stay as they are. */
 static void print_details(const char *text)
 {
     char paragraph[2048];

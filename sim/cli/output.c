@@ -1,4 +1,4 @@
-/* What the command says and how it ends; see output.h. */
+/* Messages and exit statuses; see output.h. */
 #define _XOPEN_SOURCE 700
 
 #include "cli/output.h"
@@ -63,8 +63,8 @@ void glint_output_init(void)
 
 int glint_output_finish(const char *command, int status)
 {
-    /* Where more was printed than the stream holds, errno still tells of the write that failed:
-     * what is printed after it has nothing to set it. */
+    /* If more was printed than fits the stream's buffer, errno still holds the cause of the failed
+     * write: later output does not set it. */
     const int earlier = ferror(stdout) ? errno : 0;
     errno = 0;
     const bool flushed = fflush(stdout) == 0;
@@ -183,7 +183,7 @@ void glint_progress_begin(glint_progress *progress, const char *command, const c
     progress->next = 0.0;
 }
 
-/* Whether the line is due anew. */
+/* Whether the line is due again. */
 static bool is_due(glint_progress *progress)
 {
     if (!progress->shown || glint_seconds() < progress->next)

@@ -11,7 +11,7 @@
 #include "cli/parse.h"
 #include "cli/picture.h"
 
-/* What the option table fills, beside the scene. */
+/* What the option table fills besides the scene. */
 typedef struct raw_options {
     glint_scene_options scene;
     const char *out, *specular, *verilog;

@@ -1,4 +1,4 @@
-/* What `glint render` says of the frames it made; see render_report.h. */
+/* The output of `glint render` about its frames; see render_report.h. */
 #include "cli/render_report.h"
 
 #include <inttypes.h>

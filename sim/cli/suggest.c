@@ -9,7 +9,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* Longer words are nobody's slip of an option or a model. */
+/* A longer word is not a mistyped option or model. */
 #define WORD_MAX 32
 
 static bool same(char a, char b)

@@ -68,7 +68,7 @@ static void run_setting(const glint_exhaustive_choice *chosen, const glint_setti
 /* ---- What it prints ----------------------------------------------------------------------------
  */
 
-/* All that was chosen and matters for what is compared, from a point on. */
+/* Every given option that affects the comparison, starting at a point. */
 static void write_command(const glint_exhaustive_choice *chosen, const run *run, uint64_t from,
                           char *text, size_t size)
 {
@@ -86,7 +86,7 @@ static void write_command(const glint_exhaustive_choice *chosen, const run *run,
     glint_circuit_options_append(&chosen->circuits, text, size);
 }
 
-/* The packet of the first mismatch, and what it says. */
+/* The packet of the first mismatch, and its report. */
 static void report_failure(const glint_exhaustive_choice *chosen, run *run, FILE *out)
 {
     char name[GLINT_SETTING_TEXT], directory[FILENAME_MAX];
@@ -243,7 +243,7 @@ static bool print_json(const glint_exhaustive_choice *chosen, const run *runs, i
 /* ---- All settings ------------------------------------------------------------------------------
  */
 
-/* A setting that has no domain has a line of its own; what was found before stays told. */
+/* A setting without a domain gets its own line; earlier findings remain reported. */
 static void report_setting(const glint_exhaustive_choice *chosen, run *run)
 {
     char setting[GLINT_SETTING_TEXT];

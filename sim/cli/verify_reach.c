@@ -53,7 +53,7 @@ void glint_reach_sum_add(glint_reach_sum *sum, const glint_setting *setting,
         add_lanes(sum, lanes, reach);
 }
 
-/* The sets of lanes that can take a point together. */
+/* The possible sets of lanes that accept a point together. */
 static uint64_t patterns_of(int lanes)
 {
     return (UINT64_C(1) << lanes) - 1;

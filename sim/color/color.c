@@ -10,8 +10,8 @@ static bool is_share(double x)
     return x >= 0.0 && x <= 1.0;
 }
 
-/* What is short of half a level by the rounding of doubles alone is half a level: a tenth of white,
- * as 1 − 0.9, is 25.5 levels. */
+/* A value just short of half a level because of floating-point rounding counts as half a level: a
+ * tenth of white, as 1 − 0.9, is 25.5 levels. */
 #define HALF (0.5 + 1e-9)
 
 static uint8_t component(double share)
@@ -31,7 +31,7 @@ static int smallest(glint_rgb rgb)
     return rg < rgb.b ? rg : rgb.b;
 }
 
-/* In sixths of the circle, of a colour that is no grey. */
+/* In sixths of the circle, for a colour that is not grey. */
 static double hue(glint_rgb rgb, int max, double range)
 {
     if (max == rgb.r) {

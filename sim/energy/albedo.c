@@ -25,7 +25,7 @@ typedef struct incidence {
     const glint_albedo *albedo;
     bool over_sphere;   /* φ by quadrature too */
     double angle, c, s; /* of L, its cosine and sine */
-    double bound, end;  /* φ is bounded from the one on, and there is nothing beyond the other */
+    double bound, end;  /* φ is bounded from the first on, and nothing lies beyond the second */
 } incidence;
 
 void glint_albedo_rules_make(int fineness, glint_albedo_rules *rules)
@@ -261,8 +261,8 @@ double glint_albedo_at(const glint_albedo *albedo, double angle)
 
 double glint_albedo_over_sphere(const glint_albedo *albedo, double angle)
 {
-    /* Phong's lobe is around R: of H it is half as wide, and drawn out sideways at grazing
-     * incidence; so it is cut for the narrowest and followed to the end. */
+    /* Phong's lobe is around R: as a function of H it is half as wide, and stretched sideways at
+     * grazing incidence, so the pieces are cut for its narrowest extent and continue to the end. */
     glint_albedo wide = *albedo;
     if (albedo->kind == GLINT_REFLECTANCE_OF_RV) {
         wide.half_width *= 0.5;

@@ -7,7 +7,7 @@
 #include "circuit/random_pins.h"
 #include "lockstep/mismatch.h"
 
-/* A play under way. The clocks kept are a ring: number c is at c mod its size. */
+/* A replay in progress. The kept clocks form a ring: clock c is at c mod its size. */
 typedef struct player {
     const glint_play *play;
     glint_twin *twin;
@@ -50,7 +50,7 @@ static void tell_progress(const player *p)
                           middle_of(p) + GLINT_CAPTURE_AFTER + 1 - p->first);
 }
 
-/* The pins of the clock that is about to come. */
+/* The pins of the next clock. */
 static void take_pins(player *p, glint_pins *pins)
 {
     const glint_play *play = p->play;

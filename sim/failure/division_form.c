@@ -5,8 +5,8 @@
 #include "failure/answer_form.h"
 #include "failure/report.h"
 
-/* The components before the answer's are there to put it in its place: `glint divide` takes lines
- * of one k for R, G and B of one division. It is the last row printed. */
+/* The components before the answer's put it in its place: `glint divide` uses lines with the same k
+ * as R, G and B of one division. It is the last row printed. */
 static void print_division_alone(FILE *out, const glint_failure *failure)
 {
     const glint_answer *answer = &failure->answer;

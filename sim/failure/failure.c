@@ -53,8 +53,8 @@ static glint_status play(const glint_play *play, glint_failure_finding *finding,
     return GLINT_OK;
 }
 
-/* As a frame asks: among its neighbours, and alone. A circuit may keep that back, which is then no
- * answer that shows the difference. */
+/* As a frame asks, among its neighbours, and in isolation. If a circuit fails to answer, there is
+ * no answer to show the difference. */
 static glint_status ask(const glint_failure *failure, glint_failure_finding *finding,
                         glint_error *err)
 {

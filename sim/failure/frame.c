@@ -58,7 +58,7 @@ static void describe_frame(const glint_frame_pair *pair, const again *again,
     find_triangle(pair, again, frame);
 }
 
-/* No answer that differs: what there is to say is about the specular device. */
+/* Without a differing answer, the report is about the specular device. */
 static glint_setting setting_of(const glint_frame_pair *pair, const glint_backend_watch *watch)
 {
     if (watch->found)

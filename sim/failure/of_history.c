@@ -1,4 +1,4 @@
-/* From what a circuit was asked to the few clocks of it that show a difference. */
+/* Narrows a circuit's history down to the few clocks that show a difference. */
 #include <stdlib.h>
 #include <string.h>
 

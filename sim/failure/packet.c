@@ -69,8 +69,8 @@ static bool is_file_of_packet(const char *name)
     return strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
 }
 
-/* An older packet may be replaced; nothing else, and no link: what it leads to would lose its
- * files, and a directory cannot take a link's name. */
+/* Only an older packet may be replaced, and not through a link: its target would lose its files,
+ * and a directory cannot be renamed over a link. */
 static glint_status check_old(const char *directory, glint_error *err)
 {
     struct stat found;
@@ -93,8 +93,8 @@ static glint_status check_old(const char *directory, glint_error *err)
     return status;
 }
 
-/* Makes the directory that it is made in, in the one that it will be in. One of that name may be
- * there: a process had this number before. */
+/* Creates the temporary directory next to its final place. The name may exist: an earlier process
+ * may have had the same number. */
 static glint_status make_beside(maker *m, const char *bare, glint_error *err)
 {
     for (int attempt = GLINT_TEMPORARY_PACKET; attempt < GLINT_TEMPORARY_PACKET + 100; attempt++) {
@@ -290,8 +290,8 @@ static glint_status read_text(FILE *file, const char *path, char **text, glint_e
     return GLINT_OK;
 }
 
-/* A pipe or a device is no packet's, and might keep its reader waiting: it is opened so that it
- * cannot, and turned away. */
+/* A pipe or a device cannot belong to a packet and might block its reader, so it is opened without
+ * blocking and rejected. */
 static glint_status open_data(const char *path, FILE **file, glint_error *err)
 {
     struct stat found;

@@ -11,8 +11,8 @@ static int lanes_of(const glint_failure *failure)
     return failure->setting.values[GLINT_SPECULAR_LANES];
 }
 
-/* The point as a line for `glint eval` says more than a list of its values. It takes lane 0: one of
- * another lane comes behind as many of itself, and is the last row printed. */
+/* A line for `glint eval` is more useful than a list of values. Points start at lane 0, so for
+ * another lane the line is repeated, and the last row printed counts. */
 static void print_point_alone(FILE *out, const glint_failure *failure)
 {
     const glint_answer *answer = &failure->answer;

@@ -27,7 +27,7 @@ static uint64_t later(uint64_t a, uint64_t b)
     return a > b ? a : b;
 }
 
-/* The clock so many before another, or 1. */
+/* The clock a given number before another, or 1. */
 static uint64_t before(uint64_t clock, uint64_t count)
 {
     return clock > count ? clock - count : 1;
@@ -110,7 +110,7 @@ static glint_status shows(glint_failure *failure, const history *h, uint64_t sta
     return status;
 }
 
-/* Without any, the whole run is to be played: the failure keeps no pins. */
+/* If none are kept, the whole run must be replayed and the failure stores no pins. */
 static glint_status find_shortest(glint_failure *failure, history *h, glint_error *err)
 {
     const glint_capture *whole = h->capture;
@@ -133,7 +133,7 @@ static glint_status find_shortest(glint_failure *failure, history *h, glint_erro
     return status;
 }
 
-/* What the run found, as a play would. */
+/* The run's finding, in the form of a replay's. */
 static void take_run(glint_failure *failure, const glint_lockstep_result *result)
 {
     glint_failure_finding *finding = &failure->finding;
@@ -147,7 +147,7 @@ static void take_run(glint_failure *failure, const glint_lockstep_result *result
     }
 }
 
-/* Not an error when stopped: what the run found is still to be told. */
+/* Being stopped is not an error: the run's finding must still be reported. */
 static glint_status play_again(glint_failure *made, const glint_lockstep_options *options,
                                glint_error *err)
 {

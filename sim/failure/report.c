@@ -23,7 +23,7 @@ static void print_word(FILE *out, const char *word)
     fprintf(out, "%s", text);
 }
 
-/* One that stands by itself, and is no option. */
+/* A positional argument, not an option. */
 static void print_path(FILE *out, const char *path)
 {
     fprintf(out, " %s", path[0] == '-' ? "./" : "");
@@ -123,8 +123,7 @@ static int wider(int a, int b)
     return a > b ? a : b;
 }
 
-/* Lanes' bits as bits, cosines as codes, and what no reader takes for a number; all else as
- * numbers. */
+/* Lane bits as bits, cosines as codes, wide values as hex; everything else as numbers. */
 static bool is_code(const glint_pin_info *pin)
 {
     return pin->frac_bits > 0 || strcmp(pin->name, "in_valid") == 0 || glint_pin_width(pin) > 64;

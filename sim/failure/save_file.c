@@ -127,7 +127,7 @@ static void add_number(glint_gtkw *rows, const subject *subject, const char *sid
                                    .is_text = true});
 }
 
-/* Both sides of a signal; of one that differs, where it does. */
+/* Both sides of a signal and, if it ever differs, where. */
 static void add_signal(glint_gtkw *rows, const glint_capture *capture, int index)
 {
     const subject subject = {&capture->setting, &capture->signals.info[index]};

@@ -13,7 +13,7 @@
 
 #define HALF_PERIOD (GLINT_RTL_TRACE_PERIOD / 2)
 
-/* A double's own digits: so many bits of a code are a number without loss. */
+/* The precision of a double: codes up to this width convert without loss. */
 #define EXACT_BITS 53
 
 /* What the short names of the variables are numbered by, from 0 on. */
@@ -287,7 +287,7 @@ static void put_unknown_signal(const writer *w, int index)
         put_bit(w, signal_id(w, index, DIFFERS), 'x');
 }
 
-/* Nothing was played behind the last clock: from here on all is unknown. */
+/* Nothing was replayed after the last clock: from here on everything is unknown. */
 static void put_end(const writer *w)
 {
     put_bit(w, MISMATCH, 'x');

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* Makes one directory; the cause of a failure, 0 when it is there. */
+/* Creates one directory. Returns the cause of a failure, or 0 if it exists afterwards. */
 static int make_one(const char *path)
 {
     struct stat found;

@@ -12,8 +12,8 @@ static bool is_between(unsigned char byte, unsigned char first, unsigned char la
     return byte >= first && byte <= last;
 }
 
-/* The bytes of the character at the beginning of a string; 0 when that is no UTF-8: neither
- * overlong forms nor surrogates nor what is beyond U+10FFFF are (Unicode's table 3-7). */
+/* The length of the character at the start of a string; 0 if it is not valid UTF-8, which excludes
+ * overlong forms, surrogates and anything beyond U+10FFFF (Unicode, table 3-7). */
 static size_t character(const unsigned char *at)
 {
     const unsigned char lead = at[0];

@@ -19,8 +19,8 @@
 #define WAIT_MILLISECONDS 50
 
 struct glint_new_file {
-    char *target;    /* the name it takes at the end */
-    char *temporary; /* the name it is written under; NULL: none, or the target itself */
+    char *target;    /* its final name */
+    char *temporary; /* its temporary name; NULL: none, or the target itself */
     int unnamed;     /* the descriptor of a file without a name; -1: it has one */
     FILE *stream;
     mode_t mode; /* permissions to keep; 0: a new file's */
@@ -41,7 +41,7 @@ static void free_file(glint_new_file *file)
     free(file);
 }
 
-/* What stands at the path already. */
+/* What already exists at the path. */
 typedef enum target_kind {
     REPLACED, /* a regular file, or nothing */
     DIRECT,   /* a device: written to as it is */
@@ -125,8 +125,8 @@ static int create(glint_new_file *file)
     return file->unnamed >= 0 ? fcntl(file->unnamed, F_DUPFD_CLOEXEC, 0) : create_beside(file);
 }
 
-/* Opens a pipe once it has a reader; opening it the usual way would wait for one for ever. Returns
- * the descriptor, or -1 with errno: ENXIO when nobody came, EINTR when *stop became true. */
+/* Opens a pipe once it has a reader; a plain open would wait for one forever. Returns the
+ * descriptor, or -1 with errno: ENXIO if no reader appeared, EINTR if *stop became true. */
 static int open_pipe(const char *path, const volatile bool *stop)
 {
     const struct timespec pause = {0, WAIT_MILLISECONDS * 1000000L};
@@ -210,8 +210,8 @@ FILE *glint_new_file_stream(const glint_new_file *file)
     return file->stream;
 }
 
-/* Closes the stream without what it still holds: a pipe that nobody reads would keep a write of it
- * waiting for ever. Returns 0 or an errno. */
+/* Closes the stream and discards its buffer: writing it to a pipe without a reader would block
+ * forever. Returns 0 or an errno. */
 static int drop_stream(glint_new_file *file)
 {
     __fpurge(file->stream);
@@ -220,7 +220,7 @@ static int drop_stream(glint_new_file *file)
     return reason;
 }
 
-/* Closes the stream, unless it is. Returns 0, or the errno of whatever was not written. */
+/* Closes the stream if it is open. Returns 0, or the errno of a failed write. */
 static int close_stream(glint_new_file *file)
 {
     if (file->stream == NULL)
@@ -246,7 +246,7 @@ glint_status glint_new_file_close(glint_new_file *file, glint_error *err)
     return status;
 }
 
-/* Gives a file without a name a free one beside the target. Returns 0 or an errno. */
+/* Gives an unnamed file a free temporary name next to the target. Returns 0 or an errno. */
 static int name_beside(glint_new_file *file, const char *from)
 {
     int reason = EEXIST;

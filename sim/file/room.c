@@ -9,8 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Closes the file. A file system that cannot reserve says so in other words: no reason to refuse.
- */
+/* Closes the file. A file system without reservations fails with a different errno, which is not a
+ * reason to refuse. */
 static bool has_room(FILE *file, long bytes)
 {
     int why = posix_fallocate(fileno(file), 0, bytes);

@@ -72,7 +72,7 @@ static void check_size(png_structp png, png_infop info, reader *from)
     }
 }
 
-/* Whatever the file holds, rows of R G B A with 8 bits come out. Returns in how many passes. */
+/* Converts any file to rows of 8-bit R G B A. Returns the number of passes. */
 static int ask_for_rgba(png_structp png, png_infop info)
 {
     png_set_expand(png);

@@ -45,7 +45,7 @@ static void put_bytes(png_structp png, png_bytep bytes, size_t count)
         png_error(png, strerror(errno != 0 ? errno : EIO));
 }
 
-/* The stream is flushed once, by whoever closes it. */
+/* The stream is flushed once, when the caller closes it. */
 static void flush_nothing(png_structp png)
 {
     (void)png;

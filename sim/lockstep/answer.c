@@ -6,7 +6,7 @@
 
 #include "lockstep/answer_kind.h"
 
-#define CLOCKS_AFTER_RESULT 10 /* idle ones, so that a waveform shows what comes behind it */
+#define CLOCKS_AFTER_RESULT 10 /* idle ones, so that a waveform shows what follows */
 
 const glint_answer_kind *glint_answer_kind_of(const glint_circuit *circuit)
 {

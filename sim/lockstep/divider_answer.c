@@ -17,7 +17,7 @@ static size_t pace_of(const glint_setting *setting)
     return (size_t)glint_setting_pace(setting);
 }
 
-/* The sequential form takes one component after the other. */
+/* The sequential form takes one component after another. */
 static size_t turns_of(const glint_setting *setting)
 {
     return is_sequential(setting) ? GLINT_DIVIDER_COMPONENTS : 1;

@@ -18,7 +18,7 @@ typedef struct plan {
     uint64_t total; /* points of the domain */
     uint64_t first, step, items;
     uint64_t each, blocks;
-    uint64_t pace, idle; /* clocks of a point; those behind a block's last point's */
+    uint64_t pace, idle; /* clocks per point; clocks after a block's last point */
     glint_pins rest;     /* nothing is taken */
     glint_pins asking;   /* what put() begins with */
 } plan;
@@ -27,7 +27,7 @@ typedef struct work {
     plan plan;
     atomic_uint_fast64_t next; /* the first block that no thread has taken */
     atomic_uint_fast64_t done; /* points */
-    atomic_bool failed;        /* a thread gave up, so that the others need not go on */
+    atomic_bool failed;        /* a thread failed, so the others can stop */
 } work;
 
 typedef struct worker {
@@ -260,7 +260,7 @@ static glint_status compare_block(worker *worker, uint64_t block)
 /* ---- The threads --------------------------------------------------------------------------------
  */
 
-/* The next block; false when there is none, or it is not to be begun. */
+/* The next block; false if there is none left, or it must not be started. */
 static bool take_block(work *work, uint64_t *block)
 {
     const glint_domain_options *options = work->plan.options;
@@ -295,8 +295,7 @@ static void work_as(void *context, int i)
 /* ---- What came of it ----------------------------------------------------------------------------
  */
 
-/* Each thread has kept its first mismatches with blocks rising: the lowest block among them is
- * next. */
+/* Each thread kept its first mismatches in block order: the lowest block among them is next. */
 static void merge_mismatches(glint_domain_result *result, const worker *workers, int count)
 {
     int taken[GLINT_DOMAIN_THREADS_MAX] = {0};

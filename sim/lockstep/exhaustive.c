@@ -64,12 +64,12 @@ typedef struct work {
     uint32_t first;
     uint32_t parts;            /* how many n there are from first on */
     atomic_uint next;          /* the first part that no thread has taken */
-    atomic_bool failed;        /* a thread gave up, so that the others need not go on */
+    atomic_bool failed;        /* a thread failed, so the others can stop */
     atomic_uint_fast64_t done; /* points */
     uint64_t total;
 } work;
 
-/* What was asked in a run: the places of the walk from `at` on. */
+/* The inputs of a run: the places of the walk from `at` on. */
 typedef struct asked {
     walk walk;
     uint32_t at;
@@ -335,7 +335,7 @@ static void count_mismatch(worker *worker, int config, uint32_t n, const glint_m
     kept->answer.rtl = (int32_t)value_of(&worker->circuit, value, at);
 }
 
-/* One by one, when it is known that the runs differ. */
+/* One by one, once the runs are known to differ. */
 static void find_mismatches(worker *worker, int config, uint32_t n, const glint_material *material,
                             size_t count)
 {
@@ -347,7 +347,7 @@ static void find_mismatches(worker *worker, int config, uint32_t n, const glint_
         }
 }
 
-/* count values of so many bytes; adds to *compared what it compared. */
+/* Compares count values of the given size and adds to *compared. */
 static bool same(const void *a, const void *b, size_t count, size_t bytes, uint64_t *compared)
 {
     *compared += count;
@@ -431,7 +431,7 @@ static glint_status create_circuits(worker *worker)
     return status;
 }
 
-/* The next n; false when there is none, or it is not to be begun. */
+/* The next n; false if there is none left, or it must not be started. */
 static bool take_n(work *work, uint32_t *n)
 {
     const glint_exhaustive_options *options = work->options;
@@ -460,7 +460,7 @@ static void work_on(worker *worker, void (*progress)(void *, uint64_t, uint64_t)
     }
     if (worker->status != GLINT_OK)
         work->failed = true;
-    /* Here: Verilator wants a circuit destroyed by the thread that made it. */
+    /* Here, because Verilator requires the creating thread to destroy a circuit. */
     for (int c = 0; c < GLINT_EXHAUSTIVE_CIRCUITS_MAX; c++)
         glint_rtl_destroy(worker->rtl[c]);
 }
@@ -530,7 +530,7 @@ static void take_history(glint_exhaustive_result *result, worker *worker)
     worker->found.history = NULL;
 }
 
-/* Each thread has kept its first mismatches with n rising: the smallest n among them is next. */
+/* Each thread kept its first mismatches in order of n: the smallest n among them is next. */
 static void merge_mismatches(glint_exhaustive_result *result, worker *const *workers, int count)
 {
     int taken[GLINT_EXHAUSTIVE_THREADS_MAX] = {0};

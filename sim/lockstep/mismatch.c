@@ -83,8 +83,7 @@ void glint_mismatch_bits(const glint_signal_info *signal, const uint64_t *words,
     memmove(text + 2, digits, strlen(digits) + 1);
 }
 
-/* A value as a reader wants it: its bits, and the number they stand for; an integer with all its
- * digits. */
+/* A value for readers: its bits and the number they represent; integers with all digits. */
 static void print_value(FILE *out, const glint_signal_info *signal, const uint64_t *words)
 {
     const int width = glint_signal_width(signal);

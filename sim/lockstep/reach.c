@@ -29,7 +29,7 @@ void glint_reach_begin(glint_reach_count *count, const glint_setting *setting)
     count->pace = (uint64_t)glint_setting_pace(setting);
 }
 
-/* What the pins of one clock say together. */
+/* The combined meaning of one clock's pins. */
 typedef struct controls {
     bool resets, enabled, strobes;
     uint64_t valid;
@@ -99,8 +99,8 @@ static bool taken_within(const glint_reach_count *count, uint64_t clocks)
     return count->since != 0 && count->since < clocks;
 }
 
-/* Whether anything taken has not come out yet. The result is out after the last of its clocks, so
- * of those taken `latency` enabled clocks ago none is left. */
+/* Whether any input is still in flight. A result is out after its last clock, so inputs from
+ * `latency` enabled clocks ago are gone. */
 static bool is_in_flight(const glint_reach_count *count)
 {
     return taken_within(count, count->latency);
@@ -134,7 +134,7 @@ static void count_lanes(glint_reach_count *count, uint64_t valid)
     *seen |= bit;
 }
 
-/* True: something was taken. A circuit with a pace takes nothing while it is busy. */
+/* True if an input was accepted. A circuit with a pace accepts nothing while it is busy. */
 static bool take(glint_reach_count *count, const controls *now)
 {
     if (now->strobes) {

@@ -8,7 +8,7 @@
 
 #define PI 3.14159265358979323846
 
-/* Unpolarised light on a plane boundary, by the cosine of incidence. */
+/* Unpolarised light on a plane boundary, as a function of the cosine of incidence. */
 static double fresnel(double refraction, double c)
 {
     if (isinf(refraction))

@@ -1,4 +1,4 @@
-/* The models by number and by name, and what is the same for all of them; see reflectance.h. */
+/* The models by number and by name, and the code they share; see reflectance.h. */
 #include "reflectance/reflectance.h"
 
 #include <math.h>
@@ -49,7 +49,7 @@ double glint_exponent_of_roughness(double m)
     return 2.0 / (m * m) - 2.0;
 }
 
-/* What of_cosine() of a model is that is no function of one cosine. */
+/* of_cosine() for a model that is not a function of one cosine. */
 static double no_lobe(const glint_reflectance *prepared, double cosine)
 {
     (void)prepared;

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A half more each time: of what is added in vain the pages are never touched. */
+/* Grows by half each time; the pages of unused room are never touched. */
 static bool make_room(glint_bytes *bytes, size_t count)
 {
     if (bytes->failed || count > (size_t)-1 / 2 - bytes->count)

@@ -5,7 +5,7 @@
 
 #define RADIANS (3.14159265358979323846 / 180.0)
 
-/* The part of the frame's half that a fitted object takes: the rest is its margin. */
+/* The fraction of half the frame that a fitted object fills; the rest is margin. */
 #define FILL 0.98
 
 /* A fitted camera keeps at least this far from the nearest vertex, in radii: it matters to an

@@ -1,4 +1,4 @@
-/* Whether single precision can hold an object where it lies; see detail.h. */
+/* Whether single precision is enough for an object; see detail.h. */
 #include "render/detail.h"
 
 #include <float.h>
@@ -6,8 +6,7 @@
 
 #include "reflectance/vec3.h"
 
-/* An object that is so many steps of its coordinates' rounding large is where precision is at home:
- * what is too fine there, nobody sees. */
+/* For an object this many rounding steps large, precision is ample: finer detail is invisible. */
 #define STEPS_ENOUGH 0x1p18
 
 /* A triangle lower than so many of these steps is lost in the rounding, which can tilt it by more

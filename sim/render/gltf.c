@@ -214,7 +214,7 @@ static void look_for_hidden(const cJSON *json, glint_remarks *remarks)
     free(nodes.shown);
 }
 
-/* The JSON of a binary file is its first chunk, behind twelve bytes of header. */
+/* The JSON of a binary file is its first chunk, after a twelve-byte header. */
 static cJSON *parse(const glint_text *text)
 {
     if (text->length < 20 || memcmp(text->at, "glTF", 4) != 0)

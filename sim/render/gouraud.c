@@ -38,7 +38,7 @@ typedef struct edge_job {
 /* The part of a row's run that lies in one segment. */
 typedef struct row_job {
     glint_run segment;
-    int32_t first, last; /* columns whose values are asked for */
+    int32_t first, last; /* columns whose values are needed */
     uint8_t *values;
 } row_job;
 
@@ -97,8 +97,8 @@ void glint_gouraud_destroy(glint_gouraud *gouraud)
     free(gouraud);
 }
 
-/* The number of a triangle seen in a row of the band, the next free one when it is new. Numbers are
- * in the order in which triangles are first seen, wherever in memory they are. */
+/* The number of a triangle seen in a row of the band, or the next free number if it is new. Numbers
+ * follow the order in which triangles are first seen, not their place in memory. */
 static uint32_t number_of(glint_gouraud *g, const glint_triangle *t, int32_t row)
 {
     const uint64_t key = (uint64_t)((uintptr_t)t / sizeof *t);
@@ -198,8 +198,8 @@ static glint_status add_edge_job(const pass *p, const edge_job *j)
     return g->job_count < JOBS ? GLINT_OK : finish_edges(p);
 }
 
-/* An edge as a run: by the longer of its two extents, which the thesis calls the greater increment,
- * so that no step of it is a leap of many pixels. */
+/* An edge as a run along the longer of its two extents (the thesis's greater increment), so that no
+ * step jumps over many pixels. */
 static glint_run edge_run(const glint_triangle *t, int upper, int lower, bool by_rows)
 {
     const int32_t *along = by_rows ? t->y : t->x;

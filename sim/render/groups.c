@@ -30,7 +30,8 @@ bool glint_groups_add_faces(glint_groups_object *object, size_t faces)
     return true;
 }
 
-/* UTF-16 with a byte order mark becomes plain text; what is not ASCII, '?': names only. */
+/* Converts UTF-16 with a byte order mark to plain text; non-ASCII characters, which occur only in
+ * names, become '?'. */
 static void make_plain(glint_groups *file)
 {
     const uint8_t *from = file->bytes;
@@ -77,7 +78,7 @@ static void drop_empty_objects(glint_groups *file)
     file->objects = kept;
 }
 
-/* False for want of memory. file->format stays NULL where it is of neither format. */
+/* False when out of memory. file->format stays NULL if it is neither format. */
 static bool read_stream(FILE *stream, glint_groups *file)
 {
     if (!read_bytes(stream, BEGIN_BYTES, file))

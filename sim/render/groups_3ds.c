@@ -32,7 +32,7 @@ static uint32_t long_at(const glint_groups *file, size_t at)
     return (uint32_t)word_at(file, at) | (uint32_t)word_at(file, at + 2) << 16;
 }
 
-/* Takes the next chunk off `from`; false when there is none. */
+/* Removes the next chunk from `from`; false if there is none. */
 static bool next_chunk(const glint_groups *file, range *from, unsigned *kind, range *content)
 {
     if (from->end < from->next + HEADER)

@@ -9,7 +9,7 @@
 
 #include "render/groups.h"
 
-/* A face is at least so many characters: a header that claims more of them is damaged. */
+/* A face takes at least this many characters: a header that claims more faces is damaged. */
 #define FACE_CHARACTERS 10
 
 static char *skip_blanks(char *text)

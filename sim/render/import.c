@@ -17,7 +17,7 @@
 typedef struct reading {
     const char *path;
     glint_source *source;
-    glint_groups *groups; /* NULL for what is no .3ds file */
+    glint_groups *groups; /* NULL for other formats */
     glint_remarks remarks;
     glint_error *err;
 } reading;
@@ -42,8 +42,8 @@ static glint_status refused(const reading *in)
                       why[0] != '\0' ? why : "no reason given");
 }
 
-/* Some of assimp's readers put another vertex in the place of one that a face names and that is not
- * there, and say so in the log only; in these words, which are those of assimp 5.2. */
+/* Some of assimp's readers replace a missing vertex of a face with another one and mention it only
+ * in the log, in these words (assimp 5.2). */
 static const char *const replacing[] = {
     "3DS: Vertex index overflow",
     "AC3D: Invalid vertex reference",
@@ -59,7 +59,7 @@ static const char *const replacing[] = {
     "Quick3D: Vertex index overflow",
 };
 
-/* aiLogStreamCallback; user: a bool, set where one of these is said. */
+/* aiLogStreamCallback; user: a bool, set when one of these appears. */
 static void listen(const char *message, char *user)
 {
     bool *replaced = (bool *)user;

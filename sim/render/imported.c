@@ -227,8 +227,8 @@ static glint_status measure_mesh(reading *in, unsigned index, const transform *t
     return status;
 }
 
-/* Visits every mesh of every node under its transform: to measure it while there is no mesh to add
- * it to, to add it after. */
+/* Visits every mesh of every node under its transform: first to measure, then, once there is a
+ * mesh, to add to it. */
 static glint_status walk(reading *in, const struct aiNode *node, const transform *outer, int depth)
 {
     if (depth > DEPTH_MAX)

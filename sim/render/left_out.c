@@ -31,7 +31,7 @@ void glint_left_out(const struct aiScene *scene, glint_remarks *remarks)
     size_t thin[3] = {0}, hidden = 0;
     bool *shown = calloc(scene->mNumMeshes + 1, sizeof *shown);
     if (shown == NULL)
-        return; /* whoever makes the mesh next will say so */
+        return; /* building the mesh will report it */
     if (scene->mRootNode != NULL)
         mark_shown(scene, scene->mRootNode, 0, shown);
     for (unsigned i = 0; i < scene->mNumMeshes; i++) {

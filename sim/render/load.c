@@ -73,7 +73,7 @@ static void limit(__rlimit_resource_t resource, rlim_t value)
     }
 }
 
-/* Address space in use, bytes; 0 when it cannot be told. */
+/* Address space in use, bytes; 0 if unknown. */
 static rlim_t address_space(void)
 {
     unsigned long long pages = 0;
@@ -99,8 +99,8 @@ static void reset_signals(void)
     (void)signal(SIGHUP, SIG_IGN);
 }
 
-/* Whatever happens here, nobody hears of it but the parent: no message, no core file, and no life
- * after the parent's. */
+/* Only the parent learns what happens here: no messages, no core file, and the child dies with its
+ * parent. */
 static void confine(const glint_load_limits *limits, pid_t parent)
 {
     (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -161,7 +161,7 @@ static bool is_ready(reader *from)
     return is;
 }
 
-/* GLINT_BAD_INPUT when the child sends no more, or has no time left. */
+/* GLINT_BAD_INPUT if the child stops sending or runs out of time. */
 static glint_status receive(reader *from, void *bytes, size_t count)
 {
     char *next = bytes;
@@ -213,7 +213,7 @@ static glint_status receive_arrays(reader *from, const answer *a, glint_mesh *me
     return status != GLINT_OK || is_sound(mesh) ? status : GLINT_BAD_INPUT;
 }
 
-/* *refused: the child has said itself why there is no mesh. */
+/* *refused: the child itself reported why there is no mesh. */
 static glint_status receive_mesh(reader *from, bool *refused, glint_mesh **mesh)
 {
     answer a;
@@ -278,7 +278,7 @@ static glint_status be_parent(reader *from, const glint_load_limits *limits, gli
     const int ended = collect(from->child);
     if (status == GLINT_OK || status == GLINT_INTERRUPTED || refused)
         return status;
-    if (from->stop != NULL && *from->stop) /* whoever stopped this stopped the child, too */
+    if (from->stop != NULL && *from->stop) /* the same signal stopped the child */
         return glint_fail(from->err, GLINT_INTERRUPTED, "interrupted");
     return explain(from, ended, limits);
 }

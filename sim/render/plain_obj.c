@@ -134,7 +134,7 @@ static bool is_word(const word *w, const char *expected)
     return is_one_of(w, (const char *const[]){expected, NULL});
 }
 
-/* One of the corner's up to three indices: its digits, with a sign; false when that is none. */
+/* One of a corner's up to three indices: digits with an optional sign; false otherwise. */
 static bool take_index(word *corner, int64_t *index)
 {
     const bool negative = corner->length > 0 && corner->at[0] == '-';
@@ -188,7 +188,7 @@ static glint_status read_numbers(reading *in, word keyword, word rest, bool *rew
     return GLINT_OK;
 }
 
-/* v, v/vt, v//vn or v/vt/vn: its v; false when the word is none of these. */
+/* The v of v, v/vt, v//vn or v/vt/vn; false for anything else. */
 static bool read_corner(word corner, int64_t *vertex)
 {
     int64_t other;
@@ -245,7 +245,7 @@ static void leave_out(reading *in, uint64_t *count, word rest, bool each)
     change(in);
 }
 
-/* Words of the format that have no triangles to give, and none to take away. */
+/* Keywords of the format that neither add nor remove triangles. */
 static const char *const without_triangles[] = {
     "g",      "o",        "s",        "mg",         "usemtl",    "mtllib", "usemap", "maplib",
     "bevel",  "c_interp", "d_interp", "shadow_obj", "trace_obj", "lod",    "ctech",  "stech",
@@ -262,7 +262,7 @@ static void note_unknown(reading *in, const word *keyword)
     }
 }
 
-/* *done: the statement has been dealt with, else it goes into the plain text as it is. */
+/* *done: the statement was handled; otherwise it is copied to the plain text unchanged. */
 static glint_status read_statement(reading *in, word statement, bool *done)
 {
     word rest = statement;
@@ -311,7 +311,7 @@ static glint_status read_line(reading *in)
     if (goes_on(&statement))
         join_lines(in, &statement);
     const bool cut = cut_comment(&statement);
-    /* To assimp a comment that ends with a backslash goes on in the next line. */
+    /* To assimp, a comment ending in a backslash continues on the next line. */
     const bool same = statement.length == 0 ? !cut || whole.at[whole.length - 1] != '\\'
                                             : !cut && statement.at == whole.at;
     bool done = false;

@@ -226,7 +226,7 @@ static glint_status read_vertices(reading *in, const glint_ply_element *element)
     return status == GLINT_IO_ERROR ? ends_early(in, element, at - 1) : status;
 }
 
-/* Faces, strips, and what is read to come to what is behind it. corners: the property that has the
+/* Faces, strips, and elements that are read only to skip them. corners: the property with the
  * vertices; -1: none. */
 static glint_status read_lists(reading *in, const glint_ply_element *element, role as, int corners)
 {
@@ -263,7 +263,7 @@ static glint_status read_element(reading *in, const glint_ply_element *element)
     if (as == VERTICES && in->vertex_count == 0)
         return read_vertices(in, element);
     if (element->property_count == 0)
-        return GLINT_OK; /* takes no room in the file, however many there are */
+        return GLINT_OK; /* takes no space in the file, whatever their number */
     int corners = -1;
     if (as == FACES || as == STRIPS) {
         corners = glint_ply_find(element, "vertex_indices");

@@ -34,8 +34,8 @@ static edge edge_at(const glint_triangle *t, int i, int32_t x, int32_t y)
 }
 
 /* A sample exactly on an edge belongs to the triangle if that edge is a top or a left one, so that
- * of the two triangles along an edge exactly one has it. For the others "positive" is asked, not
- * "not negative": one less in integers. */
+ * exactly one of the two triangles along an edge owns it. Other edges require "positive" instead of
+ * "not negative", which is one less in integers. */
 static edge biased_edge_at(const glint_triangle *t, int i, int32_t x, int32_t y)
 {
     edge e = edge_at(t, i, x, y);

@@ -1,6 +1,6 @@
 /* One frame from scene to picture, in three phases that all threads share: vertices, triangles,
- * bands of rows. The pieces of each phase are of a fixed size and are taken by whichever thread is
- * free; what a piece yields depends on the scene alone, so the picture does too. */
+ * bands of rows. Each phase is split into pieces of a fixed size, which go to whichever thread is
+ * free; a piece's result depends only on the scene, and so does the picture. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "render/render.h"
@@ -55,7 +55,7 @@ static bool colors_at_vertices(const frame *f)
     return f->shading == GLINT_SHADING_GOURAUD || f->shading == GLINT_SHADING_GOURAUD_PERSPECTIVE;
 }
 
-/* Takes the next of count pieces; false when there are none left or the frame is given up. */
+/* Takes the next of count pieces; false if none are left or the frame is abandoned. */
 static bool take(frame *f, glint_render_worker *w, size_t count, size_t *piece)
 {
     if (atomic_load_explicit(&f->failed, memory_order_relaxed))
@@ -242,8 +242,8 @@ static glint_status prepare_gouraud(const frame *f, glint_render_worker *w, glin
     return status;
 }
 
-/* The model of the scene's highlights, kept from frame to frame: preparing some takes long.
- * *specular is NULL when the backend makes them. */
+/* The model of the scene's highlights, kept from frame to frame because some take long to prepare.
+ * *specular is NULL if the backend computes them. */
 static glint_status prepare_specular(glint_renderer *r, const glint_scene *scene,
                                      const glint_reflectance **specular, glint_error *err)
 {

@@ -11,7 +11,7 @@ static int32_t snap(double pixels)
     return (int32_t)floor(pixels * GLINT_SUBPIXEL_ONE + 0.5);
 }
 
-/* Projects a point inside all the clipping planes. Its colour is still to come. */
+/* Projects a point inside all the clipping planes. Its colour is set later. */
 static glint_screen_vertex project(const glint_camera *camera, glint_view_point p, glint_vec3 n)
 {
     const double inv_w = 1.0 / p.w;
@@ -48,7 +48,8 @@ static int32_t greater(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* Finds the pixels of the frame whose samples the triangle's box holds; false if there are none. */
+/* Finds the pixels of the frame whose samples lie in the triangle's box; false if there are
+ * none. */
 static bool find_box(glint_triangle *t, glint_extent extent)
 {
     t->first_x = greater(glint_first_sample(lesser(lesser(t->x[0], t->x[1]), t->x[2])), 0);

@@ -90,8 +90,8 @@ static struct aiVector3D stored(double x, double y, double z)
     return (struct aiVector3D){(float)x, (float)y, (float)z};
 }
 
-/* Normals go by the cofactors, as everywhere (imported.c). The sum need not be divided by the
- * weight for them: only their direction counts. */
+/* Normals are transformed by the cofactors, as everywhere (imported.c). The sum need not be divided
+ * by the weight: only the direction matters. */
 static void move_vertex(const blend *b, struct aiVector3D *vertex, struct aiVector3D *normal)
 {
     if (!(b->weight > 0.0))

@@ -19,7 +19,7 @@ typedef struct wedge {
     uint32_t corner; /* index into the mesh's */
 } wedge;
 
-/* A corner with its normal, as it is stored. */
+/* A corner with its stored normal. */
 typedef struct finished {
     float normal[3];
     uint32_t corner;
@@ -198,7 +198,7 @@ static glint_vec3 unit_or(glint_vec3 v, glint_vec3 otherwise)
     return length > 0.0 ? glint_vec3_scale(v, 1.0 / length) : otherwise;
 }
 
-/* The mean for the wedge at `own`. A triangle without a plane takes what there is about it. */
+/* The mean for the wedge at `own`. A triangle without a plane uses whatever is around it. */
 static glint_vec3 mean_for(const work *w, size_t count, size_t own)
 {
     const wedge *mine = &w->wedges[own];
@@ -221,8 +221,8 @@ static bool lacks_normal(const work *w, uint32_t corner)
     return n[0] == 0.0f && n[1] == 0.0f && n[2] == 0.0f;
 }
 
-/* Makes one wedge of those that differ in their angle alone; returns how many are left. The corners
- * in w->finished come into the order of their wedges. */
+/* Merges wedges that differ only in their angle; returns how many are left. The corners in
+ * w->finished come into the order of their wedges. */
 static size_t merge(work *w, size_t count)
 {
     qsort(w->wedges, count, sizeof *w->wedges, order_of_wedges);

@@ -38,7 +38,7 @@ static open_file *file_of(struct aiFile *file)
     return (open_file *)(void *)file;
 }
 
-/* Returns how many bytes came. */
+/* Returns the number of bytes read. */
 static size_t read_bytes(open_file *from, char *to, size_t count)
 {
     if (from->bytes != NULL) {
@@ -56,7 +56,7 @@ static size_t read_bytes(open_file *from, char *to, size_t count)
     return got;
 }
 
-/* As fread(): returns how many whole items came. */
+/* Like fread(): returns the number of whole items. */
 static size_t read_items(struct aiFile *file, char *to, size_t size, size_t count)
 {
     open_file *from = file_of(file);
@@ -102,7 +102,7 @@ static void flush_nothing(struct aiFile *file)
     (void)file;
 }
 
-/* A regular file's descriptor, or -1. Opening does not wait, whatever is there. */
+/* A regular file's descriptor, or -1. Opening never blocks. */
 static int open_regular(const char *path, struct stat *info)
 {
     const int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
@@ -163,7 +163,7 @@ static bool begins_as_ply(const glint_text *text)
            (text->at[3] == '\n' || text->at[3] == '\r');
 }
 
-/* NULL: a format that assimp gets as it is. */
+/* NULL: a format passed to assimp unchanged. */
 static looking *look_for(const glint_text *text)
 {
     static const struct {

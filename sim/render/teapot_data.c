@@ -1,6 +1,5 @@
-/* Martin Newell's teapot (University of Utah, 1975) in its published form: the lists of patches
- * and of vertices as they stand in the data set that has travelled since. Numbers only; teapot.c
- * gives them their meaning. */
+/* Martin Newell's teapot (University of Utah, 1975) in its published form: the lists of patches and
+ * vertices of the data set in circulation since then. Numbers only; teapot.c interprets them. */
 #include "render/teapot_data.h"
 
 const uint16_t glint_teapot_patches[GLINT_TEAPOT_PATCHES][16] = {

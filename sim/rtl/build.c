@@ -19,7 +19,7 @@
 #define UNITY     "circuit.cpp"
 #define PORT_FILE "glint_port.v"
 
-/* A product while it is made, in a work directory that holds its sources. */
+/* A product being built, in a work directory that holds its sources. */
 typedef struct build {
     const glint_product *product;
     const char *work;
@@ -94,7 +94,7 @@ static glint_status is_output(const build *b, const char *port, bool *output, gl
     return status;
 }
 
-/* Every input must be a pin; an output may be left alone. */
+/* Every input must be a pin; outputs may be left out. */
 static glint_status check_other_ports(const build *b, const char *said, glint_error *err)
 {
     const glint_product *p = b->product;
@@ -112,7 +112,7 @@ static glint_status check_other_ports(const build *b, const char *said, glint_er
     return status;
 }
 
-/* Runs Verilator over the probe or the top, and judges what it says. */
+/* Runs Verilator over the probe or the top module and interprets its output. */
 static glint_status run_verilator(const build *b, const glint_arguments *line, glint_error *err)
 {
     const glint_product *p = b->product;

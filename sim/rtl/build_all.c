@@ -1,4 +1,4 @@
-/* Several circuits at a time, for who needs many. */
+/* Builds several circuits in parallel. */
 #define _POSIX_C_SOURCE 200809L
 
 #include <pthread.h>
@@ -67,7 +67,7 @@ static void build_some(order *o)
     }
 }
 
-/* As many as are asked for, or there is work for; this thread is one of them. */
+/* As many threads as requested or useful, including this one. */
 static int threads_of(const order *o)
 {
     long threads = o->control->threads > 0 ? o->control->threads : sysconf(_SC_NPROCESSORS_ONLN);
@@ -76,7 +76,7 @@ static int threads_of(const order *o)
     return threads < 1 ? 1 : threads > THREADS_MAX ? THREADS_MAX : (int)threads;
 }
 
-/* With many to build, one thread precompiles the headers first; that this fails is no matter. */
+/* With many to build, one thread precompiles the headers first; failure does not matter. */
 static void work(void *context, int worker)
 {
     order *o = context;

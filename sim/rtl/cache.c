@@ -192,7 +192,7 @@ char *glint_cache_newest(const char *cache, const char *begin, const char *end)
     return first_of(cache, begin, end, true, &time, &count);
 }
 
-/* A directory takes another name first, so that nobody finds half of it. */
+/* Renames a directory first, so that nobody sees half of it. */
 static bool remove_entry(const char *path)
 {
     if (unlink(path) == 0 || errno == ENOENT)

@@ -14,7 +14,7 @@ typedef struct message {
     const char *begin; /* behind "%Error…: " */
     const char *text;  /* behind the position */
     const char *end;
-    int in_probe; /* its line, 0: it is not about the probe */
+    int in_probe; /* its line; 0: not about the probe */
 } message;
 
 typedef struct subject {

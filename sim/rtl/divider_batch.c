@@ -31,7 +31,7 @@ static bool is_pipelined(const glint_rtl *rtl)
     return glint_rtl_setting(rtl)->values[GLINT_DIVIDER_FORM] == GLINT_DIVIDER_PIPELINED;
 }
 
-/* A port that must be of so many bytes. */
+/* A port that must have the given size. */
 static void *port(glint_rtl *rtl, const char *name, size_t size, bool *good)
 {
     size_t found = 0;
@@ -68,7 +68,7 @@ static bool find_ports(glint_rtl *rtl, divider *d)
     return good;
 }
 
-/* The divider that a circuit is, looked at once; NULL: it is another's. */
+/* The circuit as a divider, looked up once; NULL if it is not one. */
 static const divider *divider_of(glint_rtl *rtl)
 {
     divider *d = glint_rtl_notes(rtl);
@@ -134,7 +134,7 @@ static size_t run_pipelined(glint_rtl *rtl, const divider *d, const glint_divisi
 
 /* ---- The sequential form --------------------------------------------------------------------- */
 
-/* One division from start to done; false when done does not come within the latency. */
+/* One division from start to done; false if done does not rise within the latency. */
 static bool divide_one(glint_rtl *rtl, const divider *d, uint8_t k, int16_t difference,
                        int32_t *code, bool *out_of_table)
 {

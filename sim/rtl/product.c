@@ -14,8 +14,8 @@
 #include "rtl/runtime.h"
 
 enum {
-    /* Part of every hash: to be raised when build.c makes something else of the same sources, by
-     * other options of Verilator, say. */
+    /* Part of every hash: increment it when build.c makes something different from the same
+     * sources, for example with other Verilator options. */
     RECIPE = 3,
     KEPT_ALIKE = 64, /* edits of a setting's Verilog */
 };
@@ -67,7 +67,7 @@ static glint_status add_sources(glint_product *product, glint_error *err)
     return status == GLINT_OK ? add_shim(product, err) : status;
 }
 
-/* What the processor can: a fast circuit is made for it alone. */
+/* The processor's features: a fast circuit is built for this processor only. */
 static void print_processor(FILE *out)
 {
     char line[8192];

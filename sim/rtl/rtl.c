@@ -199,7 +199,8 @@ static glint_status list_ports(glint_rtl *rtl, glint_error *err)
     return GLINT_OK;
 }
 
-/* Ports and description agree by the probe; this is for a shared object that is another's. */
+/* The probe guarantees that ports and description agree; this guards against a foreign shared
+ * object. */
 static glint_status check_size(const glint_shim_port *port, int width, glint_error *err)
 {
     if (8 * port->size < (size_t)width)

@@ -16,17 +16,17 @@
 #include "rtl/diagnosis.h"
 #include "rtl/sources.h"
 
-/* A build takes what it needs of a runtime within minutes. */
+/* A build links what it needs from a runtime within minutes. */
 enum { KEPT_RUNTIMES = 4, A_DAY = 24 * 60 * 60 };
 
-/* Verilator's code is nobody's to mend: no warnings. */
+/* No warnings: Verilator's code is not ours to fix. */
 static const char *const common_flags[] = {
     "-std=gnu++17",     "-fPIC",           "-fvisibility=hidden", "-w",
     "-DVM_COVERAGE=0",  "-DVM_SC=0",       "-DVM_TRACE=1",        "-DVM_TRACE_FST=1",
     "-DVM_TRACE_VCD=1", "-DVL_USER_FATAL", "-DVL_USER_FINISH",    NULL,
 };
-/* Of the runtime only what ends each evaluation counts in a circuit's speed; the rest takes twice
- * as long to compile as it needs. */
+/* Only the part of the runtime that ends each evaluation affects a circuit's speed; optimising the
+ * rest would double its compile time. */
 static const char *const runtime_flags[] = {"-O0", NULL};
 static const char timed_source[] = "/verilated.cpp";
 static const char *const timed_flags[] = {"-O1", NULL};
@@ -34,8 +34,8 @@ static const char *const timed_flags[] = {"-O1", NULL};
  * what was measured), any other for a first answer soon. */
 static const char *const soon_flags[] = {"-O1", NULL};
 static const char *const fast_flags[] = {"-O2", "-march=native", NULL};
-/* What Verilator keeps for each thread begins as constants: it need not be asked for by a call,
- * which is 7 % of a clock at one lane. clang does not know the flag. */
+/* Verilator's thread-local data is constant-initialised, so it can be accessed without a call,
+ * which saves 7 % of a clock at one lane. clang does not have the flag. */
 static const char *const gcc_flags[] = {"-fno-extern-tls-init", NULL};
 
 const char *glint_rtl_kind_name(glint_rtl_kind kind)
@@ -155,7 +155,7 @@ static bool is_timed(const char *source)
     return name != NULL && strcmp(name, timed_source) == 0;
 }
 
-/* Begins to compile a file, unless another process has done so meanwhile. */
+/* Starts compiling a file, unless another process has meanwhile. */
 static glint_status start(glint_runtime *runtime, glint_runtime_file *file, glint_error *err)
 {
     glint_arguments line;
@@ -211,7 +211,7 @@ glint_status glint_runtime_add(glint_runtime *runtime, const char *name, glint_e
     return add_source(runtime, name, source, err);
 }
 
-/* What a circuit will want, before Verilator says so; a version may not have all of it. */
+/* What a circuit will need, before Verilator says so; not every version has all of it. */
 static glint_status add_expected(glint_runtime *runtime, glint_error *err)
 {
     const char *const expected[] = {"verilated", "verilated_threads",
@@ -353,7 +353,7 @@ static glint_status precompile(const glint_runtime *runtime, const char *work, g
     return status;
 }
 
-/* header.h.gch: what gcc and clang look for beside header.h. */
+/* header.h.gch, which gcc and clang look for next to header.h. */
 static glint_status precompile_entry(const glint_runtime *runtime, glint_error *err)
 {
     char *name;

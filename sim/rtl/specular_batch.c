@@ -21,7 +21,7 @@ typedef struct device {
 
 _Static_assert(sizeof(device) <= GLINT_RTL_NOTES_SIZE, "a device fits into a circuit's notes");
 
-/* A port that must be of so many bytes. */
+/* A port that must have the given size. */
 static void *port(glint_rtl *rtl, const char *name, size_t size, bool *good)
 {
     size_t found = 0;
@@ -57,7 +57,7 @@ static bool find_ports(glint_rtl *rtl, int lanes, device *d)
     return good;
 }
 
-/* The device that a circuit is, looked at once; NULL: it is another's. */
+/* The circuit as a specular device, looked up once; NULL if it is not one. */
 static const device *device_of(glint_rtl *rtl, int lanes)
 {
     device *d = glint_rtl_notes(rtl);

@@ -29,7 +29,7 @@ static char *runnable(const char *directory, int length, const char *name)
     return NULL;
 }
 
-/* Where a command is: of itself with a slash in it, else by the PATH; NULL: nowhere. */
+/* The path of a command: itself if it contains a slash, else from the PATH; NULL if not found. */
 static char *command_path(const char *name)
 {
     const char *path = getenv("PATH");
@@ -102,7 +102,7 @@ void glint_tool_free(glint_tool *tool)
     *tool = (glint_tool){{NULL}};
 }
 
-/* What the variable tells, else the first of these names that there is. */
+/* The variable's value, else the first of these names that exists. */
 static glint_status find(const char *variable, const char *const *names, const char *missing,
                          glint_tool *tool, glint_error *err)
 {

@@ -87,7 +87,7 @@ glint_status glint_study_files_end(glint_study_files *files, glint_error *err)
     return status;
 }
 
-/* A name that only a study gives a file, if not all studies. */
+/* A file name that only studies use, though not every study. */
 static bool is_of_some_studies(const char *name)
 {
     bool picture = strlen(name) == strlen("n-NNNN.png") && strncmp(name, "n-", 2) == 0 &&

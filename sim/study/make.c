@@ -150,7 +150,7 @@ static glint_status finish(const making *m, glint_error *err)
                : glint_study_files_commit(m->files, err);
 }
 
-/* An exponent that a model does not take is found before any file is written. */
+/* Detects an exponent that a model does not accept before any file is written. */
 static glint_status check_exponents(const glint_study_options *options, glint_error *err)
 {
     glint_status status = GLINT_OK;

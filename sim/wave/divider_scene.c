@@ -22,7 +22,7 @@ static int pace(glint_divider_form form, int shifts)
     return form == GLINT_DIVIDER_SEQUENTIAL ? shifts + 1 : 1;
 }
 
-/* The stall comes while the second division is under way. */
+/* The stall occurs while the second division is in progress. */
 static int stall_first(glint_divider_form form, int shifts)
 {
     return FIRST_START + pace(form, shifts) + (form == GLINT_DIVIDER_SEQUENTIAL ? 4 : 1);
@@ -52,7 +52,7 @@ void glint_divider_scene(glint_divider_form form, int shifts, int clock, glint_d
     in->en = !stalled;
     if (step < 0 || step >= GLINT_DIVIDER_SCENE_DIVISIONS * each)
         return;
-    /* A start in the middle of the second division: it is to be ignored. */
+    /* A start in the middle of the second division, which must be ignored. */
     const bool too_early = form == GLINT_DIVIDER_SEQUENTIAL && step == each + each / 2 + 1;
     if (step % each != 0 && !too_early)
         return;

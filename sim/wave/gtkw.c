@@ -25,8 +25,8 @@
 #define ZOOM_FRAME    200
 #define CURVE_ROWS    3 /* beside the curve's own */
 
-/* GTKWave writes at most so many digits of a fraction: 16 that count and, as it leaves out what is
- * below 0.0001, three zeros. */
+/* GTKWave prints at most this many fraction digits: 16 significant ones plus three zeros, since it
+ * drops fractions below 0.0001. */
 #define FRACTION_DIGITS 19
 
 struct glint_gtkw {
@@ -134,7 +134,7 @@ static void write_header(FILE *out, const char *title, const glint_gtkw_window *
     const int signals = CHARACTER * (widths->label_width + widths->value_width) + PANE_EDGES;
     const double wave = WINDOW_WIDTH - BESIDE_PANES - signals;
     const double view = GLINT_GTKW_CLOCKS * GLINT_RTL_TRACE_PERIOD;
-    /* GTKWave's zoom: a frame of so many pixels shows 2^−zoom time units. */
+    /* GTKWave's zoom: a window of this many pixels shows 2^−zoom time units. */
     const double zoom = -log2(view * ZOOM_FRAME / wave);
     fprintf(out, "[*] %s\n", title);
     fprintf(out, "[dumpfile] \"%s\"\n", slash != NULL ? slash + 1 : window->waveform);

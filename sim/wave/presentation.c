@@ -8,7 +8,7 @@
 /* So many bits, one by one, have room in a clock of the view; of more GTKWave cuts off the last. */
 #define BITS_OF_A_CLOCK 8
 
-#define NUMBER_BITS 64 /* wider values are no numbers to a reader */
+#define NUMBER_BITS 64 /* wider values are unreadable as numbers */
 #define CURVE_BITS  4  /* fewer make no curve */
 
 const char *glint_show_place(const glint_setting *setting)

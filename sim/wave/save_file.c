@@ -10,7 +10,7 @@
 #define SCOPE_TEXT 256
 #define TITLE_TEXT 256
 
-/* A text that is added to until it is full. */
+/* Appends to a text until it is full. */
 typedef struct scope {
     char text[SCOPE_TEXT];
     size_t used;
@@ -106,8 +106,8 @@ static int rank_of(const glint_pin_info *pin)
 }
 #define RANKS 6
 
-/* The pins of several lanes are one wide port, and no number: those of lane 0 alone, as ports of
- * the lane. */
+/* The pins of several lanes form one wide port, which is not a number, so only lane 0's are shown,
+ * as the lane's ports. */
 static void add_inputs(glint_gtkw *rows, const glint_setting *setting)
 {
     const glint_circuit *circuit = setting->circuit;

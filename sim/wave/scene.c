@@ -12,12 +12,12 @@
 #include "wave/divider_scene.h"
 #include "wave/specular_scene.h"
 
-/* Of a circuit without a scene of its own. */
+/* For a circuit without its own scene. */
 enum {
     RESET_CLOCK = 1,
     FIRST_CLOCK = 3,  /* that takes something */
     RUN_CLOCKS = 40,  /* from there on, as far as the circuit is not slower */
-    THINGS = 4,       /* that a slow circuit takes at least */
+    THINGS = 4,       /* inputs that even a slow circuit accepts */
     STALL_CLOCKS = 3, /* a third of the way */
     GAP_CLOCKS = 2,   /* two thirds of the way, for certain */
 };

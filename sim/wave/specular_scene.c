@@ -59,7 +59,7 @@ static int is_stalled(int clock, int lanes)
     return clock >= stall_first(lanes) && clock < stall_first(lanes) + STALL_CLOCKS;
 }
 
-/* The number of the clock without the stalled ones: what a point's place in the scene goes by. */
+/* The clock number without stalled clocks, which determines a point's place in the scene. */
 static int running_clock(int clock, int lanes)
 {
     if (is_stalled(clock, lanes))
@@ -68,7 +68,7 @@ static int running_clock(int clock, int lanes)
 }
 
 /* After the first scan: the second material with its first point, a gap, a code above 1.0, and a
- * third material that comes between points. */
+ * third material between points. */
 static void after_first_scan(int step, int lanes, glint_specular_inputs *in)
 {
     const int second = scan_clocks(lanes);

@@ -65,7 +65,7 @@ static glint_status copy_file(const char *from, const char *to, glint_error *err
     return status;
 }
 
-/* What went wrong with the file in the making is told of the one that was asked for. */
+/* Errors about the temporary file are reported with the requested name. */
 static void name_target(const char *part, const char *path, glint_error *err)
 {
     glint_error told;
@@ -77,8 +77,8 @@ static void name_target(const char *part, const char *path, glint_error *err)
     *err = told;
 }
 
-/* An FST file is blocks, one after the other: a byte that says which, its length, its content. They
- * fill the file exactly, and a writer that came to its end has left these. */
+/* An FST file is a sequence of blocks: a type byte, a length, the content. They fill the file
+ * exactly, and a writer that finished has left these. */
 enum {
     HEADER = 0,
     GEOMETRY = 3,
@@ -126,7 +126,7 @@ bool glint_wave_is_whole(const char *fst)
     return whole;
 }
 
-/* One that did not take all was left empty. */
+/* A file system that ran out of space leaves it empty. */
 static bool is_whole_vcd(const char *path)
 {
     struct stat found;
