@@ -18,7 +18,7 @@ module color_multiplier (
                                       {(`GLINT_W_FRAC_BITS - 1){1'b0}}};
 
     wire [SUM_BITS-1:0]           sum = w * color + HALF;
-    wire                          high_unused; // w at most 1.0 leaves it 0
+    wire                          high_unused; // 0, since w is at most 1.0
     wire [`GLINT_W_FRAC_BITS-1:0] low_unused;
     assign {high_unused, product, low_unused} = sum;
 endmodule

@@ -3,9 +3,9 @@
 // Function    acc = in_acc + (iSTAGE ? d / 2^STAGE : 0) for three components
 // Formats     d S9.0;  acc S9.n, n = SHIFTS;  bits: i0 highest, in lowest
 // Rounding    none: d / 2^STAGE is a code with n fraction bits
-// Latency     1 clock. Throughput: one division a clock.
-// Reset       synchronous, active high, clears everything, whatever en says. en = 0 freezes all.
-// Handshake   valid travels beside the data.
+// Latency     1 clock. Throughput: one division per clock.
+// Reset       synchronous, active high, clears everything, regardless of en. en = 0 freezes all.
+// Handshake   valid travels with the data.
 // Example     SHIFTS = 12, STAGE = 6, k = 7, in_d_r = 255: in_bits = 585 (0.001001001001),
 //             in_acc_r = 130560 (255/8); i6 is 1, so acc_r = 146880 (255/8 + 255/64), d_r = 255
 `default_nettype none
@@ -38,8 +38,8 @@ module divider_stage #(
     output wire signed [D+SHIFTS-1:0] acc_g,
     output wire signed [D+SHIFTS-1:0] acc_b
 );
-    // d / 2^STAGE with n fraction bits: the sign fills the places on the left. (One zero is put on
-    // the right and taken off again, since the last stage would need a replication of none.)
+    // d / 2^STAGE with n fraction bits: the sign fills in from the left. (One zero is appended on
+    // the right and removed again, since the last stage would need a replication count of 0.)
     localparam W = D + SHIFTS;
     wire [W:0] wide_r = {{STAGE{in_d_r[D-1]}}, in_d_r, {(SHIFTS - STAGE + 1){1'b0}}};
     wire [W:0] wide_g = {{STAGE{in_d_g[D-1]}}, in_d_g, {(SHIFTS - STAGE + 1){1'b0}}};

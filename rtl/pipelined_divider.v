@@ -1,16 +1,16 @@
-// pipelined_divider: the divider of figure 2.13 unrolled, one division a clock.
+// pipelined_divider: the divider of figure 2.13 unrolled, one division per clock.
 //
 // Function    quotient_x = difference_x * (i0 + i1/2 + ... + in/2^n) for three colour components by
 //             one k: bit for bit what shift_divider gives.
 // Formats     difference_* S9.0, -255..255;  k U8.0;  quotient_* S9.n, n = SHIFTS
 // Rounding    none here: the rounding is in the table (reciprocal_rom).
-// Latency     SHIFTS + 1 clocks from the edge that takes the inputs to the one after which the
-//             quotients are out, both counted. Throughput: one division of three components a
+// Latency     SHIFTS + 1 clocks from the edge that loads the inputs to the one after which the
+//             quotients are out, both counted. Throughput: one division of three components per
 //             clock.
-// Handshake   in_valid at an enabled edge takes the inputs; out_valid marks the quotients. There is
+// Handshake   in_valid at an enabled edge loads the inputs; out_valid marks the quotients. There is
 //             no back pressure; en = 0 freezes the whole pipeline instead. out_of_table comes with
-//             the quotients: k was 0 or beyond GLINT_DIVIDER_K_MAX, and they are 0.
-// Reset       synchronous, active high, clears everything, whatever en says.
+//             the quotients: k was 0 or above GLINT_DIVIDER_K_MAX, and they are 0.
+// Reset       synchronous, active high, clears everything, regardless of en.
 // Parameters  SHIFTS 6..16
 // Example     SHIFTS = 12, k = 7, difference_r = 255, difference_g = -255,
 //             difference_b = 14: rom_bits = 585 (0.001001001001), and 13 clocks on
@@ -55,7 +55,7 @@ module pipelined_divider #(
     wire            rom_miss;
     reciprocal_rom #(.SHIFTS(SHIFTS)) u_rom (.k(s0_k), .bits(rom_bits), .miss(rom_miss));
 
-    // Between the stages: element j is what stage j hands on. i0, for k = 1, is added before the
+    // Between the stages: element j is the output of stage j. i0, for k = 1, is added before the
     // first.
     wire            valid [0:SHIFTS];
     wire            miss  [0:SHIFTS];

@@ -4,17 +4,17 @@
 //             being those of 2^n/k rounded to nearest: about difference / k (2.18). No bit that is
 //             shifted out is lost, so the quotient is the exact sum.
 // Blocks      shift register shift_rg, accumulating register acc_rg and its adder sum, table
-//             rom_bits (reciprocal_rom); bits_rg hands the adder one bit ij a clock: it adds where
+//             rom_bits (reciprocal_rom); bits_rg gives the adder one bit per clock: it adds where
 //             ij = 1.
 // Formats     difference S9.0, -255..255;  k U8.0;  quotient, shift_rg, acc_rg S9.n
 // Rounding    none here: the rounding is in the table.
-// Latency     SHIFTS + 1 clocks from the edge that takes start to the one after which done is 1,
+// Latency     SHIFTS + 1 clocks from the edge that accepts start to the one after which done is 1,
 //             both counted. Throughput: one division every SHIFTS + 1 clocks.
-// Handshake   start is taken at an enabled edge where busy = 0. done is 1 for one enabled clock;
-//             quotient and out_of_table hold from then until the next start is taken. A start while
-//             busy = 1 is ignored. start and done may meet in one clock.
-//             k = 0, or beyond GLINT_DIVIDER_K_MAX: out_of_table = 1 and quotient = 0.
-// Reset       synchronous, active high, clears everything, whatever en says. en = 0 freezes all.
+// Handshake   start is accepted at an enabled edge while busy = 0. done is 1 for one enabled clock;
+//             quotient and out_of_table hold from then until the next accepted start. A start while
+//             busy = 1 is ignored. start and done may coincide.
+//             k = 0 or above GLINT_DIVIDER_K_MAX: out_of_table = 1 and quotient = 0.
+// Reset       synchronous, active high, clears everything, regardless of en. en = 0 freezes all.
 // Parameters  SHIFTS 6..16
 // Example     SHIFTS = 12, k = 7, difference = 255: rom_bits = 585 (0.001001001001), and 13 clocks
 //             on done = 1, quotient = 149175 (36.42)
@@ -46,7 +46,7 @@ module shift_divider #(
 
     reg signed [WIDTH-1:0]  shift_rg;
     reg signed [WIDTH-1:0]  acc_rg;
-    reg        [SHIFTS-1:0] bits_rg; // the bits still to come, the next one highest
+    reg        [SHIFTS-1:0] bits_rg; // remaining bits, next one highest
     reg        [LEFT-1:0]   left;    // how many
 
     wire signed [WIDTH-1:0] loaded  = {difference, {SHIFTS{1'b0}}};

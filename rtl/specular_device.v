@@ -1,25 +1,25 @@
 // specular_device: the specular-colour device of figure 3.1 (thesis section 3.1).
 //
 // Function    out = W times (R, G, B),  W = (sigma (cos - 1) + 1)^2 inside the highlight, 0
-//             outside, sigma = (n + 1) / 3, for LANES cosines a clock with one material (n, R, G,
+//             outside, sigma = (n + 1) / 3, for LANES cosines per clock with one material (n, R, G,
 //             B).
-// Blocks      registers 2 to 5, ROM 33, ROM 9 here; the others once a lane in specular_lane.
+// Blocks      registers 2 to 5, ROM 33, ROM 9 here; the others once per lane in specular_lane.
 //             Signals carry the block's number: reg2, rom33, lane[0].adder6, lane[0].keys12 ...
 //             A prefix s2_, s3_ names the pipeline stage that a delayed copy belongs to.
 // Formats     cos U1.18 (codes above 1.0 saturate), n U10.0, r, g, b U8.0 (already times Ks),
 //             out_w U1.18, out_r, out_g, out_b U8.0; lane i in bits [i*width +: width]
 // Rounding    half up, see specular_lane; each output within 0.52 of an 8-bit step of the formula
 // Latency     PIPELINED = 1: 4 clocks; 0: 1 clock, registers 1-5 and then combinational.
-//             Counted from the edge that takes the cosine to the edge after which its result is
-//             out, both included. Throughput: LANES cosines a clock, every clock.
-// Reset       synchronous, active high; clears every register, whatever en says.
-// Handshake   in_valid[i] = 1 at an enabled edge: lane i takes its cosine; out_valid[i] marks its
+//             Counted from the edge that accepts the cosine to the edge after which its result is
+//             out, both included. Throughput: LANES cosines per clock, every clock.
+// Reset       synchronous, active high; clears every register, regardless of en.
+// Handshake   in_valid[i] = 1 at an enabled edge: lane i accepts its cosine; out_valid[i] marks its
 //             result. There is no back pressure; en = 0 freezes the whole device instead.
 //             n_we and rgb_we write the material with or without a cosine; a material written at
 //             the same edge as a cosine applies to it and to later ones, never to earlier ones.
 // Parameters  GATE      0 cosine (default), 1 sign, 2 drawn: see specular_lane
 //             PIPELINED 1 (default) or 0
-//             LANES     1 or more; tried are 1 to 32
+//             LANES     1 or more; 1 to 32 are tested
 // Example     n = 80, r = 255, g = 190, b = 110, cos = 259523 (0.99): rom33 = 221184 (27),
 //             rom9 = 252435 (0.963), and 4 clocks after the cosine out_w = 139714 (0.533),
 //             out_r = 136, out_g = 101, out_b = 59
@@ -73,11 +73,11 @@ module specular_device #(
         end else if (GATE == `GLINT_GATE_SIGN) begin : g_rom9
             assign rom9 = {`GLINT_COS_BITS{1'b0}};
         end else begin : g_rom9
-            GATE_must_be_0_1_or_2 error(); // there is no such module: elaboration stops here
+            GATE_must_be_0_1_or_2 error(); // no such module: elaboration stops here
         end
     endgenerate
 
-    // The valid bits and the material travel beside the lanes, stage by stage.
+    // The valid bits and the material travel alongside the lanes, stage by stage.
     wire [LANES-1:0]             s1_valid;
     wire [LANES-1:0]             s2_valid;
     wire [LANES-1:0]             s3_valid;

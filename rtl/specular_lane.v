@@ -1,20 +1,20 @@
-// specular_lane: the blocks of figure 3.1 that every cosine of a clock needs for itself.
+// specular_lane: the blocks of figure 3.1 that exist once per cosine.
 //
-// Function    W = t^2 where comparator 11 passes it, else 0;  t = sigma (cos - 1) + 1
+// Function    W = t^2 if comparator 11 passes it, else 0;  t = sigma (cos - 1) + 1
 //             out_r, out_g, out_b = W times R, G, B
 // Blocks      register 1, adders 6 and 8, multipliers 7, 10, 13, 14, 15, comparator 11, keys 12
 // Formats     cos, reg1, rom9, W  U1.18    rom33 (sigma)  U9.13    adder6  S1.18
 //             mul7, adder8 (t)    S10.18   colours        U8.0
-//             S<i>.<f> counts the sign among its i integer digits.
+//             the i integer digits of S<i>.<f> include the sign.
 // Rounding    half up, at multipliers 7, 10, 13, 14, 15; nowhere else.
-// Saturation  register 1 takes 1.0 for any code above 1.0; GATE drawn: the square is at most 1.0.
+// Saturation  register 1 loads 1.0 for any code above 1.0; GATE drawn: the square is at most 1.0.
 // Latency     1 clock (PIPELINED = 0) or 4 (PIPELINED = 1), from the edge that loads register 1 to
-//             the one after which the result is out, both counted. Throughput: one cosine a clock.
-// Reset       synchronous, active high, all registers 0, whatever en says. en = 0 holds them all.
-// Handshake   none here: specular_device carries the valid bits beside the lanes.
-// Parameters  GATE 0 cosine: comparator 11 compares register 1 with ROM 9, a limit of the cosine
-//                  1 sign:   the sign of adder 8 decides, ROM 9 is not looked at
-//                  2 drawn:  comparator 11 compares the square with ROM 9, a limit of W
+//             the one after which the result is out, both counted. One cosine per clock.
+// Reset       synchronous, active high, all registers 0, regardless of en. en = 0 holds them all.
+// Handshake   none here: specular_device carries the valid bits alongside the lanes.
+// Parameters  GATE 0 cosine: comparator 11 compares register 1 with ROM 9, a cosine limit
+//                  1 sign:   the sign of adder 8 decides, ROM 9 is unused
+//                  2 drawn:  comparator 11 compares the square with ROM 9, a W limit
 // Example     n = 80, r = 255, g = 190, b = 110, cos = 259523 (0.99): reg1 = 259523,
 //             rom33 = 221184 (27), rom9 = 252435 (0.963), adder6 = -2621 (-0.01),
 //             mul7 = -70767 (-0.27), adder8 = 191377 (0.73), cmp11 = 1, mul10 = 139714 (0.533),
@@ -56,8 +56,8 @@ module specular_lane #(
         .clk(clk), .reset(reset), .en(en && in_valid),
         .d((cos > COS_ONE) ? COS_ONE : cos), .q(reg1));
 
-    // All ones on the integer digit is -1 there; the fraction passes beside the adder. The adder is
-    // no more than an inverter, so it needs no stage of its own before the multiplier.
+    // All ones on the integer digit is -1 there; the fraction bypasses the adder. The adder is
+    // just an inverter, so it needs no stage of its own before the multiplier.
     wire digit6 = reg1[`GLINT_COS_FRAC_BITS] + 1'b1;
     wire signed [`GLINT_ADDER6_BITS-1:0] adder6 = {digit6, reg1[`GLINT_COS_FRAC_BITS-1:0]};
 
@@ -71,7 +71,7 @@ module specular_lane #(
     wire [`GLINT_SIGMA_FRAC_BITS-1:0] mul7_unused;
     assign {mul7, mul7_unused} = sum7;
 
-    // Carry-in 1 at the integer digits is +1; the fraction passes beside the adder.
+    // Carry-in 1 at the integer digits is +1; the fraction bypasses the adder.
     wire signed [`GLINT_T_BITS-1:0] adder8 = {
         mul7[`GLINT_T_BITS-1:`GLINT_T_FRAC_BITS] + {{(`GLINT_T_INT_BITS - 1){1'b0}}, 1'b1},
         mul7[`GLINT_T_FRAC_BITS-1:0]};
@@ -105,7 +105,7 @@ module specular_lane #(
             assign sat10 = (mul10 > W_ONE) ? W_ONE[`GLINT_W_BITS-1:0] : mul10[`GLINT_W_BITS-1:0];
             assign cmp11 = mul10 >= {{(`GLINT_W_DRAWN_INT_BITS - 1){1'b0}}, s2_rom9};
         end else begin : g_square
-            // Where the gate passes, t is in 0..1: the square needs no more than these digits.
+            // Where the gate passes, t is in 0..1: these digits are enough for the square.
             localparam SUM10_BITS = 2 * `GLINT_W_BITS;
             localparam [SUM10_BITS-1:0] HALF10 = {
                 {(SUM10_BITS - `GLINT_W_FRAC_BITS){1'b0}}, 1'b1, {(`GLINT_W_FRAC_BITS - 1){1'b0}}};

@@ -2,7 +2,7 @@
 //
 // Function    q = d of the last enabled clock; CLOCKED = 0: q = d, a wire, for forms without stages
 // Latency     1 clock; CLOCKED = 0: none
-// Reset       synchronous, active high; clears q, whatever en says.
+// Reset       synchronous, active high; clears q, regardless of en.
 // Handshake   none: en = 0 holds q.
 // Parameters  WIDTH    bits of d and q
 //             CLOCKED  1 (default) or 0

@@ -1,9 +1,8 @@
-/* Runs another program with a limit on its time: in a process group of its own, its output kept in
- * files of the scratch directory. Include it after cmocka.h and scratch.h.
+/* Runs another program with a time limit, in its own process group, with its output kept in files
+ * of the scratch directory. Include it after cmocka.h and scratch.h.
  *
- * A limit is on the processor time that the program itself takes, which does not depend on what
- * else the machine does. The clock on the wall ends a program only after child_patience, and then
- * says that it may have been the machine. */
+ * The limit is on the program's own processor time, which is independent of other load. Wall-clock
+ * time ends a program only after child_patience, with a note that the machine may be to blame. */
 #ifndef GLINT_TESTS_CHILD_H
 #define GLINT_TESTS_CHILD_H
 
@@ -53,7 +52,7 @@ static inline pid_t child_start(const char *const *argv, const char *out, const 
     return child;
 }
 
-/* Seconds by the clock after which what has not happened counts as never happening. */
+/* Wall-clock seconds after which an event is assumed never to happen. */
 static double child_patience = 600.0;
 
 /* Processor time of a process that has not been waited for. */
@@ -66,7 +65,7 @@ static inline double child_worked(pid_t child)
     return (double)worked.tv_sec + (double)worked.tv_nsec * 1e-9;
 }
 
-/* Whether a program that runs since `start` has used up its time; says so. */
+/* Whether a program running since `start` has used up its time; prints a message if so. */
 static inline bool child_is_overdue(pid_t child, double start, double seconds)
 {
     const double worked = child_worked(child), passed = child_seconds() - start;
@@ -90,8 +89,8 @@ static inline bool child_has_ended(pid_t child)
            info.si_pid == child;
 }
 
-/* Its exit status, or 128 + the signal's number; CHILD_TIMED_OUT when it has worked for more than
- * so many seconds, after ending it and all it started. */
+/* Its exit status, or 128 + the signal's number; CHILD_TIMED_OUT if it used more than that many
+ * seconds, after killing it and everything it started. */
 static inline int child_wait(pid_t child, double seconds)
 {
     const double start = child_seconds();
@@ -109,7 +108,7 @@ static inline int child_wait(pid_t child, double seconds)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/* Whether a process has a handler of its own for SIGINT: /proc says which signals it catches. */
+/* Whether a process has a SIGINT handler, according to /proc. */
 static inline int child_catches_sigint(pid_t process)
 {
     char path[64];
@@ -124,8 +123,8 @@ static inline int child_catches_sigint(pid_t process)
     return (caught >> (SIGINT - 1) & 1) != 0;
 }
 
-/* Waits until a program listens to SIGINT: before, it would just end. Fails the test when it ends
- * without having listened. */
+/* Waits until a program handles SIGINT; before that, it would just die. Fails the test if it ends
+ * without ever handling it. */
 static inline void child_wait_for_handler(pid_t child)
 {
     const double start = child_seconds();

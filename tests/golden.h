@@ -1,5 +1,5 @@
-/* For tests whose expected numbers were worked out for the formats as they are committed: with one
- * of them changed (docs/formats.md) they are skipped, and say so. Include it after cmocka.h. */
+/* For tests whose expected numbers assume the committed formats: if a format is changed
+ * (docs/formats.md), they are skipped with a message. Include it after cmocka.h. */
 #ifndef GLINT_TESTS_GOLDEN_H
 #define GLINT_TESTS_GOLDEN_H
 

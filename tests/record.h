@@ -1,6 +1,6 @@
-/* Notes what a test has shown for the table in docs/verified.md, when `make verification` asks
- * for it (tests/verification/record.sh). Include it after cmocka.h; the file that does
- * defines _XOPEN_SOURCE 700 first. */
+/* Records what a test has shown for the table in docs/verified.md, when `make verification` asks
+ * for it (tests/verification/record.sh). Include it after cmocka.h; the file that does defines
+ * _XOPEN_SOURCE 700 first. */
 #ifndef GLINT_TESTS_RECORD_H
 #define GLINT_TESTS_RECORD_H
 
@@ -24,7 +24,7 @@ static inline void record(const char *name, const char *what, const char *method
                                 method,
                                 number,
                                 unit,
-                                "0", /* a test that fails does not come here */
+                                "0", /* not reached by a failing test */
                                 elapsed,
                                 "make test",
                                 NULL};

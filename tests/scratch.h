@@ -1,4 +1,4 @@
-/* A directory of a test's own: made by the group's setup, removed with all in it by its teardown.
+/* A test's own directory: created by the group's setup, removed with its contents by the teardown.
  * Include it after cmocka.h; the file that does defines _XOPEN_SOURCE 700 first. */
 #ifndef GLINT_TESTS_SCRATCH_H
 #define GLINT_TESTS_SCRATCH_H

@@ -1,5 +1,5 @@
-/* The seed of a test that draws: new each time, printed, and to be given again in GLINT_SEED.
- * Include it after cmocka.h. */
+/* The seed of a random test: new each time, printed, and reproducible with GLINT_SEED. Include it
+ * after cmocka.h. */
 #ifndef GLINT_TESTS_SEED_H
 #define GLINT_TESTS_SEED_H
 

@@ -1,4 +1,4 @@
-/* A terminal of a test's own, for what a program shows only to people. Include it after cmocka.h,
+/* A test's own terminal, for output that a program shows only to people. Include it after cmocka.h,
  * scratch.h and child.h; the file that does defines _XOPEN_SOURCE 700 first. */
 #ifndef GLINT_TESTS_TERMINAL_H
 #define GLINT_TESTS_TERMINAL_H
@@ -11,7 +11,7 @@ typedef struct terminal {
     char name[128]; /* what the program opens */
 } terminal;
 
-/* Skips the test where no terminal can be made, as in a container without /dev/pts. */
+/* Skips the test if no terminal can be created, as in a container without /dev/pts. */
 static inline terminal terminal_open(void)
 {
     terminal made;

@@ -1,4 +1,4 @@
-/* Whether a device holds points that are not out yet, however many stages it has. */
+/* Whether a device, with any number of stages, holds points that are not out yet. */
 #ifndef GLINT_TESTS_UNDER_WAY_H
 #define GLINT_TESTS_UNDER_WAY_H
 

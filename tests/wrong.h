@@ -1,5 +1,5 @@
-/* Circuits that are wrong on purpose: directories of Verilog, rtl/ with one edit, which the
- * Makefile makes below build/wrong. */
+/* Deliberately broken circuits: copies of rtl/ with one edit, which the Makefile creates under
+ * build/wrong. */
 #ifndef GLINT_TESTS_WRONG_H
 #define GLINT_TESTS_WRONG_H
 

@@ -1,5 +1,5 @@
-/* Runs the command on a directory with a circuit of one's own, and on copies of it with something
- * changed. Include it after cmocka.h, ../scratch.h and ../cli/run.h. */
+/* Runs the command on a directory with a user's circuit, and on modified copies of it. Include it
+ * after cmocka.h, ../scratch.h and ../cli/run.h. */
 #ifndef GLINT_TESTS_CIRCUIT_OWN_H
 #define GLINT_TESTS_CIRCUIT_OWN_H
 

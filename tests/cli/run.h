@@ -1,4 +1,4 @@
-/* Runs the command under test as a user's shell would, and keeps all that it said.
+/* Runs the command under test as a user's shell would, and captures its output.
  *
  * Include it after cmocka.h and ../scratch.h: its files lie in the scratch directory. The command
  * is build/glint, or what the environment variable GLINT names. */

@@ -1,5 +1,4 @@
-/* The circuits that are wrong on purpose, of both kinds: tests/lockstep/wrong, tests/divider/wrong.
- */
+/* The deliberately broken circuits of both kinds: tests/lockstep/wrong, tests/divider/wrong. */
 #ifndef GLINT_TESTS_FAILURE_FAULTS_H
 #define GLINT_TESTS_FAILURE_FAULTS_H
 

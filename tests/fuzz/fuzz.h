@@ -1,7 +1,7 @@
-/* Fuzz targets: each takes any bytes as one input, uses the code under test as its caller would,
- * and aborts when something that must hold for every input does not. Crashes, leaks and undefined
- * behaviour are for the sanitizers to find. The same functions run under libFuzzer (`make fuzz`)
- * and, on kept and on freshly mutated inputs, in the ordinary tests (test_fuzz.c). */
+/* Fuzz targets: each takes arbitrary bytes as one input, uses the code under test like a normal
+ * caller, and aborts if an invariant fails. Crashes, leaks and undefined behaviour are for the
+ * sanitizers to find. The same functions run under libFuzzer (`make fuzz`) and, on kept and on
+ * freshly mutated inputs, in the ordinary tests (test_fuzz.c). */
 #ifndef GLINT_TESTS_FUZZ_FUZZ_H
 #define GLINT_TESTS_FUZZ_FUZZ_H
 
@@ -38,8 +38,8 @@ size_t fuzz_first_line(const uint8_t *bytes, size_t count, char *line, size_t si
 /* The next byte of an input that is used up from its front; 0 when nothing is left. */
 uint8_t fuzz_take(const uint8_t **bytes, size_t *count);
 
-/* Expects what mesh.h promises, then a small frame in a shading and from a place that `view`
- * chooses: the same by one thread and by three. */
+/* Checks the guarantees of mesh.h, then renders a small frame with a shading and a viewpoint chosen
+ * by `view`: one thread and three must agree. */
 void fuzz_draw(const glint_mesh *mesh, uint32_t view);
 
 /* Runs a subcommand as main() does: argv from the words of a line, the bytes on standard input. */
@@ -52,8 +52,8 @@ fuzz_run fuzz_command(int (*command)(int argc, char **argv), const char *name, c
                       const uint8_t *bytes, size_t count);
 void fuzz_forget(fuzz_run *done);
 
-/* What a command says must be nothing, or one line "glint NAME: …" without control characters; its
- * exit status 0, or 2 with such a line. */
+/* A command must print nothing, or one line "glint NAME: …" without control characters; its exit
+ * status must be 0, or 2 with such a line. */
 void fuzz_expect_outcome(const fuzz_run *done, const char *name);
 
 #endif

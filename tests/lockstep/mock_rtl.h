@@ -1,5 +1,4 @@
-/* A circuit of a test's own in the place of the Verilog: a real one, through which what the test
- * says passes on its way in or out.
+/* A mock in place of the Verilog: a real circuit whose inputs and outputs pass through the test.
  *
  * The programs that use it are linked with ld's --wrap (rules.mk): the functions of rtl/rtl.h and
  * rtl/batch.h go to mock_rtl.c, which calls the real ones, and for a circuit whose
@@ -10,7 +9,7 @@
 
 #include "rtl/batch.h"
 
-/* What names such a circuit; it is opened from Glint's own Verilog. */
+/* Marks such a circuit, which is opened from Glint's own Verilog. */
 extern const char mock_verilog[];
 
 /* NULL: as the real one. */

@@ -1,7 +1,7 @@
 /* A synthesised netlist with many single faults, Verilated: the border between C and the C++ shim.
  *
  * tests/mutation/netlist_shim.cpp defines the one table of a program, mutation_netlist. Only the
- * pins can be seen: a netlist has lost its registers' names. */
+ * pins are visible: a netlist has lost its registers' names. */
 #ifndef GLINT_TESTS_MUTATION_NETLIST_H
 #define GLINT_TESTS_MUTATION_NETLIST_H
 

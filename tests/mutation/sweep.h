@@ -1,4 +1,4 @@
-/* Directed pins for the bench, a clock after the other. */
+/* Directed pins for the bench, clock by clock. */
 #ifndef GLINT_TESTS_MUTATION_SWEEP_H
 #define GLINT_TESTS_MUTATION_SWEEP_H
 
@@ -17,7 +17,7 @@ typedef struct mutation_sweep {
  * Of the dividers: every k, 0…255, with every code of the difference, −256…255: one division after
  * the other, or one a clock with each component at another place of the sweep.
  *
- * Of others: the domain that their description has; 0 clocks when it has none. */
+ * Other circuits: their description's domain; 0 clocks if there is none. */
 uint64_t mutation_sweep_clocks(const glint_setting *setting);
 
 /* The pins of the next clock; clock 1 is the first. */

@@ -1,4 +1,4 @@
-/* The further forms of circuits that a list of tests/circuits.mk names, and how they are built. */
+/* Alternative builds of circuits, as listed by tests/circuits.mk. */
 #ifndef GLINT_TESTS_NETLIST_OPINIONS_H
 #define GLINT_TESTS_NETLIST_OPINIONS_H
 
@@ -16,7 +16,7 @@ typedef struct opinion {
 } opinion;
 
 /* The list in the file that GLINT_OPINIONS names, or $GLINT_BUILD/`otherwise`: a line is a
- * directory …/BUILD[-FAULT]/SETTING. Their number; −1 after saying what is wrong with it. */
+ * directory …/BUILD[-FAULT]/SETTING. Returns their number; −1 after reporting an error. */
 int opinions_read(const char *otherwise, opinion opinions[OPINIONS_MAX]);
 
 /* From now on circuits are built with its tools. */

@@ -1,10 +1,10 @@
-/* Differences planted between a circuit and whoever compares it: what is read from it is altered on
- * the way, so that it is known to the last bit what a comparison has to find.
+/* Differences planted between a circuit and its comparison: values are altered as they are read, so
+ * it is known to the last bit what the comparison must find.
  *
- * The programs of this directory are linked with ld's --wrap: the functions of rtl/rtl.h and
- * rtl/batch.h by which values are read are those of planted.c, which call the real ones.
+ * The programs of this directory are linked with ld's --wrap, so that the reading functions of
+ * rtl/rtl.h and rtl/batch.h are replaced by those in planted.c, which call the real ones.
  *
- * build/planted/glint is the command linked so. It takes what is planted from the environment:
+ * build/planted/glint is the command linked this way. The environment says what to plant:
  * GLINT_PLANTED_SIGNAL and GLINT_PLANTED_CLOCK: the lowest bit of this signal after this clock, in
  * every circuit; GLINT_PLANTED_ANSWER and GLINT_PLANTED_VALUE: as below. */
 #ifndef GLINT_TESTS_PLANTED_PLANTED_H

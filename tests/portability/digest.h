@@ -1,6 +1,6 @@
-/* What the C model computes, as a few numbers that a program on another kind of machine prints as
- * well (main.c): FNV-1a, 64 bits wide, of the values' bytes, the lowest first whatever the
- * machine's order is.
+/* The C model's results condensed to a few numbers, which a program on another kind of machine
+ * prints as well (main.c): 64-bit FNV-1a over the values' bytes, lowest first regardless of the
+ * machine's byte order.
  *
  * The domain is the same for all: PORTABILITY_EXPONENTS of n, PORTABILITY_CODES of the cosine, a
  * colour that depends on n; all the divisions of PORTABILITY_DIFFERENCES by every k and every

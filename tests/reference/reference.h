@@ -1,6 +1,6 @@
-/* The circuits by definition, in exact rationals of arbitrary size (GMP): what the C model is held
- * against, bit for bit. Written from the formulas and from docs/formats.md, and sharing nothing
- * with cmodel/: no width is cut, nothing shifts, and every rounding is the one function below.
+/* The circuits by definition, in exact rationals of arbitrary size (GMP), for a bit-for-bit
+ * comparison with the C model. Written from the formulas and docs/formats.md and sharing nothing
+ * with cmodel/: no truncation, no shifts, and every rounding is the one function below.
  *
  *     σ = ⟨(n+1)/3⟩₁₃     t = 1 + ⟨σ(c − 1)⟩₁₈     W = ⟨t²⟩₁₈     (R,G,B)out = ⟨W·(R,G,B)⟩₀
  *
@@ -39,7 +39,7 @@ void reference_colors(unsigned long color, uint8_t *products);
 long reference_reciprocal(unsigned shifts, unsigned long k);
 
 /* (2.18): the sum of difference/2^j over those j whose bit is 1, as a code with `shifts` fraction
- * bits. false when it is no whole number of them. */
+ * bits. false if it is not a whole number of units. */
 bool reference_quotient(unsigned shifts, long difference, long bits, long *code);
 
 #endif

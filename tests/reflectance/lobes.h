@@ -20,7 +20,7 @@ static inline bool is_lobe(int model)
     return info->cosine != GLINT_REFLECTANCE_OF_GEOMETRY;
 }
 
-/* A lobe that stands for cosⁿ: 1 at its centre. */
+/* A lobe that approximates cosⁿ: 1 at its centre. */
 static inline bool is_plain_lobe(int model)
 {
     return is_lobe(model) && model != GLINT_REFLECTANCE_LAMBERT &&

@@ -1,5 +1,5 @@
-/* Solids for tests of mesh files, and the normals that they ought to get, by a way of its own:
- * every triangle is asked for every corner, angles are in degrees. Include it after cmocka.h. */
+/* Solids for tests of mesh files, and their expected normals, computed independently: every corner
+ * checks every triangle, with angles in degrees. Include it after cmocka.h. */
 #ifndef GLINT_TESTS_RENDER_SOLIDS_H
 #define GLINT_TESTS_RENDER_SOLIDS_H
 
@@ -153,7 +153,7 @@ static inline glint_vec3 solid_normal(const solid *s, size_t triangle, size_t co
     return glint_vec3_scale(sum, 1.0 / glint_vec3_length(sum));
 }
 
-/* What ought to come of a file of the solid. */
+/* The expected mesh for a file of the solid. */
 static inline glint_mesh *solid_mesh(const solid *s, solid_rule rule)
 {
     glint_mesh *mesh = NULL;

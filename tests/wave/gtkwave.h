@@ -1,4 +1,4 @@
-/* GTKWave itself, on a display of its own: opens a waveform by its save file and tells what it
+/* GTKWave itself, on a private display: opens a waveform with its save file and reports what it
  * shows. The files are in the scratch directory. Include it after cmocka.h and scratch.h. */
 #ifndef GLINT_TESTS_WAVE_GTKWAVE_H
 #define GLINT_TESTS_WAVE_GTKWAVE_H
@@ -13,7 +13,7 @@
 
 #define GTKWAVE_ROWS_MAX 2048
 
-/* What GTKWave says of itself. */
+/* GTKWave's own report. */
 typedef struct gtkwave_shown {
     char name[GTKWAVE_ROWS_MAX][64];  /* "" for room below a curve */
     char value[GTKWAVE_ROWS_MAX][64]; /* at the marker */
@@ -53,7 +53,7 @@ static const char gtkwave_script[] =
 static inline int gtkwave_prepare(void)
 {
     scratch_write(scratch_path("ask.tcl"), gtkwave_script, sizeof gtkwave_script - 1);
-    /* No settings of whoever runs this. */
+    /* Ignores the user's settings. */
     return setenv("HOME", scratch_directory, 1) |
            setenv("GLINT_GTKWAVE_REPORT", scratch_path("report"), 1);
 }
@@ -113,8 +113,8 @@ static inline void gtkwave_resize(const char *save_file, int width, int height, 
     free(text);
 }
 
-/* Fails the test when GTKWave does not open the files or complains about anything. A width other
- * than 0 is what a window manager gives the window instead of what the save file asks for. */
+/* Fails the test if GTKWave does not open the files or complains about anything. A width other than
+ * 0 is what a window manager gives the window instead of what the save file asks for. */
 static inline void gtkwave_open(const char *waveform, const char *save_file, int width, int height,
                                 gtkwave_shown *shown)
 {

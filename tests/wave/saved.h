@@ -37,7 +37,7 @@ typedef struct saved {
     int signals_width;
 } saved;
 
-/* Fails the test when a line is none that it knows or a group is not closed. */
+/* Fails the test on an unknown line or an unclosed group. */
 void saved_read(const char *path, saved *saved);
 
 /* Index of the signal that a trace shows; −1: it is a pin or no signal of the device. */

@@ -18,14 +18,14 @@ typedef struct vcd {
     uint64_t first_time, last_time;
 } vcd;
 
-/* Fails the test when the file is no complete VCD. To be freed by vcd_free(). */
+/* Fails the test if the file is not a complete VCD. To be freed by vcd_free(). */
 vcd vcd_read(const char *path);
 void vcd_free(vcd *vcd);
 
 /* The same of an FST, through GTKWave's fst2vcd, which leaves nothing behind. */
 vcd vcd_read_fst(const char *path);
 
-/* Fails the test when two waveforms have not the same signals, of the same widths, with the same
+/* Fails the test unless two waveforms have the same signals, with the same widths and the same
  * changes at the same times. */
 void vcd_assert_same(const vcd *a, const vcd *b);
 
