@@ -132,7 +132,8 @@ $(BUILD)/glint: $(CLI_OBJECTS) $(LIBRARIES) | $(BUILD)/tree
 	$(call say,LD,$@)
 	$Q$(CC) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
--include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
+# Not what lies among the built circuits: a runtime of theirs is a directory NAME.d.
+-include $(filter-out $(BUILD)/circuits/%,$(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d))
 
 # ---- Tests ---------------------------------------------------------------------------------------
 
