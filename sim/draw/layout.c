@@ -49,24 +49,49 @@ static glint_status run_dot(glint_draw_graph *graph, char **plain, glint_error *
     close(fd);
     if (status != GLINT_OK || success)
         return status;
-    status = glint_fail(err, GLINT_IO_ERROR, "dot failed (package graphviz): %.*s",
-                        (int)strcspn(*plain, "\n"), *plain);
+    const int length = (int)strcspn(*plain, "\n");
+    status = glint_fail(err, GLINT_IO_ERROR, "dot (package graphviz) failed%s%.*s",
+                        length > 0 ? ": " : "", length, *plain);
     free(*plain);
     *plain = NULL;
     return status;
 }
 
+#define NOWHERE INT_MIN
+
 /* "node NAME X Y …" in inches, Y upwards. */
 static void take_line(glint_draw_graph *graph, const char *line)
 {
+    const int shifted = (GLINT_DRAW_ABOVE - GLINT_DRAW_BELOW) / 2; /* the symbol in its space */
     int index, column;
     double x, y;
     if (sscanf(line, "node n%d %lf %lf", &index, &x, &y) == 3 && index >= 0 && index < graph->count)
-        graph->node[index].y =
-            (int)lround(-y * GLINT_DRAW_INCH) + (GLINT_DRAW_ABOVE - GLINT_DRAW_BELOW) / 2;
+        graph->node[index].y = (int)lround(-y * GLINT_DRAW_INCH) + shifted;
     else if (sscanf(line, "node p%d_%d %lf %lf", &index, &column, &x, &y) == 4 && index >= 0 &&
              index < graph->count && column >= 0 && column < graph->columns)
         graph->pass[index][column] = (int)lround(-y * GLINT_DRAW_INCH);
+}
+
+/* The heights in dot's answer; all of them must be there. */
+static glint_status take_heights(glint_draw_graph *graph, const char *plain, glint_error *err)
+{
+    for (int i = 0; i < graph->count; i++) {
+        graph->node[i].y = NOWHERE;
+        for (int c = 0; c < graph->columns; c++)
+            graph->pass[i][c] = glint_draw_passes(graph, i, c) ? NOWHERE : 0;
+    }
+    for (const char *line = plain; line != NULL; line = strchr(line, '\n')) {
+        line += *line == '\n';
+        take_line(graph, line);
+    }
+    for (int i = 0; i < graph->count; i++) {
+        bool is_missing = graph->node[i].y == NOWHERE;
+        for (int c = 0; c < graph->columns; c++)
+            is_missing |= graph->pass[i][c] == NOWHERE;
+        if (is_missing)
+            return glint_fail(err, GLINT_IO_ERROR, "dot gave no place for %s", graph->node[i].name);
+    }
+    return GLINT_OK;
 }
 
 /* Moves everything below the title, and sets the height of the drawing. */
@@ -100,14 +125,13 @@ glint_status glint_draw_lay_out(glint_draw_graph *graph, glint_draw_layout *layo
                                 glint_error *err)
 {
     char *plain;
-    const glint_status status = run_dot(graph, &plain, err);
+    glint_status status = run_dot(graph, &plain, err);
     if (status != GLINT_OK)
         return status;
-    for (const char *line = plain; line != NULL; line = strchr(line, '\n')) {
-        line += *line == '\n';
-        take_line(graph, line);
-    }
+    status = take_heights(graph, plain, err);
     free(plain);
+    if (status != GLINT_OK)
+        return status;
     glint_draw_straighten(graph);
     shift(graph, layout);
     glint_draw_route(graph, layout);

@@ -28,8 +28,8 @@ static const kind kinds[] = {
     {".csv", "table by n", BEGINS("n,")},
     {".json", "JSON object", BEGINS("{")},
     {".md", "Markdown document", BEGINS("#")},
-    {".svg", "SVG drawing", BEGINS("<svg")},
-    {".dot", "graph for dot", BEGINS("digraph ")},
+    {".svg", "drawing", BEGINS("<svg")},
+    {".dot", "graph", BEGINS("digraph ")},
     {".html", "HTML document", BEGINS("<!DOCTYPE html>")},
 };
 

@@ -309,6 +309,36 @@ static void a_circuit_without_blocks_is_refused(void **state)
     assert_int_equal(access(scratch_path("none.svg"), F_OK), -1);
 }
 
+/* A program called dot that says something else. */
+static void a_dot_that_answers_wrongly_is_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *script, *words;
+    } dots[] = {
+        {"#!/bin/sh\necho graph 1 2 3\n", "dot gave no place for n"},
+        {"#!/bin/sh\necho node n0 1 1\n", "dot gave no place for"},
+        {"#!/bin/sh\necho it rains; exit 1\n", "failed: it rains"},
+        {"#!/bin/sh\nkill -9 $$\n", "dot (package graphviz) failed\n"},
+    };
+    char path[PATH], with_dot[2 * PATH], line[PATH];
+    (void)snprintf(path, sizeof path, "%s", getenv("PATH"));
+    (void)snprintf(with_dot, sizeof with_dot, "%s:%s", scratch_directory, path);
+    (void)snprintf(line, sizeof line, "draw --out %s", scratch_path("none.svg"));
+    for (size_t i = 0; i < sizeof dots / sizeof dots[0]; i++) {
+        scratch_write(scratch_path("dot"), dots[i].script, strlen(dots[i].script));
+        assert_int_equal(chmod(scratch_path("dot"), 0755), 0);
+        assert_int_equal(setenv("PATH", with_dot, 1), 0);
+        outcome done = run(line, "");
+        assert_int_equal(setenv("PATH", path, 1), 0);
+        assert_outcome(&done, 2, NULL);
+        assert_says(done.err, dots[i].words);
+        assert_int_equal(access(scratch_path("none.svg"), F_OK), -1);
+        forget(&done);
+    }
+    assert_int_equal(unlink(scratch_path("dot")), 0);
+}
+
 /* The input for dot can be had without dot; the drawing cannot, and says why. */
 static void without_dot_there_is_the_plan(void **state)
 {
@@ -336,6 +366,7 @@ int main(void)
         cmocka_unit_test(the_figure_is_complete),
         cmocka_unit_test(descriptions_that_make_no_drawing_are_refused),
         cmocka_unit_test(a_circuit_without_blocks_is_refused),
+        cmocka_unit_test(a_dot_that_answers_wrongly_is_refused),
         cmocka_unit_test(without_dot_there_is_the_plan),
     };
     return cmocka_run_group_tests(tests, read_list, forget_list);
