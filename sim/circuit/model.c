@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "circuit/guard.h"
+
 static glint_status begin(const glint_setting *setting, void **model)
 {
     const glint_circuit *circuit = setting->circuit;
@@ -18,8 +20,10 @@ glint_status glint_model_create(const glint_setting *setting, void **model, glin
 {
     const glint_circuit *circuit = setting->circuit;
     *model = NULL;
+    glint_guard_enter();
     const glint_status status =
         circuit->create != NULL ? circuit->create(setting->values, model) : begin(setting, model);
+    glint_guard_leave();
     if (status == GLINT_NO_MEMORY)
         return glint_fail(err, status, "no memory for the C model");
     if (status != GLINT_OK)
@@ -41,7 +45,9 @@ void glint_model_destroy(const glint_setting *setting, void *model)
 
 void glint_model_clock(const glint_setting *setting, void *model, const void *pins)
 {
+    glint_guard_enter();
     setting->circuit->clock(model, pins);
+    glint_guard_leave();
 }
 
 const void *glint_model_signals(const glint_setting *setting, const void *model)

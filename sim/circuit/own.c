@@ -21,6 +21,7 @@
 #include "rtl/tools.h"
 
 #define SYMBOL    "glint_my_circuit"
+#define TWICE     "multiple definition of `" SYMBOL
 #define MADE      "circuit.so"
 #define FLAGS_MAX 8
 #define KEPT      64 /* objects, of all directories; loaded ones stay */
@@ -131,7 +132,11 @@ static glint_status run_compiler(own *o, const char *include, const char *map, g
     add_files(o, &line);
     glint_arguments_add(&line, "-lm");
     glint_status status = glint_command_run(line.word, o->entry.work, &success, &said, err);
-    if (status == GLINT_OK && !success) {
+    if (status == GLINT_OK && !success && strstr(said, TWICE) != NULL) {
+        status = glint_fail(err, GLINT_BAD_INPUT,
+                            "%s: two C files define " SYMBOL ", but a directory holds one circuit",
+                            o->directory);
+    } else if (status == GLINT_OK && !success) {
         const char *reason = said[0] != '\0' ? reason_in(said) : "the compiler gives no reason";
         status = glint_fail(err, GLINT_BAD_INPUT, "%s: the C files do not compile: %.*s",
                             o->directory, (int)strcspn(reason, "\n"), reason);

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "circuit/circuits.h"
+#include "circuit/guard.h"
 #include "circuit/own.h"
 #include "cli/output.h"
 #include "cli/parse.h"
@@ -183,6 +184,7 @@ int glint_circuit_options_begin(glint_circuit_options *options, const glint_circ
     *options = (glint_circuit_options){.use = *use};
     const char *directory = find_directory(argc, argv);
     if (directory != NULL) {
+        glint_guard_begin(directory);
         if (glint_circuit_load(directory, &circuit, &err) != GLINT_OK)
             return glint_complain_error(use->command, &err);
         const char *taken = taken_name(circuit);
@@ -268,20 +270,6 @@ static bool fits(const glint_circuit_options *options, const glint_circuit *circ
     return true;
 }
 
-/* By name, or those that have every option given: the usual one if it has. */
-static void choose_circuits(glint_circuit_options *options)
-{
-    const bool is_one = options->named < options->circuit_count;
-    if (is_one && (options->is_named || fits(options, options->circuit[options->named]))) {
-        options->chosen_count = fits(options, options->circuit[options->named]);
-        options->chosen[0] = options->circuit[options->named];
-        return;
-    }
-    for (int c = 0; c < options->circuit_count; c++)
-        if (fits(options, options->circuit[c]))
-            options->chosen[options->chosen_count++] = options->circuit[c];
-}
-
 /* 0, of a number that it is none of: all of them, or the usual one. */
 static bool is_zero(const glint_parameter *parameter, const char *text)
 {
@@ -312,6 +300,54 @@ static bool read_value(const glint_circuit_options *options, const glint_paramet
         return false;
     *value = (int)number;
     return true;
+}
+
+/* Whether the values given are all in range for the circuit, which has their options. */
+static bool takes_values(const glint_circuit_options *options, const glint_circuit *circuit)
+{
+    bool takes = true;
+    for (int i = 0; i < options->parameter_count; i++) {
+        int index, value;
+        const glint_parameter_option *row = &options->parameter[i];
+        const glint_parameter *parameter = parameter_of(circuit, row->name, &index);
+        takes &= row->text == NULL || means_usual(options, parameter, row->text) ||
+                 read_value(options, parameter, row->text, &value);
+    }
+    return takes;
+}
+
+/* Of two circuits with options of the same name, a value may be in the range of one alone. */
+static void leave_out_of_range(glint_circuit_options *options)
+{
+    int count = 0;
+    for (int c = 0; c < options->chosen_count; c++)
+        if (takes_values(options, options->chosen[c]))
+            options->chosen[count++] = options->chosen[c];
+    options->chosen_count = count;
+}
+
+static bool any_takes_values(const glint_circuit_options *options)
+{
+    bool any = false;
+    for (int c = 0; c < options->chosen_count; c++)
+        any |= takes_values(options, options->chosen[c]);
+    return any;
+}
+
+/* By name, or those that have every option given: the usual one if it has. */
+static void choose_circuits(glint_circuit_options *options)
+{
+    const bool is_one = options->named < options->circuit_count;
+    if (is_one && (options->is_named || fits(options, options->circuit[options->named]))) {
+        options->chosen_count = fits(options, options->circuit[options->named]);
+        options->chosen[0] = options->circuit[options->named];
+        return;
+    }
+    for (int c = 0; c < options->circuit_count; c++)
+        if (fits(options, options->circuit[c]))
+            options->chosen[options->chosen_count++] = options->circuit[c];
+    if (any_takes_values(options))
+        leave_out_of_range(options);
 }
 
 static int refuse_value(const glint_circuit_options *options, const glint_circuit *circuit,

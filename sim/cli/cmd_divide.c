@@ -219,7 +219,7 @@ static glint_line_kind read_line(glint_columns *columns, char *line, size_t leng
                                  int64_t *difference, int64_t *k, glint_error *err)
 {
     static const glint_column fields[] = {{"difference", NULL}, {"k", NULL}};
-    static const glint_line_form form = {fields, 2, "two values (difference k)"};
+    static const glint_line_form form = {fields, 2, "two values (difference k)", 0};
     char *value[2];
     const glint_line_kind kind = glint_line_cut(&form, columns, line, length, value, err);
     if (kind != GLINT_LINE_VALUES)

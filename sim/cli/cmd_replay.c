@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "circuit/guard.h"
 #include "circuit/own.h"
 #include "cli/circuit_options.h"
 #include "cli/commands.h"
@@ -90,6 +91,8 @@ static int parse(int argc, char **argv, replay_options *chosen)
         is_same_packet(chosen->directory, chosen->out))
         return glint_complain("replay", GLINT_EXIT_TROUBLE, "--out: %s is the packet itself",
                               chosen->out);
+    if (status == GLINT_OPTIONS_RUN && chosen->circuit_dir != NULL)
+        glint_guard_begin(chosen->circuit_dir);
     if (status == GLINT_OPTIONS_RUN && chosen->circuit_dir != NULL &&
         glint_circuit_load(chosen->circuit_dir, &chosen->circuit, &err) != GLINT_OK)
         return glint_complain_error("replay", &err);

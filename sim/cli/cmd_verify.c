@@ -226,6 +226,27 @@ static bool has_failed(const task *task)
            task->result.clocks == 0;
 }
 
+/* If a circuit's first setting did not build, none of its others will: reported once. */
+static bool first_has_failed(const verification *all, const glint_circuit *circuit)
+{
+    bool failed = false;
+    for (int i = 0; i < all->count; i++)
+        failed |= all->tasks[i].is_first && all->tasks[i].options.setting.circuit == circuit &&
+                  has_failed(&all->tasks[i]);
+    return failed;
+}
+
+/* Without the `told` first settings, and without those of a circuit whose first one failed. */
+static int still_to_try(const verification *all, int told)
+{
+    int left = all->turns - told;
+    for (int i = 0; i < all->count; i++) {
+        const task *task = &all->tasks[i];
+        left += !task->is_first && !first_has_failed(all, task->options.setting.circuit);
+    }
+    return left;
+}
+
 /* Printed as soon as it is available, while others still run: which setting, the verdict, and how
  * many remain. */
 static void print_first(const verify_options *chosen, const verification *all, task *task, int told)
@@ -236,7 +257,7 @@ static void print_first(const verify_options *chosen, const verification *all, t
     }
     FILE *out = chosen->json ? stderr : stdout;
     char setting[GLINT_SETTING_TEXT];
-    const int left = all->count - told;
+    const int left = still_to_try(all, told);
     /* A script has all of it at the end, and standard error for what went wrong. */
     if (task->result.comparisons == 0 || (chosen->json && !isatty(STDERR_FILENO)))
         return;
@@ -307,16 +328,6 @@ static void run_turn(verification *all, const verify_options *chosen, bool first
     turn.threads = glint_crew_size(crew) - 1;
     glint_crew_run(crew, take_turn, &turn);
     glint_crew_destroy(crew);
-}
-
-/* If a circuit's first setting did not build, none of its others will: reported once. */
-static bool first_has_failed(const verification *all, const glint_circuit *circuit)
-{
-    bool failed = false;
-    for (int i = 0; i < all->count; i++)
-        failed |= all->tasks[i].is_first && all->tasks[i].options.setting.circuit == circuit &&
-                  has_failed(&all->tasks[i]);
-    return failed;
 }
 
 static void choose_turn(verification *all, bool first)

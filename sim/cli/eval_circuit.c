@@ -30,9 +30,11 @@ typedef struct evaluation {
     uint64_t printed;
     glint_columns columns;
     int pins, outputs;
+    int controls; /* the last of the pins: those that are no data */
+    bool has_header;
     column pin[GLINT_COLUMNS_MAX];
     glint_column field[GLINT_COLUMNS_MAX];
-    char values[64]; /* "the 3 values a b c", as far as it has room */
+    char values[96]; /* "the 3 values a b c", as far as it has room */
     column output[GLINT_SIGNAL_WORDS_MAX];
     void *model;    /* the C model, or */
     glint_rtl *rtl; /* the Verilog */
@@ -54,13 +56,13 @@ static void name_column(column *column, int index, const char *name, int lane)
         (void)snprintf(column->name, sizeof column->name, "%s", name);
 }
 
-/* Returns how many there are, those included that have no room. */
-static int find_pins(const glint_setting *setting, column *pin)
+/* Those that are data, or the others, behind the `count` there are. Returns how many there are
+ * then, those included that have no room. */
+static int add_pins(const glint_setting *setting, bool data, column *pin, int count)
 {
-    int count = 0;
     for (int i = 0; i < glint_setting_pin_count(setting); i++) {
         const glint_pin_info info = glint_setting_pin(setting, i);
-        if (info.role != GLINT_PIN_DATA)
+        if ((info.role == GLINT_PIN_DATA) != data)
             continue;
         if (count < GLINT_COLUMNS_MAX)
             name_column(&pin[count], i, info.name, info.lane);
@@ -82,20 +84,26 @@ static int find_outputs(const glint_setting *setting, column *output)
 
 static int find_columns(evaluation *e)
 {
-    e->pins = find_pins(e->setting, e->pin);
+    const int data = add_pins(e->setting, true, e->pin, 0);
+    e->pins = add_pins(e->setting, false, e->pin, data);
+    e->controls = e->pins - data;
     e->outputs = find_outputs(e->setting, e->output);
     if (e->pins == 0)
         return glint_complain("eval", GLINT_EXIT_TROUBLE,
-                              "circuit %s has no data pins, so there is nothing to read",
+                              "circuit %s has no pins, so there is nothing to read",
                               e->setting->circuit->name);
     if (e->pins > GLINT_COLUMNS_MAX)
         return glint_complain("eval", GLINT_EXIT_TROUBLE,
-                              "circuit %s has %d data pins: at most %d are supported",
+                              "circuit %s has %d pins: at most %d are supported",
                               e->setting->circuit->name, e->pins, GLINT_COLUMNS_MAX);
     for (int i = 0; i < e->pins; i++)
         e->field[i] = (glint_column){e->pin[i].name, NULL};
-    (void)snprintf(e->values, sizeof e->values, "the %d value%s of the data pins", e->pins,
-                   e->pins == 1 ? "" : "s");
+    if (data == 0)
+        (void)snprintf(e->values, sizeof e->values,
+                       "none: without data pins a header names those that the lines have");
+    else
+        (void)snprintf(e->values, sizeof e->values, "the %d value%s of the data pins", data,
+                       data == 1 ? "" : "s");
     return GLINT_EXIT_OK;
 }
 
@@ -108,7 +116,7 @@ static void append(char *text, size_t size, const char *before, const char *what
 void glint_eval_circuit_details(const glint_setting *setting, char *text, size_t size)
 {
     static column columns[GLINT_SIGNAL_WORDS_MAX];
-    const int found = find_pins(setting, columns);
+    const int found = add_pins(setting, true, columns, 0);
     const int pins = found < GLINT_COLUMNS_MAX ? found : GLINT_COLUMNS_MAX;
     text[0] = '\0';
     append(text, size, "A line is:", "");
@@ -118,11 +126,11 @@ void glint_eval_circuit_details(const glint_setting *setting, char *text, size_t
            ", separated by blanks or commas: integers, or codes\n"
            "for pins with a binary point, in decimal or 0x. Blank lines and lines starting with #\n"
            "are skipped. The first line may be a header, as in this command's own output: columns\n"
-           "are matched by name, others ignored.\n"
+           "are matched by name, others ignored. It may name the other pins, too.\n"
            "\n"
-           "Each line goes in on one clock, back to back, with no reset in between; valid and\n"
-           "enable pins are 1, other controls 0. The output is these values and, after the\n"
-           "circuit's latency, its outputs:");
+           "Each line goes in on one clock, back to back, with no reset in between; valid pins\n"
+           "are 1, enables active, other controls 0, unless the header names them. The output is\n"
+           "these values and, after the circuit's latency, its outputs:");
     const int outputs = find_outputs(setting, columns);
     for (int i = 0; i < outputs; i++)
         append(text, size, " ", columns[i].name);
@@ -200,6 +208,12 @@ static void ask(evaluation *e, const glint_pins *pins)
 /* ---- Lines -------------------------------------------------------------------------------------
  */
 
+/* Whether the lines have pin i: data, or a control that the header names. */
+static bool is_read(const evaluation *e, int i)
+{
+    return i < e->pins - e->controls || (e->columns.width != 0 && e->columns.at[i] >= 0);
+}
+
 static void print_value(const evaluation *e, int width, bool is_signed, const uint64_t *words)
 {
     char text[GLINT_VALUE_TEXT];
@@ -222,17 +236,20 @@ static void print_name(const evaluation *e, int number, const char *name)
 static void print_row(const evaluation *e, const glint_pins *pins)
 {
     uint64_t words[GLINT_VALUE_WORDS];
+    int printed = 0;
     if (e->json)
         printf("%s\n{", e->printed != 0 ? "," : "");
     for (int i = 0; i < e->pins; i++) {
+        if (!is_read(e, i))
+            continue;
         const glint_pin_info pin = glint_setting_pin(e->setting, e->pin[i].index);
         glint_pin_get(&pin, pins, words);
-        print_name(e, i, e->pin[i].name);
+        print_name(e, printed++, e->pin[i].name);
         print_value(e, glint_pin_width(&pin), pin.is_signed, words);
     }
     for (int i = 0; i < e->outputs; i++) {
         const glint_signal_info *signal = &e->signals.info[e->output[i].index];
-        print_name(e, 1, e->output[i].name);
+        print_name(e, printed++, e->output[i].name);
         print_value(e, glint_signal_width(signal), signal->is_signed,
                     e->words + e->signals.place[e->output[i].index]);
     }
@@ -244,6 +261,8 @@ static glint_line_kind read_values(evaluation *e, char **value, glint_pins *pins
     uint64_t words[GLINT_VALUE_WORDS];
     char expected[64];
     for (int i = 0; i < e->pins; i++) {
+        if (value[i] == NULL)
+            continue;
         const glint_pin_info pin = glint_setting_pin(e->setting, e->pin[i].index);
         const int width = glint_pin_width(&pin);
         (void)snprintf(expected, sizeof expected, "an integer of %d bit%s%s, in decimal or 0x",
@@ -258,11 +277,26 @@ static glint_line_kind read_values(evaluation *e, char **value, glint_pins *pins
 static glint_line_kind read_line(evaluation *e, char *line, size_t length, glint_pins *pins,
                                  glint_error *err)
 {
-    const glint_line_form form = {e->field, e->pins, e->values};
+    const glint_line_form form = {e->field, e->pins, e->values, e->controls};
     char *value[GLINT_COLUMNS_MAX];
     const glint_line_kind kind = glint_line_cut(&form, &e->columns, line, length, value, err);
     *pins = e->asking;
     return kind == GLINT_LINE_VALUES ? read_values(e, value, pins, err) : kind;
+}
+
+/* Once: when it is known whether the lines begin with a header of their own. */
+static void print_header(evaluation *e)
+{
+    if (e->json || e->has_header)
+        return;
+    e->has_header = true;
+    int printed = 0;
+    for (int i = 0; i < e->pins; i++)
+        if (is_read(e, i))
+            printf("%s%s", printed++ > 0 ? "," : "", e->pin[i].name);
+    for (int i = 0; i < e->outputs; i++)
+        printf("%s%s", printed++ > 0 ? "," : "", e->output[i].name);
+    putchar('\n');
 }
 
 static int take_line(void *context, uint64_t number, char *line, size_t length)
@@ -270,9 +304,11 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
     evaluation *e = context;
     glint_pins pins;
     glint_error err;
-    if (line == NULL)
-        return GLINT_EXIT_OK;
-    switch (read_line(e, line, length, &pins, &err)) {
+    const glint_line_kind kind =
+        line != NULL ? read_line(e, line, length, &pins, &err) : GLINT_LINE_NOTHING;
+    if (line == NULL || e->columns.begun)
+        print_header(e);
+    switch (kind) {
     case GLINT_LINE_NOTHING:
         return GLINT_EXIT_OK;
     case GLINT_LINE_VALUES:
@@ -289,21 +325,10 @@ static int take_line(void *context, uint64_t number, char *line, size_t length)
     return glint_complain("eval", GLINT_EXIT_TROUBLE, "line %" PRIu64 ": %s", number, err.text);
 }
 
-static void print_header(const evaluation *e)
-{
-    for (int i = 0; i < e->pins; i++)
-        printf("%s%s", i > 0 ? "," : "", e->pin[i].name);
-    for (int i = 0; i < e->outputs; i++)
-        printf(",%s", e->output[i].name);
-    putchar('\n');
-}
-
 static int evaluate(evaluation *e)
 {
     if (e->json)
         putchar('[');
-    else
-        print_header(e);
     const int status = glint_input_lines("eval", e->values, take_line, e);
     if (status != GLINT_EXIT_OK && ferror(stdout)) /* which has been said */
         return status;

@@ -94,7 +94,7 @@ static glint_line_kind read_fields(char *const field[FIELD_COUNT], bool is_code,
 glint_line_kind glint_eval_read_line(glint_columns *columns, char *line, size_t length,
                                      glint_eval_point *point, glint_error *err)
 {
-    static const glint_line_form form = {fields, FIELD_COUNT, "five values (n cos r g b)"};
+    static const glint_line_form form = {fields, FIELD_COUNT, "five values (n cos r g b)", 0};
     char *field[FIELD_COUNT];
     const glint_line_kind kind = glint_line_cut(&form, columns, line, length, field, err);
     return kind == GLINT_LINE_VALUES

@@ -77,7 +77,7 @@ static glint_line_kind read_header(const glint_line_form *form, char *const *nam
         columns->is_other[i] = columns->at[i] < 0;
         if (columns->is_other[i])
             columns->at[i] = find_column(name, width, column->other);
-        if (columns->at[i] < 0) {
+        if (columns->at[i] < 0 && i < form->count - form->optional) {
             glint_fail(err, GLINT_BAD_INPUT, "this header has no column %s%s%s", column->name,
                        column->other != NULL ? " or " : "",
                        column->other != NULL ? column->other : "");
@@ -98,15 +98,17 @@ static glint_line_kind take_values(const glint_line_form *form, const glint_colu
                                    char *text, char **value, glint_error *err)
 {
     char *cut[GLINT_COLUMNS_MAX];
-    const int wanted = columns->width != 0 ? columns->width : form->count;
+    const int wanted = columns->width != 0 ? columns->width : form->count - form->optional;
     const int found = cut_values(text, cut, wanted);
     if (found != wanted) {
         glint_fail(err, GLINT_BAD_INPUT, "%s than %s", found < wanted ? "fewer" : "more",
                    columns->width != 0 ? "the header's values" : form->values);
         return GLINT_LINE_MALFORMED;
     }
-    for (int i = 0; i < form->count; i++)
-        value[i] = cut[columns->width != 0 ? columns->at[i] : i];
+    for (int i = 0; i < form->count; i++) {
+        const int at = columns->width != 0 ? columns->at[i] : i < wanted ? i : -1;
+        value[i] = at >= 0 ? cut[at] : NULL;
+    }
     return GLINT_LINE_VALUES;
 }
 

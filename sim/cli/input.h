@@ -37,6 +37,7 @@ typedef struct glint_line_form {
     const glint_column *column;
     int count;          /* at most GLINT_COLUMNS_MAX */
     const char *values; /* what messages call them: "the two values difference k" */
+    int optional;       /* the last of them: only where a header names them, else NULL */
 } glint_line_form;
 
 /* Cuts a line of the given length, with or without its line end (LF or CRLF), into the values of

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "circuit/guard.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/parse.h"
@@ -125,7 +126,7 @@ static int move_circuit_dir(int argc, char **argv)
     return moved;
 }
 
-int main(int argc, char **argv)
+static int command(int argc, char **argv)
 {
     glint_output_init();
     glint_command_stop_when(glint_stop_flag());
@@ -145,4 +146,11 @@ int main(int argc, char **argv)
     if (strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0)
         return print_version();
     return run(argc - 1, argv + 1);
+}
+
+int main(int argc, char **argv)
+{
+    const int status = command(argc, argv);
+    glint_guard_end();
+    return status;
 }

@@ -36,11 +36,20 @@ static void add_strobes(glint_reach_sum *sum, const glint_setting *setting,
     sum->all.changes_in_flight += reach->changes_in_flight;
 }
 
+static bool has_either(const glint_setting *setting, glint_pin_role a, glint_pin_role b)
+{
+    return glint_reach_has(setting, a) || glint_reach_has(setting, b);
+}
+
 void glint_reach_sum_add(glint_reach_sum *sum, const glint_setting *setting,
                          const glint_reach *reach)
 {
     const bool is_first = sum->settings++ == 0;
     const int lanes = glint_reach_lanes(setting);
+    const bool resets = has_either(setting, GLINT_PIN_RESET, GLINT_PIN_RESET_LOW);
+    sum->resets |= resets;
+    sum->enables |= has_either(setting, GLINT_PIN_ENABLE, GLINT_PIN_ENABLE_LOW);
+    sum->unreset |= !resets && setting->circuit->clock_port != NULL;
     keep_least(&sum->least.run, reach->run, is_first);
     keep_least(&sum->least.run_enabled, reach->run_enabled, is_first);
     keep_least(&sum->least.stall, reach->stall, is_first);
@@ -67,27 +76,44 @@ static void print_lanes(const glint_reach_sum *sum)
                patterns_of(sum->lanes), sum->lanes);
 }
 
+/* What happened in all settings together; nothing of what they have not. */
+static void print_events(const glint_reach_sum *sum)
+{
+    const char *before = "\nin total: ";
+    const glint_reach *all = &sum->all;
+    if (sum->resets) {
+        printf("%s%" PRIu64 " resets, %" PRIu64 " of them mid-flow", before, all->resets,
+               all->resets_in_flight);
+        before = "; ";
+    }
+    if (sum->strobes) {
+        printf("%s%" PRIu64 " %s, %" PRIu64 " with %s in flight", before, all->changes,
+               sum->material ? "changes of material" : "strobes", all->changes_in_flight,
+               sum->material ? "points" : "something");
+        before = "; ";
+    }
+    if (all->ignored != 0)
+        printf("%s%" PRIu64 " starts while busy", before, all->ignored);
+}
+
 void glint_reach_sum_print(const glint_reach_sum *sum)
 {
     if (sum->settings == 0)
         return;
-    printf("reached in every setting: %" PRIu64 " clocks without a reset, %" PRIu64
-           " enabled; %" PRIu64 " stalls in a row\nin total: %" PRIu64 " resets, %" PRIu64
-           " of them mid-flow",
-           sum->least.run, sum->least.run_enabled, sum->least.stall, sum->all.resets,
-           sum->all.resets_in_flight);
-    if (sum->strobes && sum->material)
-        printf("; %" PRIu64 " changes of material, %" PRIu64 " with points in flight",
-               sum->all.changes, sum->all.changes_in_flight);
-    else if (sum->strobes)
-        printf("; %" PRIu64 " strobes, %" PRIu64 " with something in flight", sum->all.changes,
-               sum->all.changes_in_flight);
-    if (sum->all.ignored != 0)
-        printf("; %" PRIu64 " starts while busy", sum->all.ignored);
+    printf("reached in every setting: %" PRIu64 " clocks", sum->least.run);
+    if (sum->resets)
+        printf(" without a reset");
+    if (sum->enables)
+        printf(", %" PRIu64 " enabled; %" PRIu64 " stalls in a row", sum->least.run_enabled,
+               sum->least.stall);
+    print_events(sum);
     if (sum->lanes > 1)
         print_lanes(sum);
-    printf("\nnot covered: faults that need longer runs or longer stalls to show; raise --clocks "
-           "for those\n");
+    printf("\nnot covered: ");
+    if (sum->unreset)
+        printf("registers that power up otherwise than with 0 or their `initial` value; ");
+    printf("faults that need longer runs%s to show; raise --clocks for those\n",
+           sum->enables ? " or longer stalls" : "");
 }
 
 /* What every circuit has. */

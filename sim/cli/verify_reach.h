@@ -11,6 +11,9 @@ typedef struct glint_reach_sum {
     glint_reach least; /* run, run_enabled and stall of the setting that has the least of each */
     glint_reach all;   /* what can be counted together */
     int settings;      /* added */
+    bool resets;       /* some setting has a reset */
+    bool enables;      /* some has an enable */
+    bool unreset;      /* some has a clock and no reset */
     bool strobes;      /* some setting has strobes, */
     bool material;     /* which are always those of the specular device's material */
     int lanes;         /* the most of any; 0: no circuit with lanes among them */

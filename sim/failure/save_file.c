@@ -162,8 +162,10 @@ static void add_group(glint_gtkw *rows, const groups *all, int group)
             add_signal(rows, all->capture, i);
 }
 
-static void add_top(glint_gtkw *rows, const char *name, int width, unsigned flags, int color)
+static void add_own(glint_gtkw *rows, const glint_setting *setting, glint_failure_own which,
+                    int width, unsigned flags, int color)
 {
+    const char *name = glint_failure_own_name(setting, which);
     const glint_gtkw_trace trace = {.scope = "TOP.",
                                     .name = name,
                                     .label = name,
@@ -177,10 +179,12 @@ static void fill(glint_gtkw *rows, const void *context)
 {
     const groups *all = context;
     glint_gtkw_heading(rows, "Model and Verilog differ");
-    add_top(rows, "mismatch", 1, GLINT_GTKW_SHOW_BINARY, GLINT_GTKW_COLOR_RED);
-    add_top(rows, "clock", GLINT_FAILURE_CLOCK_BITS, GLINT_GTKW_SHOW_DECIMAL,
+    add_own(rows, &all->capture->setting, GLINT_FAILURE_MISMATCH, 1, GLINT_GTKW_SHOW_BINARY,
+            GLINT_GTKW_COLOR_RED);
+    add_own(rows, &all->capture->setting, GLINT_FAILURE_CLOCK, GLINT_FAILURE_CLOCK_BITS,
+            GLINT_GTKW_SHOW_DECIMAL, GLINT_GTKW_COLOR_NORMAL);
+    add_own(rows, &all->capture->setting, GLINT_FAILURE_CLK, 1, GLINT_GTKW_SHOW_BINARY,
             GLINT_GTKW_COLOR_NORMAL);
-    add_top(rows, "clk", 1, GLINT_GTKW_SHOW_BINARY, GLINT_GTKW_COLOR_NORMAL);
     for (int clock = 0; clock < all->capture->count; clock++)
         for (int g = 0; g < all->count; g++)
             if (all->first_differing[g] == clock) {

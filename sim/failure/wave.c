@@ -121,12 +121,27 @@ static int last_lane(const writer *w)
     return last;
 }
 
+const char *glint_failure_own_name(const glint_setting *setting, glint_failure_own which)
+{
+    static const char *const names[] = {"glint_mismatch", "glint_clock", "glint_clk"};
+    const char *name = names[which] + strlen("glint_");
+    for (int i = 0; i < glint_setting_pin_count(setting); i++)
+        if (strcmp(glint_setting_pin(setting, i).name, name) == 0)
+            return names[which];
+    return name;
+}
+
+static void declare_own(const writer *w, int id, glint_failure_own which, int width)
+{
+    declare(w, id, glint_failure_own_name(&w->capture->setting, which), "", width);
+}
+
 static void declare_all(const writer *w)
 {
     fprintf(w->out, "$version Glint $end\n$timescale 1ns $end\n$scope module TOP $end\n");
-    declare(w, MISMATCH, "mismatch", "", 1);
-    declare(w, CLOCK, "clock", "", GLINT_FAILURE_CLOCK_BITS);
-    declare(w, CLK, "clk", "", 1);
+    declare_own(w, MISMATCH, GLINT_FAILURE_MISMATCH, 1);
+    declare_own(w, CLOCK, GLINT_FAILURE_CLOCK, GLINT_FAILURE_CLOCK_BITS);
+    declare_own(w, CLK, GLINT_FAILURE_CLK, 1);
     declare_pins(w, -1);
     declare_signals(w, -1);
     for (int lane = 0; lane <= last_lane(w); lane++) {

@@ -6,7 +6,8 @@
 
 /* Writes a VCD under a temporary name, then renames it. The rising edge of clock c is at 10·c ns;
  * pins change half a clock earlier. Scope TOP has `mismatch` (1 where any signal differs), `clock`
- * (its number), clk, the pins by their names, and of each signal NAME_rtl and NAME_model; plus
+ * (its number), clk, the pins by their names (a pin called like one of those three
+ * puts glint_ before that one's name), and of each signal NAME_rtl and NAME_model; plus
  * NAME_differs if it ever does. For fixed-point signals, NAME_…_real holds the number that the code
  * stands for, as text. Signals and pins of one lane or stage are in TOP.lane[i] or TOP.stage[i]. */
 glint_status glint_failure_write_wave(const glint_capture *capture, const char *path,

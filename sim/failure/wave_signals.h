@@ -10,6 +10,17 @@
 #define GLINT_FAILURE_DIFFERS "_differs"
 #define GLINT_FAILURE_REAL    "_real" /* behind the others: the number that the code stands for */
 
+/* The waveform's own variables. */
+typedef enum glint_failure_own {
+    GLINT_FAILURE_MISMATCH, /* any signal differs */
+    GLINT_FAILURE_CLOCK,    /* its number */
+    GLINT_FAILURE_CLK,
+} glint_failure_own;
+
+/* What it is called: "mismatch", "clock", "clk", or, of a circuit with a pin of that name,
+ * "glint_mismatch". */
+const char *glint_failure_own_name(const glint_setting *setting, glint_failure_own which);
+
 #define GLINT_FAILURE_CLOCK_BITS 48 /* of the number of the clock */
 
 /* ns. Where the marker would not be in view in every window, the waveform goes on behind its last

@@ -143,6 +143,9 @@ static glint_status about_port(const subject *s, const message *m, int index, gl
 
 static glint_status about_top(const subject *s, const message *m, glint_error *err)
 {
+    if (m->is_error && find(m, "Can't resolve module reference") != NULL)
+        return glint_fail(err, GLINT_DEVICE_FAULT, "%s/%s.v has no module %s", s->directory, s->top,
+                          s->top);
     return m->is_error ? glint_fail(err, GLINT_DEVICE_FAULT, "%s: %.*s", s->top,
                                     (int)(m->end - m->text), m->text)
                        : GLINT_OK;

@@ -134,6 +134,52 @@ glint_status glint_sources_write(const glint_sources *sources, const char *direc
     return status;
 }
 
+/* Where the word stands from `from` on, alone; NULL: nowhere before `end`. */
+static const char *find_word(const char *from, const char *end, const char *word)
+{
+    static const char letters[] =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_$";
+    const size_t length = strlen(word);
+    while (from < end) {
+        const size_t other = strcspn(from, letters);
+        from += other;
+        const size_t found = strspn(from, letters);
+        if (found == 0 || from >= end)
+            return NULL;
+        if (found == length && memcmp(from, word, length) == 0)
+            return from;
+        from += found;
+    }
+    return NULL;
+}
+
+/* A declaration ends with the next direction, or with what ends them all. */
+static const char *declaration_end(const char *from)
+{
+    static const char *const directions[] = {"input", "output", "inout"};
+    const char *end = from + strcspn(from, ";)");
+    for (size_t i = 0; i < sizeof directions / sizeof directions[0]; i++) {
+        const char *next = find_word(from, end, directions[i]);
+        end = next != NULL ? next : end;
+    }
+    return end;
+}
+
+bool glint_sources_have_inout(const glint_sources *sources, const char *port)
+{
+    static const char word[] = "inout";
+    for (int i = 0; i < sources->count; i++) {
+        const char *end = sources->file[i].text + strlen(sources->file[i].text);
+        const char *at = find_word(sources->file[i].text, end, word);
+        for (; at != NULL; at = find_word(at, end, word)) {
+            at += sizeof word - 1;
+            if (find_word(at, declaration_end(at), port) != NULL)
+                return true;
+        }
+    }
+    return false;
+}
+
 void glint_sources_free(glint_sources *sources)
 {
     for (int i = 0; i < sources->count; i++) {

@@ -35,6 +35,9 @@ glint_status glint_sources_add(glint_sources *sources, const char *name, const c
 glint_status glint_sources_write(const glint_sources *sources, const char *directory,
                                  glint_error *err);
 
+/* Whether some file declares a port of that name as inout, as far as its text tells. */
+bool glint_sources_have_inout(const glint_sources *sources, const char *port);
+
 void glint_sources_free(glint_sources *sources);
 
 /* A hash over names and texts, and one over bytes: SHA-256, its first 80 bits in hex. */
