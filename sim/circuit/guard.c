@@ -33,10 +33,10 @@ static const struct {
     int number;
     const char *name;
 } crashes[] = {
-    {SIGSEGV, "a segmentation fault"},
-    {SIGBUS, "a bus error"},
-    {SIGFPE, "a division by 0 or the like"},
-    {SIGILL, "an illegal instruction"},
+    {SIGSEGV, "segmentation fault"},
+    {SIGBUS, "bus error"},
+    {SIGFPE, "arithmetic error, such as a division by 0"},
+    {SIGILL, "illegal instruction"},
     {SIGABRT, "abort()"},
 };
 #define CRASHES (sizeof crashes / sizeof crashes[0])
@@ -107,21 +107,19 @@ static void *watch(void *unused)
 
 static void write_messages(const char *directory)
 {
+    static const char hint[] = "gdb --args glint ... shows the line";
     for (size_t i = 0; i < CRASHES; i++) {
-        (void)snprintf(in_model[i], MESSAGE,
-                       "glint: %.400s: its C model ends with %s: gdb --args glint ... finds the "
-                       "line\n",
-                       directory, crashes[i].name);
+        (void)snprintf(in_model[i], MESSAGE, "glint: %.400s: the C model crashed: %s; %s\n",
+                       directory, crashes[i].name, hint);
         (void)snprintf(elsewhere[i], MESSAGE,
-                       "glint: %.400s: a function of its description, or Glint itself, ends with "
-                       "%s: gdb --args glint ... finds the line\n",
-                       directory, crashes[i].name);
+                       "glint: %.400s: crashed in the description or in Glint itself: %s; %s\n",
+                       directory, crashes[i].name, hint);
     }
-    (void)snprintf(exited, MESSAGE, "glint: %.400s: its C calls exit(): there is no verdict\n",
-                   directory);
+    (void)snprintf(exited, MESSAGE,
+                   "glint: %.400s: the C code called exit(), so there is no verdict\n", directory);
     (void)snprintf(stuck, MESSAGE,
-                   "glint: %.400s: a call of its C model has not come back for %d s: a loop in it "
-                   "does not end\n",
+                   "glint: %.400s: a call of the C model has not returned for %d s: it has an "
+                   "endless loop\n",
                    directory, GLINT_GUARD_SECONDS);
 }
 

@@ -100,7 +100,7 @@ static int find_columns(evaluation *e)
         e->field[i] = (glint_column){e->pin[i].name, NULL};
     if (data == 0)
         (void)snprintf(e->values, sizeof e->values,
-                       "none: without data pins a header names those that the lines have");
+                       "0 values: without data pins, a header must name the columns");
     else
         (void)snprintf(e->values, sizeof e->values, "the %d value%s of the data pins", data,
                        data == 1 ? "" : "s");

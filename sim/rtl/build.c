@@ -106,7 +106,7 @@ static glint_status check_other_ports(const build *b, const char *said, glint_er
         status = is_output(b, port, &output, err);
         if (status == GLINT_OK && !output && glint_sources_have_inout(&p->sources, port))
             status = glint_fail(err, GLINT_DEVICE_FAULT,
-                                "%s has an inout %s: Glint takes inputs and outputs only",
+                                "%s has an inout port %s: only inputs and outputs are supported",
                                 glint_setting_top(p->setting), port);
         else if (status == GLINT_OK && !output)
             status = glint_fail(err, GLINT_DEVICE_FAULT,
