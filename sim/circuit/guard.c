@@ -164,10 +164,21 @@ void glint_guard_end(void)
     atomic_store(&over, true);
 }
 
+/* A thread that leaves signals to others would be ended by these without a handler. */
+static void unblock_crashes(void)
+{
+    sigset_t all;
+    sigemptyset(&all);
+    for (size_t i = 0; i < CRASHES; i++)
+        sigaddset(&all, crashes[i].number);
+    (void)pthread_sigmask(SIG_UNBLOCK, &all, NULL);
+}
+
 static place *take_place(void)
 {
     static place unwatched;
     const unsigned index = atomic_fetch_add(&places_taken, 1);
+    unblock_crashes();
     if (index >= THREADS_MAX)
         return &unwatched;
     const stack_t stack = {.ss_sp = places[index].stack, .ss_size = SIGNAL_STACK};

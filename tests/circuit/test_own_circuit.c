@@ -199,7 +199,7 @@ static void what_is_wrong_is_said(void **state)
         {"top", "rotate_xor", "rotate_xor.c", ".name = \"rotate_xor\"", ".name = \"turn\"",
          "has no turn.v"},
         {"compiler", "rotate_xor", "rotate_xor.c", "typedef struct pins", "typedef strct pins",
-         "its C does not compile: rotate_xor.c:"},
+         "the C files do not compile: rotate_xor.c:"},
         {"verilog", "rotate_xor", "rotate_xor.v", "endmodule", "endmodul", "rotate_xor.v:"},
         {"name", "rotate_xor", "rotate_xor.c", "glint_circuit glint_my_circuit",
          "glint_circuit my_circuit",
