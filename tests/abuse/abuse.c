@@ -80,7 +80,7 @@ static line make_line(void)
 /* The pipes between a run and its test. */
 typedef struct lines {
     line in, out, err;
-    line alive; /* held open by the run and all that it starts */
+    line alive; /* held open by the run and everything it starts */
 } lines;
 
 static void connect(int from, int to)
@@ -108,7 +108,7 @@ static void limit_files(long bytes)
         _exit(125);
 }
 
-/* The program is opened first: nobody may not be able to find it. */
+/* The program is opened first, since the user nobody may not be able to find it. */
 static _Noreturn void be_run(const char *program, char **argv, const abuse *how, const lines *l)
 {
     const int file = open(program, O_RDONLY | O_CLOEXEC);
@@ -131,7 +131,7 @@ static _Noreturn void be_run(const char *program, char **argv, const abuse *how,
     _exit(126);
 }
 
-/* What a pipe still holds goes behind the text; false at its end. */
+/* Appends what a pipe still holds to the text; false at its end. */
 static bool read_more(int pipe, char *text, size_t *length)
 {
     char rest[4096];
@@ -142,14 +142,14 @@ static bool read_more(int pipe, char *text, size_t *length)
     return got > 0;
 }
 
-/* Whether the pipe came to its end in time: nobody holds it any more. */
+/* Whether the pipe reached its end in time, so that no process holds it any more. */
 static bool ends_within(int pipe, int milliseconds)
 {
     struct pollfd end = {.fd = pipe, .events = POLLIN};
     return poll(&end, 1, milliseconds) == 1;
 }
 
-/* Whether the process has a handler of its own for the signal, as /proc tells. */
+/* Whether the process has a handler for the signal, according to /proc. */
 static bool catches(pid_t process, int signal)
 {
     char path[64], line[256];
@@ -299,7 +299,7 @@ void abuse_forget(outcome *done)
 /* ---- What must hold -----------------------------------------------------------------------------
  */
 
-/* The last line of standard error is the message; of a mismatch a report comes before it. */
+/* The last line of standard error is the message; a mismatch prints its report first. */
 static bool says_one_line(const char *err)
 {
     const size_t length = strlen(err);

@@ -1,6 +1,6 @@
-/* Output that cannot be written: a full disk, directories that are none or are closed, standard
- * streams that are closed, full or broken. Whatever stands under a final name afterwards is whole.
- */
+/* Unwritable output: a full disk, directories that are not directories or are inaccessible,
+ * standard streams that are closed, full or broken. Every file under its final name must be
+ * complete afterwards. */
 #define _GNU_SOURCE
 
 #include <errno.h>
@@ -23,7 +23,8 @@ typedef struct writer {
     const char *line;
     bool wrong; /* with the wrong circuit, which leaves packets */
     int status; /* when everything can be written */
-    int failed; /* when nothing can: 1 where a mismatch is found whatever comes of its packet */
+    int failed; /* if nothing can be written: 1 if a mismatch is found, with or without its
+                 * packet */
 } writer;
 
 static const writer writers[] = {
@@ -85,7 +86,7 @@ static bool write_fails(const char *reason, const char *heading, const writer *w
     return failed;
 }
 
-/* A bound on the size of files stands for the disk's end; every system has that one. */
+/* A file size limit, which every system has, stands in for a full disk. */
 static void files_may_not_grow(void **state)
 {
     (void)state;
@@ -152,7 +153,7 @@ static void a_directory_that_is_none(void **state)
     abuse_all_tried();
 }
 
-/* Root may write everywhere, so the run is nobody's. */
+/* Root can write anywhere, so run as nobody. */
 static void a_directory_of_someone_else(void **state)
 {
     (void)state;

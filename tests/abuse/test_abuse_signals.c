@@ -136,7 +136,7 @@ static void each_command_at(int signal, const int *moments)
             try_signal(&victims[i], signal, (moment){*after, false});
 }
 
-/* At work, and not yet done: each says so. */
+/* At work and not yet done, by its own account. */
 static void interrupted_at_work(void **state)
 {
     (void)state;
@@ -189,7 +189,7 @@ static int write_far_packet(void)
     return 0;
 }
 
-/* A pipe that nobody reads, and one that is open for reading and never read. */
+/* A pipe without a reader, and one that is open for reading but never read. */
 static int make_pipes(void)
 {
     return mkfifo(scratch_path("unread.png"), 0666) == 0 &&

@@ -1,7 +1,7 @@
-/* How the circuit of a setting comes to be: found in the cache, built when its Verilog changes, by
- * one of those who want it, whole or not at all; and what is said of Verilog that does not build,
- * or is not what the description says. The circuit is a counter of the test's own, the cache one
- * too; but for Verilator's runtime, which is compiled once for all. */
+/* How a setting's circuit is obtained: found in the cache or built when its Verilog changes, by
+ * exactly one of its users, completely or not at all; and the messages for Verilog that does not
+ * build or does not match the description. The circuit is the test's own counter, in the test's own
+ * cache; only Verilator's runtime is shared. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>
@@ -132,7 +132,7 @@ static void write_verilator(const char *real)
     assert_int_equal(setenv("VERILATOR", scratch_path("verilator"), 1), 0);
 }
 
-/* How often Verilator has been asked for a circuit since the last time. */
+/* How often Verilator has built a circuit since the last call. */
 static int builds(void)
 {
     int count = 0;
@@ -329,7 +329,7 @@ static void who_comes_second_waits(void **state)
 
 /* ---- Ended in the middle --------------------------------------------------------------------- */
 
-/* Ctrl-C is for glint to see, too, which goes on to its end. */
+/* glint sees Ctrl-C too, and still runs to its end. */
 static void go_on(int number)
 {
     (void)number;
@@ -478,8 +478,7 @@ static void a_description_that_is_another_circuit_s(void **state)
     }
 }
 
-/* An input of the Verilog that nobody drives is an error; an output that nobody looks at is none.
- */
+/* An undriven Verilog input is an error; an unused output is not. */
 static void ports_that_the_description_has_not(void **state)
 {
     (void)state;

@@ -219,7 +219,7 @@ static void make_toy(void)
 /* ---- What may be wrong ------------------------------------------------------------------------
  */
 
-/* X(name, what breaks it, what is said behind "circuit toy"). IN: in the standard setting. */
+/* X(name, what breaks it, the message after "circuit toy"). IN: in the standard setting. */
 #define IN " (toy, kind fast, depth 2): "
 #define FAULTS(X)                                                                                  \
     X(title, toy.title = "", " has no title")                                                      \

@@ -1,5 +1,5 @@
-/* The example of docs/your-circuit.md: what that page says of docs/examples/saturating_mac is what
- * the command does. */
+/* The example of docs/your-circuit.md: the command does to docs/examples/saturating_mac what that
+ * page says. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>

@@ -1,7 +1,6 @@
-/* Circuits of one's own, named on the command line: those of tests/circuit/own, each of which has
- * something that the others have not. Each is verified; a copy of its Verilog with a fault is found
- * out, and its packet replayed; waveforms and eval; and what is wrong in such a directory is said
- * in a line. */
+/* User circuits given on the command line: those of tests/circuit/own, each with a feature that the
+ * others lack. Each is verified; a fault in a copy of its Verilog is found and its packet replayed;
+ * waveforms and eval work; and any fault in such a directory is reported in one line. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>
@@ -145,7 +144,7 @@ static void eval_has_the_right_numbers(void **state)
     }
 }
 
-/* Of the two that have a domain all points; another says that it has none. */
+/* All points of the two circuits with a domain; another reports that it has none. */
 static void every_input_is_tried(void **state)
 {
     (void)state;

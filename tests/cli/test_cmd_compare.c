@@ -1,4 +1,4 @@
-/* `glint compare`: what it says of two pictures and how it ends. */
+/* `glint compare`: its output for two pictures and its exit status. */
 #define _XOPEN_SOURCE 700
 
 #include <math.h>

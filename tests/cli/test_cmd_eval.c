@@ -226,8 +226,8 @@ static void long_lines_are_read_to_their_end(void **state)
     free(line);
 }
 
-/* What was printed, of any form, is taken: all three stand for the same code. The codes 0 and 1 are
- * among them, which as bare numbers are cosines. */
+/* Every printed form is accepted: all three represent the same code. The codes 0 and 1 are
+ * included, which as bare numbers would be cosines. */
 static void a_code_that_was_printed_is_taken(void **state)
 {
     (void)state;
@@ -385,7 +385,7 @@ static void c_and_rtl_agree_on_random_points(void **state)
     free(points);
 }
 
-/* (2.15) for the cosine that the code stands for; nothing of Glint's own is called. */
+/* (2.15) for the code's cosine, without calling any of Glint's code. */
 static double formula(int n, long code)
 {
     const double t = (n + 1) / 3.0 * ((double)code / 262144.0 - 1.0) + 1.0;

@@ -1,5 +1,5 @@
-/* `glint render`: the files it writes, what it says of them, and what it refuses. How a frame must
- * look is tested elsewhere. */
+/* `glint render`: the files it writes, its output, and what it rejects. How a frame must look is
+ * tested elsewhere. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>
@@ -114,7 +114,7 @@ static void what_is_missing_is_said(void **state)
     forget(&done);
 }
 
-/* Meshes that nobody here made, from Debian's assimp-testmodels. */
+/* Third-party meshes, from Debian's assimp-testmodels. */
 static void foreign_meshes_are_equal_by_both_backends(void **state)
 {
     (void)state;
@@ -229,7 +229,7 @@ static void few_shifts_change_a_gouraud_picture(void **state)
     glint_image_destroy(usual);
 }
 
-/* Every name that --help lists is taken, and says so; no two models make one picture. */
+/* Every name in --help is accepted and reported; no two models give the same picture. */
 static void every_model_that_help_names_is_rendered(void **state)
 {
     (void)state;

@@ -145,7 +145,7 @@ static void the_numbers_are_those_of_compare(void **state)
     forget(&done);
 }
 
-/* Times of frames come with JSON only where frames were timed. */
+/* The JSON contains frame times only if frames were timed. */
 static void times_are_in_the_json_when_asked_for(void **state)
 {
     (void)state;
@@ -159,7 +159,7 @@ static void times_are_in_the_json_when_asked_for(void **state)
     forget(&done);
 }
 
-/* Each table says of what it is: the mesh, its density, the methods. */
+/* Each table identifies its subject: the mesh, its density, the methods. */
 static void the_tables_say_what_they_are_of(void **state)
 {
     (void)state;

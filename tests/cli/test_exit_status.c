@@ -70,7 +70,7 @@ static const struct {
     {"verify --clocks 200 --seed 1 --out %s/p", "", RIGHT, 0},
     {"verify --clocks 2000 --seed 1 --gate cosine --lanes 1 --out %s/p", "", WRONG, 1},
     {"verify --clocks 2000 --seed 1 --gate cosine --lanes 1 --json --out %s/q", "", WRONG, 1},
-    /* A mismatch is one, whatever becomes of its packet. */
+    /* A mismatch is exit status 1, with or without its packet. */
     {"verify --clocks 2000 --seed 1 --gate cosine --lanes 1 --out /dev/null/p", "", WRONG, 1},
     {"verify --clocks 0", "", RIGHT, 2},
     {"verify --lanes 33", "", RIGHT, 2},
@@ -101,7 +101,7 @@ static const struct {
 };
 #define CASES (sizeof cases / sizeof cases[0])
 
-/* Puts the scratch directory in the place of each %s. */
+/* Replaces each %s with the scratch directory. */
 static void fill(const char *line, char *text, size_t size)
 {
     size_t length = 0;
@@ -142,7 +142,7 @@ static void every_status_has_its_meaning(void **state)
     }
 }
 
-/* Whatever it had to say, nobody knows it. */
+/* Its output was lost, so there is no verdict. */
 static void output_that_is_not_taken_is_trouble(void **state)
 {
     (void)state;

@@ -78,7 +78,7 @@ static void another_kind_of_file_is_not_overwritten(void **state)
     }
 }
 
-/* The pictures that --backend both may come to write, too; none of them is looked at too late. */
+/* Also the pictures that --backend both may have to write: all are checked in time. */
 static void what_a_difference_would_overwrite_is_refused_before(void **state)
 {
     (void)state;
@@ -230,7 +230,7 @@ static void directories_lose_nothing_of_another_kind(void **state)
     }
 }
 
-/* Other people's pages begin as a report's do; a report has its numbers beside it. */
+/* Other pages start like a report; a report has its numbers next to it. */
 static void a_page_of_no_report_is_kept(void **state)
 {
     (void)state;

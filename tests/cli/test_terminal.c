@@ -157,7 +157,7 @@ static void who_waits_says_for_what(void **state)
         terminal_close(&screen);
     }
     outcome done = run("eval", "80 1 9 8 7\n");
-    assert_outcome(&done, 0, ""); /* no hint to who does not type */
+    assert_outcome(&done, 0, ""); /* no hint without a terminal */
     forget(&done);
 }
 

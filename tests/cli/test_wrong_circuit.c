@@ -300,8 +300,8 @@ static char *run_in_shell(const char *command_line)
     return scratch_read(scratch_path("child.out"), NULL);
 }
 
-/* Pasted into a shell, the replay command works: the program as it was called, quotes about what is
- * no plain word. */
+/* The replay command works when pasted into a shell: the program as it was called, with quotes
+ * where needed. */
 static void the_replay_command_can_be_pasted(void **state)
 {
     (void)state;
@@ -318,7 +318,7 @@ static void the_replay_command_can_be_pasted(void **state)
     free(said);
 }
 
-/* A directory without the circuit's Verilog is refused, and named with what it has not. */
+/* A directory without the circuit's Verilog is rejected, naming it and the missing file. */
 static void a_circuit_that_is_not_there_is_told(void **state)
 {
     (void)state;

@@ -60,7 +60,7 @@ static void what_is_covered_passes(void **state)
     assert_printed("m                           1         0        1         1         0        1");
 }
 
-/* A bit that changed once went up and never came down. */
+/* A bit that changed once rose and never fell. */
 static void what_is_not_covered_fails(void **state)
 {
     (void)state;
@@ -133,8 +133,8 @@ static void no_lines_and_no_toggles_fail(void **state)
     assert_int_equal(report("# nothing\n", "# SystemC::Coverage-3\n"), 1);
 }
 
-/* A circuit whose signals are read stands in a probe, as "dut": the same circuit, and the probe is
- * none of ours. */
+/* An observed circuit is inside a probe, as "dut": the same circuit, and the probe does not
+ * count. */
 static void a_probe_is_looked_through(void **state)
 {
     (void)state;
@@ -148,7 +148,8 @@ static void a_probe_is_looked_through(void **state)
     assert_printed("toggles: 2 items, 0 failed\n");
 }
 
-/* Of two runs of one circuit the larger count: a constant 1 that comes up in each is no toggle. */
+/* Two runs of one circuit give the larger count, not the sum: a constant 1 that rises once in each
+ * is not a toggle. */
 static void runs_are_not_added_up(void **state)
 {
     (void)state;

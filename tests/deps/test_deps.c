@@ -1,5 +1,5 @@
 /* sim/deps.sh against a system made up for the test: programs of the same names, first in PATH,
- * that answer as told and write down how they were called. Nothing is installed. */
+ * with scripted answers and a log of their calls. Nothing is installed. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>
@@ -158,7 +158,7 @@ static void no_debian_is_said(void **state)
                        "nettle-dev\n");
 }
 
-/* Nobody is told to use what is not there, and all are told the whole command. */
+/* The advice never uses a missing program, and always gives the complete command. */
 static void no_sudo_is_said(void **state)
 {
     (void)state;

@@ -84,7 +84,7 @@ static void the_table_has_the_entries_of_the_thesis(void **state)
     assert_int_equal(divide(6, 1, 7), 9);
 }
 
-/* i₀, of weight 1, stands for k = 1 alone, and then alone. */
+/* i₀, of weight 1, is set only for k = 1, and then it is the only bit. */
 static void the_bit_of_weight_one_is_for_one_alone(void **state)
 {
     (void)state;
@@ -167,8 +167,8 @@ static void the_quotient_is_the_sum_of_the_terms(void **state)
     assert_true(sums == 11 * 18 * D_COUNT);
 }
 
-/* |q − D/k| ≤ |D|/2ⁿ⁺¹, multiplied by 2ⁿ⁺¹·k: integers only. That the bound is no wider than it
- * need be: how much of it is used. */
+/* |q − D/k| ≤ |D|/2ⁿ⁺¹, multiplied by 2ⁿ⁺¹·k: integers only. How much of the bound is used shows
+ * that it is tight. */
 static void the_division_identity_holds(void **state)
 {
     (void)state;
@@ -210,7 +210,7 @@ static void powers_of_two_are_exact_and_signs_mirror(void **state)
     }
 }
 
-/* What k = 0 and lengths beyond the table give is flagged, whatever the difference. */
+/* k = 0 and lengths beyond the table are flagged for every difference. */
 static void out_of_the_table_is_flagged(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Both forms of the divider clock by clock: what goes in comes out when it has to and as the pure
- * function says, against a contract written here; clock enable, reset, and the table of signals. */
+/* Both forms of the divider clock by clock: inputs come out on time and as the pure function says,
+ * checked against a contract written here; clock enable, reset, and the table of signals. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -47,8 +47,8 @@ static bool is_miss(uint32_t k)
     return k == 0 || k > K_TABLE;
 }
 
-/* Every so many clocks the mood changes: dense, sparse, stalling, beyond the table. Nothing here
- * knows of sim/lockstep's stimulus. */
+/* The mix changes every so many clocks: dense, sparse, stalling, beyond the table. Independent of
+ * sim/lockstep's stimulus. */
 static void draw_inputs(int clock, glint_divider_inputs *in)
 {
     static const uint32_t chances[] = {0, 20, 128, 230, 256};
@@ -71,12 +71,12 @@ static void draw_inputs(int clock, glint_divider_inputs *in)
 /* ---- The sequential form ------------------------------------------------------------------------
  */
 
-/* What its header promises, and how often each of it came. */
+/* What its header promises, and how often each case occurred. */
 typedef struct contract {
     int n;
     int left; /* enabled clocks until done; 0: not busy */
     bool done, out_of_table;
-    bool known; /* the quotient stands: nothing has been started since it came out */
+    bool known; /* the quotient is stable: nothing was started since it came out */
     int32_t quotient, coming;
     unsigned divisions, ignored, with_done, held, stalled_busy, stalled_done, reset_busy, misses;
 } contract;
@@ -487,8 +487,7 @@ static int width_due(const char *name, int n)
     return strstr(name, "d_") != NULL ? 9 : 9 + n;
 }
 
-/* Differences, and what is added up of them, have a sign; and what is shifted or added up has n
- * digits behind the point. */
+/* Differences and their sums are signed; shifted and summed values have n fraction digits. */
 static bool is_difference(const char *name)
 {
     return strstr(name, "d_r") != NULL || strstr(name, "d_g") != NULL ||

@@ -45,8 +45,8 @@ static glint_rtl *create(glint_divider_form form, int n)
     return rtl;
 }
 
-/* The clocks that the circuit took say that it was the circuit that divided, at its throughput: a
- * division a clock, or a component every n + 1 clocks; and one clock for the reset of creation. */
+/* The clock count proves that the circuit did the dividing, at its throughput: one division per
+ * clock, or one component every n + 1 clocks, plus one clock for the initial reset. */
 static uint64_t clocks_due(glint_divider_form form, int n, size_t count)
 {
     return form == GLINT_DIVIDER_PIPELINED

@@ -176,7 +176,7 @@ static void a_seed_gives_the_same_inputs_again(void **state)
         assert_true(count_equal_inputs(seed, other) < CLOCKS / 10);
 }
 
-/* One input or state a clock that the stimulus promises, and how often it came. */
+/* Situations that the stimulus promises, and how often each occurred. */
 #define SITUATIONS(X)                                                                              \
     X(division)                                                                                    \
     X(start_while_busy)                                                                            \

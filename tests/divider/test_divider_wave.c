@@ -164,7 +164,7 @@ static void assert_format(glint_divider_form form, int n, const saved_trace *tra
     assert_int_equal((trace->flags & SAVED_SIGNED) != 0, info.is_signed);
 }
 
-/* In the waveform there is each signal that the save file names, as wide as it says. */
+/* The waveform has every signal that the save file names, with the same width. */
 static void the_save_file_names_what_is_there(void **state)
 {
     (void)state;

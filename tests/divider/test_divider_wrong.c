@@ -1,5 +1,5 @@
-/* Lockstep itself: with dividers that are wrong on purpose it has to say so, with clock, signal and
- * values. What it then leaves: tests/failure. The faults: tests/divider/wrong. */
+/* Lockstep itself: it must catch deliberately broken dividers and name clock, signal and values.
+ * The packets are tested in tests/failure; the faults are in tests/divider/wrong. */
 #define _XOPEN_SOURCE 700
 
 #include <inttypes.h>
@@ -115,7 +115,7 @@ static void at_most_sixteen_are_kept_and_all_are_counted(void **state)
     }
 }
 
-/* The model's value is right whatever the circuit does. */
+/* The model's value is right regardless of the circuit. */
 static void both_values_are_told(void **state)
 {
     (void)state;

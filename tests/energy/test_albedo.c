@@ -230,7 +230,7 @@ static void the_table_does_not_depend_on_threads(void **state)
     assert_memory_equal(one->cell, two->cell,
                         sizeof *one->cell * GLINT_REFLECTANCE_COUNT * COUNT(some_n) *
                             COUNT(some_angle));
-    /* A cell's samples are its own: not those of a cell beside it, and the seed counts. */
+    /* Each cell has its own samples, different from its neighbour's, and the seed matters. */
     plan.seed = 6;
     glint_energy_table_destroy(two);
     assert_int_equal(glint_energy_table_make(&plan, &two, NULL), GLINT_OK);

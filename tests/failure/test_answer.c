@@ -1,5 +1,5 @@
-/* What is left of an answer that differs, as the exhaustive run and frames find it: asked again as
- * a run of points or divisions, and clock by clock. */
+/* Failures from a differing answer, found by an exhaustive run or a frame: asked again as a run of
+ * points or divisions, and clock by clock. */
 #define _XOPEN_SOURCE 700
 
 #include <inttypes.h>
@@ -52,7 +52,7 @@ static const fault *fault_of(const char *name)
     return &faults[i];
 }
 
-/* Written and read, it is the same, and plays the same. */
+/* Written and read back, it is the same and replays the same. */
 static void assert_survives_the_packet(const glint_setting *setting)
 {
     glint_error err;
@@ -89,8 +89,8 @@ static int32_t value_of(const glint_capture_clock *clock, const char *name, bool
     return 0;
 }
 
-/* The clock marked is the one in which the output has the answer, wrong; the clocks
- * before it are there, and what differed first is told where that was earlier. */
+/* The marked clock is the one with the wrong answer at the output; the clocks before it are
+ * included, and an earlier first difference is reported. */
 static void assert_reaches_the_answer(const char *output)
 {
     const glint_capture *capture = failure->capture;
@@ -208,8 +208,7 @@ static void a_mismatch_of_the_exhaustive_run_is_found_in_its_block(void **state)
     }
 }
 
-/* Of a long run those points are kept that went in at the clocks about the one asked for, each on
- * its lane. */
+/* From a long run, the points around the one in question are kept, each on its lane. */
 static void the_points_about_it_stay_on_their_lanes(void **state)
 {
     (void)state;
@@ -294,7 +293,7 @@ static glint_status shade_lying_in_company(glint_rtl *rtl, const glint_material 
                : status;
 }
 
-/* A packet is no worse for that: the line that asks alone is left out. */
+/* The packet is still complete; only the line that asks alone is left out. */
 static void a_circuit_that_keeps_a_lone_answer_back_has_a_packet(void **state)
 {
     (void)state;
@@ -316,8 +315,8 @@ static void a_circuit_that_keeps_a_lone_answer_back_has_a_packet(void **state)
 /* ---- What went before ---------------------------------------------------------------------------
  */
 
-/* A circuit that goes wrong at one clock since it was made, which no signal shows before: it takes
- * another cosine, or none. Of one lane; one at a time. */
+/* A circuit that fails at one clock after its creation, which no signal shows beforehand: it
+ * accepts a different cosine, or none. One lane, one circuit at a time. */
 enum { WRONG_CLOCK = 300, WRONG_BIT = 0x400 };
 static uint64_t clocks_since_made;
 static bool takes_none;
@@ -464,7 +463,7 @@ static void a_circuit_that_keeps_an_answer_back_is_found_out(void **state)
     assert_survives_the_packet(&setting);
 }
 
-/* Of all that the circuit was asked only so much is kept as shows the same. */
+/* Only as much of the history is kept as reproduces the failure. */
 static void what_does_not_matter_is_left_out(void **state)
 {
     (void)state;
@@ -640,7 +639,7 @@ static void one_thread_alone_can_be_watched(void **state)
     glint_renderer_destroy(renderer);
 }
 
-/* With the right circuits there is nothing to note, whatever they are asked for. */
+/* Correct circuits leave nothing to record, whatever the inputs. */
 static void a_right_circuit_is_never_noted(void **state)
 {
     (void)state;

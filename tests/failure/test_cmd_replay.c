@@ -1,5 +1,5 @@
-/* `glint replay` and what is no packet: one line that says what is wrong and where, exit status 2,
- * which is neither "gone" nor "still there". */
+/* `glint replay` on anything but a packet: one line that says what is wrong and where, and exit
+ * status 2, which means neither "gone" nor "still there". */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>
@@ -105,7 +105,7 @@ static void assert_refused(const outcome *done, const char *part, const char *wh
     }
 }
 
-/* Glint's own Verilog, in the place of the directory that the packets name. */
+/* Glint's own Verilog, instead of the directory named by the packets. */
 #define RIGHT " --rtl rtl"
 
 static void a_right_circuit_has_none_of_them(void **state)
@@ -221,7 +221,7 @@ static void what_is_cut_short_is_refused(void **state)
     seconds_refusing += child_seconds() - begin;
 }
 
-/* Puts one value in the place of another; both as they stand in the text. */
+/* Replaces one value by another, both as written in the text. */
 typedef struct edit {
     int packet;
     const char *path;  /* members, with a dot between; a number is an index */
@@ -429,7 +429,7 @@ static const char *late_rtl(unsigned long clock)
     glint_under_test(), "verify", "--circuit", "specular", "--gate", "cosine", "--pipeline",       \
         "pipelined", "--lanes", "1"
 
-/* They differ, and that is what the exit status says; that the packet cannot be written is told. */
+/* The exit status says that they differ; the write failure is reported. */
 static void a_packet_that_cannot_be_written_changes_no_verdict(void **state)
 {
     (void)state;

@@ -1,6 +1,5 @@
-/* What is left of a mismatch of a random run: for each circuit that is wrong on purpose, that the
- * few clocks kept show it again, and that the text, the waveform and the save file tell the truth.
- */
+/* Packets of random runs: for each deliberately broken circuit, the few clocks kept must reproduce
+ * the mismatch, and the text, the waveform and the save file must be right. */
 #define _XOPEN_SOURCE 700
 
 #include <inttypes.h>
@@ -330,7 +329,8 @@ static uint64_t value_at(const vcd *wave, int lane, const char *name, const char
     return vcd_value(wave, full, time);
 }
 
-/* The number that stands beside a fixed-point code: all of it, told from the next code's. */
+/* The number next to a fixed-point code has enough digits to distinguish it from the next
+ * code's. */
 static void assert_number(const vcd *wave, int lane, const char *name, const char *ending,
                           uint64_t time, double expected)
 {
@@ -560,7 +560,7 @@ static void a_packet_is_read_and_played(void **state)
         assert_true(read->seed == seed && read->pin_count == failure->pin_count);
         assert_true(glint_failure_same(&read->finding, &failure->finding));
         assert_string_equal(read->command, failure->command);
-        /* Played by the circuit that was wrong it comes again, by the right one it is gone. */
+        /* Replayed with the broken circuit it recurs; with the correct one it is gone. */
         read->setting = setting_of(&faults[f], true);
         assert_done(glint_failure_play(read, NULL, &again, NULL, &err), &err);
         assert_true(glint_failure_same(&again, &read->finding));

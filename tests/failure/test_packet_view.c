@@ -1,5 +1,5 @@
-/* How a packet's waveform opens in GTKWave, wherever the mismatch stands in it and whatever window
- * it gets: the marker in view, and a difference of one last place to be read beside the names. */
+/* How a packet's waveform opens in GTKWave, for any place of the mismatch and any window: the
+ * marker is in view, and a difference in the last place is readable next to the names. */
 #define _XOPEN_SOURCE 700
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* A new file appears whole or not at all, and leaves nothing else behind. */
+/* A new file appears complete or not at all, and leaves nothing else behind. */
 #define _GNU_SOURCE /* O_TMPFILE */
 
 #include <fcntl.h>
@@ -371,8 +371,8 @@ static void a_pipe_is_written_to(void **state)
     free(got);
 }
 
-/* Given up while the pipe is full and something is still in the stream: nobody waits for a reader.
- */
+/* Abandoned while the pipe is full and data is still in the stream: it must not wait for a
+ * reader. */
 static void be_given_up(const char *path)
 {
     static const char filler[4096];

@@ -1,6 +1,6 @@
-/* The proofs of make formal, a short form: one of each kind; a circuit that is wrong must make its
- * property fail, in the search for a fault and as a proof; and what the scripts say when there is
- * nothing to prove. */
+/* A short form of make formal: one proof of each kind; a broken circuit must fail its property,
+ * both in the search for a fault and as a proof; and the scripts' messages when there is nothing to
+ * prove. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>
@@ -195,8 +195,8 @@ static void a_wrong_circuit_is_not_proved(void **state)
     assert_proof_fails("table-6", "FAILED: inputs: rounded");
 }
 
-/* A proof whose covers are out of reach is none: here k counts as beyond the table, always, and
- * what is asserted of that was taken out. */
+/* A proof with unreachable covers does not count: here k always counts as beyond the table, and the
+ * assertions about that were removed. */
 static void a_vacuous_proof_is_not_proved(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* "The cosine with 20 fraction bits" is one edit: copies of the tree in which
- * cmodel/glint_formats.h has another number in one line build, and are right
- * (tests/formats/try.sh). A number that cannot be is refused by a line that says what to do. */
+/* "The cosine with 20 fraction bits" is one edit: copies of the tree with one number changed in
+ * cmodel/glint_formats.h build and are correct (tests/formats/try.sh). An impossible number is
+ * rejected with a line that says what to do. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>

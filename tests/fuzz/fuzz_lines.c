@@ -1,5 +1,5 @@
 /* Fuzz targets: the command lines and the standard input of `glint eval` and `glint divide`, whole,
- * and the command line of `glint render`. What is printed must be well-formed whatever was read. */
+ * and the command line of `glint render`. The output must be well-formed for any input. */
 #include <cjson/cJSON.h>
 #include <ctype.h>
 #include <math.h>

@@ -1,5 +1,5 @@
-/* The fuzz targets on the inputs that are kept (tests/fuzz/corpus, those that once failed among
- * them), and on some thousand mutations of them. `make fuzz` goes on from here. */
+/* Runs the fuzz targets on the stored inputs (tests/fuzz/corpus, including those that once failed)
+ * and on some thousands of mutations of them. `make fuzz` continues from here. */
 #define _XOPEN_SOURCE 700
 
 #include <dirent.h>

@@ -1,6 +1,6 @@
-/* A test of the command has to fail when the command does nothing. All of them are run with
- * /bin/true and with /bin/false in the place of the command and of the one with planted
- * differences; none may pass, but for those that are named here, with the reason. */
+/* A test of the command must fail if the command does nothing. All are run with /bin/true and
+ * /bin/false in place of the command and of the one with planted differences; none may pass except
+ * those listed here with a reason. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>
@@ -67,7 +67,8 @@ static void name_of(const char *source, char name[256])
     name[length] = '\0';
 }
 
-/* How many tests a program ran; each that passed, and may not, is told and counted in *passed. */
+/* The number of tests that a program ran; each one that passed but must not is reported and counted
+ * in *passed. */
 static int judge(const char *program, char *log, int *passed)
 {
     static const char ran[] = "[ RUN      ] ", good[] = "[       OK ] ";

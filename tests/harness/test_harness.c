@@ -39,7 +39,7 @@ static void who_works_too_long_is_ended(void **state)
     assert_int_equal(run_shell("while :; do :; done", 0.2), CHILD_TIMED_OUT);
 }
 
-/* As one does that gets no processor: it needs long by the clock and has not worked. */
+/* Like a program starved of the processor: long by the wall clock, without having worked. */
 static void who_only_waits_is_waited_for(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* PNG files out and in: the same picture comes back, other kinds of PNG are understood, broken ones
- * are refused with a reason. */
+/* PNG files out and in: pictures survive the round trip, other kinds of PNG are understood, broken
+ * ones are rejected with a reason. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>

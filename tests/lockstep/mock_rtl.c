@@ -11,7 +11,7 @@ enum { CIRCUITS = 256 };
 static const glint_rtl *mocked[CIRCUITS];
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 
-/* Puts `with` in the place of a circuit; NULL is a free one. */
+/* Replaces a circuit with `with`; NULL is a free slot. */
 static bool replace(const glint_rtl *rtl, const glint_rtl *with)
 {
     bool found = false;

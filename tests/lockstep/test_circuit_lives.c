@@ -1,4 +1,5 @@
-/* Circuits come and go in any order and in any thread, and those that stay still work. */
+/* Circuits are created and destroyed in any order and in any thread, and the remaining ones still
+ * work. */
 #define _XOPEN_SOURCE 700
 
 #include <dirent.h>

@@ -40,7 +40,7 @@ typedef struct summary {
     int settings;
 } summary;
 
-/* What is told before the sum: a line for each circuit of which more than one setting is tried. */
+/* The first verdicts before the total: one line per circuit with more than one setting. */
 static const char *skip_first_verdicts(const char *out, int *count)
 {
     static const char first[] = "first verdict: ";
@@ -82,7 +82,7 @@ static void all_settings_are_verified(void **state)
     forget(&done);
 }
 
-/* Without --circuit the divider's settings come on top. */
+/* Without --circuit, the divider's settings are added. */
 static void every_circuit_is_verified(void **state)
 {
     (void)state;
@@ -309,7 +309,7 @@ static void what_was_reached_is_told(void **state)
     forget(&done);
 }
 
-/* Starts that a busy divider does not take are told of the form that can be busy. */
+/* Starts ignored by a busy divider are reported only for the form that can be busy. */
 static void what_a_divider_reached_is_told(void **state)
 {
     (void)state;

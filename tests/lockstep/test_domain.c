@@ -177,7 +177,7 @@ static void stop_at_once(void *context, uint64_t done, uint64_t total)
     stop = true;
 }
 
-/* What was begun is finished; the rest is what goes on at `next`. */
+/* What was started is finished; the rest resumes at `next`. */
 static void a_stopped_run_says_where_to_go_on(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* `glint verify --exhaustive`: that it covers what it says, finds what is wrong, and can be cut in
- * parts. The whole domain is for `make test-full`. */
+/* `glint verify --exhaustive`: it covers what it says, finds faults, and can be split into parts.
+ * `make test-full` runs the whole domain. */
 #define _XOPEN_SOURCE 700
 
 #include <inttypes.h>
@@ -89,7 +89,7 @@ static void every_lane_takes_every_code(void **state)
     cJSON_Delete(every);
 }
 
-/* "0 mismatches" stands beside what they were looked for in, and what not. */
+/* "0 mismatches" comes with what was searched and what was not. */
 static void a_result_says_what_it_reaches(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
-/* The exhaustive comparison itself, by differences planted in the circuit's answers: a circuit
- * of the test's own (mock_rtl.h) asks the real one and then alters what the plant says. Each run,
- * sweep, lane, thread and each of W, red, green and blue has its turn, and the mismatches must be
- * exactly those planted; the counts are the test's own. */
+/* Tests the exhaustive comparison with planted differences: a mock circuit (mock_rtl.h) asks the
+ * real one and alters the answers as planned. Each run, sweep, lane and thread and each of W, red,
+ * green and blue gets a turn, and the mismatches must be exactly the planted ones, by the test's
+ * own count. */
 #define _POSIX_C_SOURCE 200809L
 
 #include <errno.h>
@@ -27,7 +27,7 @@ enum {
     W_CODES = 196609, /* those that occur with n = 2: test_model counts them by the blocks */
     QUARTER = 49152,  /* of them, in the multipliers' sweep of n = 0…767 */
     THREADS = 4,
-    SECONDS = 600, /* until threads that do not come are given up */
+    SECONDS = 600, /* seconds to wait for threads before giving up */
 };
 
 /* One point of a batch, as the plant sees it. */
@@ -167,7 +167,7 @@ static bool everywhere(const point *point)
     return true;
 }
 
-/* Each point of each sweep differs in one value: all of them are told, whichever value it is. */
+/* Each point of each sweep differs in one value: all are reported, whichever value it is. */
 static void every_value_of_every_point_is_compared(void **state)
 {
     (void)state;

@@ -189,7 +189,7 @@ static void another_seed_gives_other_inputs(void **state)
         assert_true(count_equal_inputs(seed, other, 1) < CLOCKS / 10);
 }
 
-/* One input or state a clock that the stimulus promises, and how often it came. */
+/* Situations that the stimulus promises, and how often each occurred. */
 #define SITUATIONS(X)                                                                              \
     X(stall)                                                                                       \
     X(stall_with_points_under_way)                                                                 \

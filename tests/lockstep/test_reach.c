@@ -1,5 +1,5 @@
-/* How deep the random runs get: what they say they reached is what their pins did, they reach as
- * far as the documentation says, and circuits that go wrong only there are found. */
+/* How deep random runs get: the reported coverage matches their pins and the documentation, and
+ * circuits that fail only at that depth are caught. */
 #include <inttypes.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -239,7 +239,7 @@ static void a_run_tells_what_it_reached(void **state)
     }
 }
 
-/* Pins by hand: what the count says of them can be counted on the fingers. */
+/* Hand-written pins whose counts are easy to check. */
 static void a_count_by_hand(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* The bench itself: with circuits that are wrong on purpose lockstep has to say so and name the
- * block. What it then leaves: tests/failure. The faults: tests/lockstep/wrong. */
+/* The test bench itself: lockstep must catch deliberately broken circuits and name the block. The
+ * packets are tested in tests/failure; the faults are in tests/lockstep/wrong. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>
@@ -135,7 +135,7 @@ static void at_most_sixteen_are_kept_and_all_are_counted(void **state)
     }
 }
 
-/* The C model is right whatever the circuit: its value is what the pure function says, or follows
+/* The C model is right regardless of the circuit: its value matches the pure function or follows
  * from the inputs. */
 static void both_values_are_told(void **state)
 {
@@ -259,7 +259,7 @@ static void lost_results_are_a_device_fault(void **state)
     glint_rtl_destroy(rtl);
 }
 
-/* Register 2 by another name: both kinds of the circuit are held against the description. */
+/* Register 2 under another name: both builds are checked against the description. */
 static void a_missing_signal_is_a_device_fault(void **state)
 {
     (void)state;

@@ -165,7 +165,7 @@ static void a_package_is_put_together(void **state)
                  "");
 }
 
-/* What an older version has left, and this one has not, goes when it is installed. */
+/* Files of an older version that this one lacks are removed on installation. */
 static void another_version_leaves_nothing_behind(void **state)
 {
     (void)state;

@@ -63,7 +63,7 @@ static void what_is_missing_is_made_again(void **state)
 /* ---- Devices ------------------------------------------------------------------------------------
  */
 
-/* A tool may set the mode of what it is told to write, or replace it. A device is for the shell's
+/* A tool may change the mode of its output file or replace it, so devices are only for shell
  * redirections, which do neither, and for reading. */
 static regex_t misuse;
 

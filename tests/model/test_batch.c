@@ -1,6 +1,6 @@
-/* glint_specular_batch() against glint_specular_eval(): every length a vectorised loop treats in a
- * way of its own, arrays at any alignment, nothing written beside them, W asked for or not. The
- * whole domain is in test_accuracy.c. */
+/* glint_specular_batch() against glint_specular_eval(): every length that a vectorised loop treats
+ * differently, arrays at any alignment, nothing written outside them, with and without W. The whole
+ * domain is in test_accuracy.c. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>

@@ -1,5 +1,5 @@
-/* The device clock by clock: its outputs against the pure function by a queue (what goes in is
- * pushed, what is valid is popped), the clock enable, the reset, and the table of its signals. */
+/* The device clock by clock: its outputs against the pure function through a queue (inputs are
+ * pushed, valid outputs popped), the clock enable, the reset, and the table of its signals. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -155,7 +155,7 @@ static uint32_t draw_cosine(uint32_t n)
     }
 }
 
-/* Every so many clocks the mood changes: dense, sparse, stalling, changing material. */
+/* The mix changes every so many clocks: dense, sparse, stalling, changing material. */
 static void draw_inputs(int clock, uint32_t n, glint_specular_inputs *in)
 {
     static const uint32_t chances[] = {0, 0, 20, 128, 230};

@@ -132,7 +132,7 @@ static void vectors_by_hand(void **state)
     }
 }
 
-/* W(cos γ = 1) is exactly 1, so every colour passes unchanged, whatever n and gate. */
+/* W(cos γ = 1) is exactly 1, so every colour passes unchanged for every n and gate. */
 static void the_centre_passes_every_colour(void **state)
 {
     (void)state;

@@ -119,7 +119,7 @@ static uint64_t domain_clocks(const glint_setting *setting)
                : circuit->domain->points(values) * pace + (uint64_t)glint_setting_latency(setting);
 }
 
-/* A point every `pace` clocks, and nothing behind the last. */
+/* A point every `pace` clocks, and nothing after the last. */
 static void domain_next(const glint_setting *setting, uint64_t clock, glint_pins *pins)
 {
     const glint_circuit *circuit = setting->circuit;

@@ -225,7 +225,7 @@ static void points_prove_and_refute(void **state)
     }
 }
 
-/* A bench that sees next to nothing says so: faults survive. */
+/* A bench that sees almost nothing must report surviving faults. */
 static void a_short_bench_lets_faults_live(void **state)
 {
     (void)state;

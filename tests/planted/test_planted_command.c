@@ -1,4 +1,4 @@
-/* Whether the command loses anything of what is found, on the way from its threads to what it says:
+/* Whether the command loses any finding on the way from its threads to its output:
  * $GLINT_BUILD/planted/glint reads one planted difference of each circuit, or of one frame. */
 #define _XOPEN_SOURCE 700
 
@@ -77,7 +77,7 @@ static cJSON *verify(int threads, int signal)
     return json;
 }
 
-/* One of each setting of each circuit, none lost and none twice, whatever thread had it. */
+/* One per setting of each circuit, none lost or duplicated, whichever thread had it. */
 static void each_thread_s_mismatches_are_told(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* Whether lockstep looks at everything: in each setting of both circuits each bit of each signal
- * differs once, at a clock of its own, and just that has to be found, counted and named; and again
- * by the plays that make and replay a packet. */
+/* Whether lockstep checks everything: in each setting of both circuits each bit of each signal
+ * differs once, at its own clock, and exactly that must be found, counted and named, and again by
+ * the replays that write and read a packet. */
 #include <inttypes.h>
 #include <setjmp.h>
 #include <stdarg.h>

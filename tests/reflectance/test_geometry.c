@@ -1,5 +1,5 @@
-/* The models by directions: cosines, which one a model takes, where there is no light, reciprocity,
- * and the facets of the microfacet models. */
+/* The models by directions: cosines, the argument of each model, unlit points, reciprocity, and the
+ * facets of the microfacet models. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -182,7 +182,7 @@ static void fresnel_has_its_known_ends(void **state)
         const double d = (10.0 + 2.0) / (2.0 * PI);
         assert_true(fabs(glint_reflectance_brdf(&r, &normal) - reflectances[i] * d / 4.0) < 1e-12);
     }
-    /* Towards grazing incidence everything reflects: F → 1, whatever F0. */
+    /* Towards grazing incidence everything reflects: F → 1 for every F0. */
     const glint_reflectance_parameters glass = {.n = 10, .f0 = 0.04}, mirror = {.n = 10, .f0 = 1.0};
     glint_reflectance m;
     assert_int_equal(glint_reflectance_prepare(GLINT_REFLECTANCE_COOK_TORRANCE, &glass, &r, NULL),

@@ -1,5 +1,5 @@
-/* How far each lobe is from cosⁿ: what the thesis claims of it, held against what is measured. Each
- * test's comment says what the claim is; docs/models.md quotes the figures. */
+/* How far each lobe is from cosⁿ: the thesis's claims against measurements. Each test's comment
+ * states the claim; docs/models.md quotes the figures. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>

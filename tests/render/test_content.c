@@ -92,7 +92,7 @@ static void expect_read(const reading *files, size_t count, const triangle *expe
     }
 }
 
-/* A file that is refused, and what of the line says why. */
+/* A file that is rejected, and the expected part of the message. */
 static void expect_refused(const reading *files, size_t count)
 {
     for (size_t i = 0; i < count; i++) {

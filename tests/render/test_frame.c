@@ -1,5 +1,5 @@
 /* Whole frames: fragments against analytic values in double precision, visibility, clipping at the
- * near plane, the same bits whatever the number of threads, and what is refused. */
+ * near plane, the same bits for any number of threads, and what is rejected. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -357,7 +357,7 @@ static void the_nearer_is_seen(void **state)
     }
 }
 
-/* Of two that are equally near the one that comes first in the mesh stays. */
+/* Of two equally near triangles, the first one in the mesh wins. */
 static void the_first_of_equals_is_seen(void **state)
 {
     (void)state;

@@ -17,7 +17,7 @@
 
 #define RADIANS (3.14159265358979323846 / 180.0)
 
-/* Meshes that nobody here made, from Debian's assimp-testmodels. */
+/* Third-party meshes, from Debian's assimp-testmodels. */
 #define SPIDER "/usr/share/assimp/models/OBJ/spider.obj"
 #define FELS   "/usr/share/assimp/models/3DS/fels.3ds"
 
@@ -181,7 +181,7 @@ static void the_default_shifts_are_near_exact_division(void **state)
     close_studio(&exact);
 }
 
-/* Backend real interpolates exactly whatever the number of shifts. */
+/* Backend real interpolates exactly for any number of shifts. */
 static void backend_real_divides_exactly(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Mesh files: real ones that nobody here made (Debian's glmark2-data and assimp-testmodels), small
- * ones written here to say exactly what must come of them, and bad ones that must be refused. */
+/* Mesh files: third-party ones (Debian's glmark2-data and assimp-testmodels), small ones written
+ * here with exactly known results, and bad ones that must be rejected. */
 #define _XOPEN_SOURCE 700
 
 #include <setjmp.h>
@@ -284,7 +284,7 @@ static void bad_files_are_refused(void **state)
 }
 
 /* assimp itself fails on these: an index it does not check, a header that it never finds the end
- * of. The process that reads is lost, not the one that asked. */
+ * of. Only the reading process is lost, not its parent. */
 static void assimps_own_failures_are_messages(void **state)
 {
     (void)state;

@@ -551,8 +551,8 @@ static void expect_aside(const char *more, size_t drawn, const char *expected)
     glint_mesh_destroy(mesh);
 }
 
-/* A file is not refused for a trifle beside the object; it is said. What is all in the origin is
- * not refused for its place. */
+/* A stray speck next to the object gets a remark, not a rejection. A file entirely at the origin is
+ * not rejected for its position. */
 static void a_trifle_beside_the_object_refuses_nothing(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* The table of claims: every claim is given a number that keeps its rule and one that breaks it,
- * and must change its verdict; and what the measuring behind it makes of known values. */
+ * and must change its verdict; and the measuring code's results for known values. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-/* GTKWave itself opens what `glint wave` writes, on a display of its own, and tells by a script
+/* GTKWave itself opens the output of `glint wave` on a private display and reports through a script
  * what it shows: every trace of the save file, in its order, and at the marker the numbers that the
  * C model has there, fixed-point values as real ones. */
 #define _XOPEN_SOURCE 700

@@ -1,6 +1,6 @@
-/* Waveforms of the demonstration scene: that they show the circuit, the window asked for and no
- * more; that the save file beside them names what is there, in its formats; that the scene holds
- * what it promises; that nothing half is left when the disk is full. */
+/* Waveforms of the demonstration scene: they show the circuit and exactly the requested window; the
+ * save file names what is there, in the right formats; the scene contains what it promises; a full
+ * disk leaves no partial files. */
 #define _XOPEN_SOURCE 700
 
 #include <inttypes.h>
@@ -176,7 +176,7 @@ static void assert_format(const glint_specular_config *config, const saved_trace
     assert_int_equal((trace->flags & SAVED_SIGNED) != 0, info.is_signed);
 }
 
-/* In the waveform there is each signal that the save file names, as wide as it says. */
+/* The waveform has every signal that the save file names, with the same width. */
 static void the_save_file_names_what_is_there(void **state)
 {
     (void)state;
@@ -641,7 +641,7 @@ static void a_full_disk_leaves_nothing(void **state)
         assert_int_equal(size_of(scratch_path("full")), size_of(scratch_path("whole")));
         assert_int_equal(unlink(scratch_path("full")), 0);
     }
-    /* What has to fit is far below the room that is asked for. */
+    /* The actual size is far below the space required. */
     assert_true(size_of(scratch_path("whole")) < GLINT_WAVE_ROOM / 10);
 }
 
@@ -660,7 +660,8 @@ static void a_vcd_cut_short_is_told(void **state)
     assert_int_equal(unlink(scratch_path("full")), 0);
 }
 
-/* The disk filled up while an FST was written: whatever its length, it is not taken for a whole. */
+/* If the disk fills up while an FST is written, the file is recognised as incomplete at any
+ * length. */
 static void an_fst_cut_short_is_refused(void **state)
 {
     (void)state;

@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-/* The word at *text, at most size − 1 characters of it, and *text moved behind it; false at the
+/* Copies the word at *text, at most size − 1 characters, and moves *text past it; false at the
  * end. */
 static bool next_word(const char **text, char *word, size_t size)
 {

@@ -1,5 +1,5 @@
-/* clip_lanes: lanes in a generate loop, whose ports stand side by side: 1 to 32 of them, up to 384
- * bits in a port of which each lane has 12. */
+/* clip_lanes: lanes in a generate loop with ports side by side: 1 to 32 lanes of 12 bits, up to 384
+ * bits per port. */
 #include <string.h>
 
 #include "glint_describe.h"

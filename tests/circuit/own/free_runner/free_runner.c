@@ -1,4 +1,4 @@
-/* free_runner: no reset, no enable, nothing that says when something is taken. */
+/* free_runner: no reset, no enable, no valid pin. */
 #include "glint_describe.h"
 
 typedef struct pins {

@@ -36,7 +36,7 @@ static int busy_clocks(const int *values)
     return values[0] + 1;
 }
 
-/* Starts that come when the last product is just about to be done. */
+/* Starts that arrive just as the last product is finishing. */
 typedef struct stimulus {
     uint64_t state;
     int width, clock;

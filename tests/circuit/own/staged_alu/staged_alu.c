@@ -1,5 +1,5 @@
 /* staged_alu: three parameters, of choices and of ranges; stages in a generate loop, as many as one
- * of them says; a second Verilog file. */
+ * parameter says; a second Verilog file. */
 #include "glint_describe.h"
 
 enum { OP, WIDTH, STAGES };

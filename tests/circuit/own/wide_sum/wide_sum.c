@@ -42,7 +42,7 @@ typedef struct wide {
     int width;
 } wide;
 
-/* Word i of a number of so many bits, whose sign goes on above them. */
+/* Word i of a number of the given width, sign-extended above it. */
 static uint64_t word_of(const uint64_t *number, int width, int i)
 {
     const int last = (width - 1) / 64;
