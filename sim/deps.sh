@@ -29,7 +29,7 @@ packages_of() {
     lint) echo "$checks clang-format clang-tidy" ;;
     mutation | netlist | formats) echo "$checks" ;;
     formal) echo "yosys $solver make" ;;
-    coverage) echo "$checks gcovr $view $meshes $plots" ;;
+    coverage) echo "$checks gcovr $view $meshes $plots $drawing" ;;
     fuzz) echo "$checks" ;;
     draw) echo "$drawing" ;;
     report) echo "$build $plots" ;;
