@@ -50,7 +50,7 @@ endif
 
 all: $(BUILD)/glint
 
-# Sees once that what a build needs is installed; whatever is compiled waits for it.
+# Checks once that everything a build needs is installed; all compilation waits for it.
 $(BUILD)/packages: sim/deps.sh
 	$Qsim/deps.sh build
 	@mkdir -p $(@D)
@@ -75,7 +75,7 @@ $(BUILD)/glint-gen: $(BUILD)/cmodel/gen.o $(BUILD)/libglint.a
 	$(call say,LD,$@)
 	$Q$(CC) $(LDFLAGS) -o $@ $^ -lm
 
-# What is generated is committed; `make generate` makes it anew, and a test compares. A file that
+# Generated files are committed; `make generate` regenerates them, and a test compares. A file that
 # stays the same is not touched.
 GENERATED := rtl/glint_formats.vh:formats rtl/sigma_rom.v:sigma-rom rtl/limit_rom.v:limit-rom \
              rtl/reciprocal_rom.v:reciprocal-rom
@@ -169,7 +169,7 @@ $(foreach f,$(FAULTS) $(DEEP_FAULTS),\
 $(foreach f,$(DIVIDER_FAULTS) $(DEEP_DIVIDER_FAULTS),\
     $(eval $(call wrong_circuit,divider_$(call wrong_name,$f),$f,$(notdir $(f:.sed=.v)))))
 
-# What several tests share: tests/<thing>/*.c that are no programs themselves.
+# Shared by several tests: tests/<thing>/*.c that are not programs themselves.
 TEST_HELPERS := $(filter-out $(TEST_SOURCES) %/main.c %/drive.c,$(wildcard tests/*/*.c))
 TEST_HELPER_OBJECTS := $(TEST_HELPERS:%.c=$(BUILD)/%.o)
 
@@ -272,8 +272,8 @@ lint-c: $(TEXTS)
 	$Qclang -std=c17 -O3 -fsyntax-only $(WARNINGS) -Icmodel -Isim -I$(BUILD) \
 	    $(PACKAGE_CFLAGS) $(C_SOURCES)
 
-# The shim over a circuit, with and without a clock and a waveform; where it runs it is compiled
-# without warnings, as Verilator's code is nobody's to mend.
+# The shim over a circuit, with and without a clock and a waveform; in use it is compiled without
+# warnings, because Verilator's code is not ours to fix.
 lint-cpp:
 	$(call say,LINT,sim/rtl/shim.cpp)
 	@mkdir -p $(BUILD)/lint/shim
@@ -397,7 +397,7 @@ help:
 	@echo "make fuzz      20 s of fuzzing (FUZZ_SECONDS=) for each reader of what comes from outside"
 	@echo "make formats   16 to 20 fraction bits of the cosine, by one edit each (docs/formats.md)"
 	@echo "make generate  write the generated Verilog (from cmodel/) and drawings anew"
-	@echo "make install PREFIX=DIR    command, library, headers, Verilog, docs ($(PREFIX)); or DESTDIR="
+	@echo "make install PREFIX=DIR    command, library, headers, Verilog, docs ($(PREFIX))"
 	@echo "make uninstall PREFIX=DIR  remove what make install put there"
 	@echo "make clean     remove $(BUILD)/"
 	@echo "Variables: BUILD=DIR, CC=, CXX=, JOBS=N, NO_INSTALL=1 (only say which packages are missing)"

@@ -14,7 +14,7 @@
 #                      instance leaves them)
 # WRONG    takes the Verilog of WRONGS/WRONG, a circuit that is wrong on purpose, instead of rtl/
 #
-# To be called from the directory that holds rtl/.
+# Run it from the directory that holds rtl/.
 set -eu
 
 fail() {

@@ -6,7 +6,7 @@ VERILATED ?= $(BUILD)/verilated
 VERILATOR_ROOT_DIR = $(call once,VERILATOR_ROOT_DIR,$(VERILATOR) --getenv VERILATOR_ROOT)
 VERILATOR_INCLUDE = $(VERILATOR_ROOT_DIR)/include
 
-# Rewritten only when the version changes, so that a new Verilator makes all of it anew.
+# Rewritten only when the version changes, so that a new Verilator rebuilds everything.
 $(VERILATED)/version: FORCE
 	@mkdir -p $(@D)
 	@version=$$($(VERILATOR) --version) || \

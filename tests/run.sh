@@ -3,8 +3,8 @@
 #
 #   tests/run.sh LOGDIR PROGRAM...
 #
-# Programs start in the order in which they are named: those that take longest should come first.
-# JOBS=1 runs them one after the other.
+# Programs start in the given order, so list the slowest first. JOBS=1 runs them one after the
+# other.
 #
 # A line for each program as it ends; the whole log of one that fails, and of each skipped test why.
 # Then, of more than ten, the ten that took longest. The last line counts the tests of all. Exit
@@ -25,7 +25,7 @@ reasons() {
          { said = $0 }' "$1"
 }
 
-# Runs one program and leaves its counts beside its log: PASSED FAILED SKIPPED SECONDS NAME.
+# Runs one program and stores its counts next to its log: PASSED FAILED SKIPPED SECONDS NAME.
 run() {
     logs=$1 program=$2
     name=${program##*/}

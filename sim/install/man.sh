@@ -3,8 +3,8 @@
 #
 #   sim/install/man.sh GLINT VERSION DOCUMENTATION DIRECTORY
 #
-# DOCUMENTATION: where the pages say that docs/ is, or what stands for it. Exit status 0, or 2 with
-# one line of trouble.
+# DOCUMENTATION: where the pages say docs/ is, or a placeholder for it. Exit status 0, or 2 with one
+# line of trouble.
 set -eu
 
 glint=$1

@@ -4,8 +4,8 @@
 #
 #   tests/circuits/lint.sh SETTING TABLE DIR
 #
-# SETTING is one of TABLE (build/settings); DIR is for what Icarus makes. To be called from the
-# directory that holds rtl/. Exit status 1 when something is found.
+# SETTING is one of TABLE (build/settings); DIR is for what Icarus makes. Run it from the directory
+# that holds rtl/. Exit status 1 when something is found.
 set -eu
 
 setting=$1 table=$2 dir=$3

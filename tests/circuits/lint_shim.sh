@@ -1,12 +1,12 @@
 #!/bin/sh
 # Lint of sim/rtl/shim.cpp, by both compilers, over a circuit that is Verilated with waveforms of
 # either kind, and without but with counters: where it runs it is compiled without warnings, as
-# Verilator's code is nobody's to mend.
+# Verilator's code is not ours to fix.
 #
 #   tests/circuits/lint_shim.sh DIR INCLUDE
 #
-# DIR is for what Verilator writes, INCLUDE Verilator's own directory of headers. To be called from
-# the directory that holds rtl/ and sim/.
+# DIR is for what Verilator writes, INCLUDE Verilator's own directory of headers. Run it from the
+# directory that holds rtl/ and sim/.
 set -eu
 
 dir=$1 include=$2

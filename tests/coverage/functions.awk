@@ -5,9 +5,9 @@
 # REASONS     lines FILE FUNCTION REASON; # begins a comment
 # GCOVR.json  what gcovr --json wrote
 #
-# Prints the functions that are not entered, with the reason, and last "functions: N items, F failed".
-# Exit status 1 when one has no reason, when a reason is of one that is entered or is none, or when
-# there are no functions.
+# Prints the functions that are not entered, with the reason, and last "functions: N items, F
+# failed". Exit status 1 if one has no reason, if a reason is for a function that is entered or does
+# not exist, or if there are no functions.
 
 FNR == 1 { file_number++ }
 

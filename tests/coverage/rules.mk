@@ -23,7 +23,7 @@ coverage-rtl:
 COVERAGE_C = $(MAKE) BUILD=$(COVERAGE)/c VERILATED=$(VERILATED) LDFLAGS='$(LDFLAGS) --coverage' \
     CFLAGS='$(CFLAGS) -O1 --coverage -fprofile-update=atomic -DGLINT_SANITIZED=1 -Wno-error'
 
-# It lets no file grow, gcov's neither: it runs for what it counts, whatever it says.
+# It limits file sizes, including gcov's own, so its result is ignored; it runs only for coverage.
 COVERAGE_LIMITED = $(COVERAGE)/c/tests/abuse/test_abuse_outputs
 COVERAGE_TESTS   = $(TEST_SOURCES:%.c=$(COVERAGE)/c/%)
 

@@ -1,5 +1,5 @@
-// device_proof: lane LANE of specular_device, any setting. The inputs are whatever the prover
-// chooses at each clock, reset and en among them; only before the first reset nothing is claimed.
+// device_proof: lane LANE of specular_device, any setting. The prover chooses all inputs at each
+// clock, including reset and en; nothing is claimed before the first reset.
 //
 // Properties
 //   uninvited, in_order, once, frozen   those of module flow; the data of a slot is the cosine, n

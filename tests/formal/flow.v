@@ -1,4 +1,4 @@
-// flow: what must hold of a pipeline that only the clock enable moves, whatever flows through it.
+// flow: the properties of any pipeline that is moved only by the clock enable.
 //
 // A slot is an enabled clock, with an input or without. A history of the slots, one place on at
 // every enabled clock and emptied by reset, says what the pipeline must hold: the slot in its last

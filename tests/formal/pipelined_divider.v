@@ -1,5 +1,5 @@
-// pipelined_divider_proof: the divider's pipelined form, any number of shifts. The inputs are
-// whatever the prover chooses at each clock, reset and en among them.
+// pipelined_divider_proof: the divider's pipelined form, any number of shifts. The prover chooses
+// all inputs at each clock, including reset and en.
 //
 // Properties
 //   uninvited, in_order, once, frozen   those of module flow, with LATENCY = SHIFTS + 1; the data

@@ -1,5 +1,5 @@
-// shift_divider_proof: the divider's sequential form, any number of shifts. The inputs are whatever
-// the prover chooses at each clock, reset and en among them.
+// shift_divider_proof: the divider's sequential form, any number of shifts. The prover chooses all
+// inputs at each clock, including reset and en.
 //
 // age counts the enabled clocks since the last start that was taken, its own included; 0 where
 // there was none since the reset, SHIFTS + 2 for more than SHIFTS + 1.

@@ -33,7 +33,7 @@ cd "$scratch"
     { echo "$formats: no line gives $name a number" >&2; exit 2; }
 sed -i "s/^\(#define $name  *\)[0-9][0-9]*\$/\1$value/" $formats
 
-# Says what fails; what goes well is many lines that nobody wants.
+# Prints output only on failure.
 quietly() {
     "$@" >log 2>&1 || { cat log; echo "failed with $name $value: $*"; exit 1; }
 }

@@ -24,7 +24,7 @@ $(BUILD)/fuzzers/%: $(FUZZ_SHARED) $(FUZZ_COMMAND) $(LIBRARIES) | $(BUILD)/tree
 .PHONY: fuzz fuzz-programs
 fuzz-programs: $(FUZZ_TARGETS:%=$(BUILD)/fuzzers/%)
 
-# The circuits first: none is to be built while an input is tried.
+# Circuits first: none may be built while an input is being tried.
 fuzz: export GLINT_CACHE := $(abspath $(BUILD))/circuits
 fuzz:
 	sim/deps.sh fuzz

@@ -18,7 +18,7 @@ fail() {
 build=$1
 seconds=$2
 shift 2
-# To libFuzzer, 0 and what is no number stand for no limit at all.
+# libFuzzer treats 0 and non-numbers as no limit at all.
 case $seconds in
 '' | 0* | *[!0-9]*) fail "SECONDS \"$seconds\" is no whole number above 0" ;;
 esac

@@ -15,7 +15,7 @@
 # bench must see the fault at that point.
 #
 # Exit status 1 when a fault is missed or undecided; 2 when the prover fails its own test, or when
-# there were no faults at all.
+# there are no faults at all.
 set -eu
 
 fail() {

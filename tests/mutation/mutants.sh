@@ -8,8 +8,8 @@
 #
 # Writes to DIR: healthy.il, the netlist in Yosys's own format; mutants.list, the faults, a command
 # of Yosys a line; mutants.v, the netlist with all of them and two inputs more: a rising edge of
-# "choose" switches on the fault whose line is the number on "fault", and with 0 none. To be called
-# from the directory that holds rtl/.
+# "choose" switches on the fault whose line is the number on "fault", and with 0 none. Run it from
+# the directory that holds rtl/.
 set -eu
 
 fail() {

@@ -11,7 +11,7 @@ module one_point (
         .in_b(point[33:26]), .in_cos(point[52:34]), .trigger(seen));
 endmodule
 
-// A reset, and then nothing: what it leaves in the pipeline comes out.
+// A reset, and then nothing: whatever it leaves in the pipeline comes out.
 module after_reset (
     input  wire clk,
     output wire seen

@@ -18,7 +18,7 @@ mutation_class  = Vmutants_$1
     $(addprefix $(MUTATION)/$m/,mutants.v netlist.stamp ports.h shim.o) \
     $(BUILD)/mutation/$m/bench)
 
-# Rewritten only when it changes, so that other faults make the netlist anew.
+# Rewritten only when it changes, so that only other faults rebuild the netlist.
 $(MUTATED:%=$(MUTATION)/%/chosen): CHOSEN = $(MUTANTS) $(MUTATION_SEED)
 $(MUTATED_SHORT:%=$(MUTATION)/%/chosen): CHOSEN = $(MUTANTS_SHORT) 1
 $(MUTATION)/%/chosen: FORCE

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The two tables of docs/mutation.md: how many faults came to what, and those proven equivalent.
+# The two tables of docs/mutation.md: the outcome of all faults, and the faults proven equivalent.
 #
 #   tests/mutation/tables.sh DIR CIRCUIT...
 #

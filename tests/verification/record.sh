@@ -11,7 +11,7 @@
 # SECONDS  elapsed; COMMAND what repeats it
 #
 # Written to the directory GLINT_RECORDS; without it nothing is noted. Exit status 2 when a field is
-# not as said here: a check over no cases is no check.
+# not as said here: a check over zero cases proves nothing.
 set -eu
 
 fail() {

@@ -7,7 +7,7 @@
 //             both counted. Throughput: a product every clock.
 // Handshake   in_valid at an enabled edge takes a, b and first; out_valid marks a sum that is new.
 //             There is no back pressure; en = 0 freezes everything instead.
-// Reset       synchronous, active high, clears everything, whatever en says.
+// Reset       synchronous, active high, clears everything, regardless of en.
 // Parameters  WIDTH 2..16
 `default_nettype none
 

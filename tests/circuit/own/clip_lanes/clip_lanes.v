@@ -6,7 +6,7 @@
 // Latency     2 clocks. Throughput: LANES numbers a clock.
 // Handshake   in_valid[i] at an enabled edge: lane i takes its number; out_valid[i] marks its
 //             result.
-// Reset       synchronous, active high, clears everything, whatever en says.
+// Reset       synchronous, active high, clears everything, regardless of en.
 // Parameters  LANES 1..32
 `default_nettype none
 

@@ -1,4 +1,4 @@
-// rotate_xor: a word of 100 bits that is turned and mixed with what comes. No enable.
+// rotate_xor: a 100-bit word that is rotated and mixed with the input. No enable.
 //
 // Function    state = rotl(state, 13) ^ word
 // Formats     U100.0

@@ -6,7 +6,7 @@
 // Latency     STAGES clocks. Throughput: one every clock.
 // Handshake   in_valid at an enabled edge takes a and b; out_valid marks the result; en = 0
 //             freezes.
-// Reset       synchronous, active high, clears everything, whatever en says.
+// Reset       synchronous, active high, clears everything, regardless of en.
 // Parameters  OP 0 add, 1 subtract, 2 exclusive or;  WIDTH 2..32;  STAGES 1..6
 `default_nettype none
 

@@ -5,7 +5,7 @@
 // Rounding    none
 // Latency     1 clock. Throughput: a sum every clock.
 // Handshake   in_valid at an enabled edge takes a and b; out_valid marks the sum; en = 0 freezes.
-// Reset       synchronous, active high, clears everything, whatever en says.
+// Reset       synchronous, active high, clears everything, regardless of en.
 // Parameters  WIDTH 33..511
 `default_nettype none
 
