@@ -7,6 +7,15 @@
 #include "glint_specular.h"
 #include "rtl/rtl.h"
 
+/* The memory of a port that must be of so many bytes; else *good becomes false. */
+static inline void *glint_batch_port(glint_rtl *rtl, const char *name, size_t size, bool *good)
+{
+    size_t found = 0;
+    void *data = glint_rtl_port(rtl, name, &found);
+    *good = *good && data != NULL && found == size;
+    return data;
+}
+
 /* A run of points of one material; arrays of `count`. */
 typedef struct glint_points {
     const uint32_t *cos;

@@ -24,8 +24,7 @@ typedef struct build {
     const glint_product *product;
     const char *work;
     glint_runtime runtime;
-    char *unity; /* includes everything that is compiled */
-    size_t unity_size;
+    FILE *unity; /* includes everything that is compiled */
 } build;
 
 static glint_status no_memory(glint_error *err)
@@ -37,7 +36,7 @@ static glint_status no_memory(glint_error *err)
  * with 0, as the C models do. */
 static void begin_verilator(const build *b, glint_arguments *line, bool lint_only, const char *top)
 {
-    static const char *const make[] = {"--cc", "--prefix", GLINT_CLASS, "--Mdir", ".", NULL};
+    static const char *const make[] = {"--cc", "--MMD", "--prefix", GLINT_CLASS, "--Mdir", ".", NULL};
     static const char *const options[] = {"-O3", "--x-assign", "0",           "--x-initial",
                                           "0",   "--noassert", "--no-timing", "-Wno-fatal",
                                           "-I.", "--top",      NULL};
@@ -59,21 +58,14 @@ static void begin_verilator(const build *b, glint_arguments *line, bool lint_onl
 /* The probe with one more port of the instance, connected to a constant. */
 static glint_status write_port_probe(const build *b, const char *port, glint_error *err)
 {
-    glint_sources probe = {0};
     char *text;
-    const char *body = strstr(b->product->probe.text, " dut (\n");
     const char *begin = b->product->probe.text;
-    if (body == NULL)
-        return GLINT_OK;
-    body += strlen(" dut (\n");
+    const char *body = strstr(strstr(begin, " dut ("), "\n") + 1;
     const int size =
         asprintf(&text, "%.*s        .%s(1'b0),\n%s", (int)(body - begin), begin, port, body);
     if (size < 0)
         return no_memory(err);
-    glint_status status = glint_sources_add(&probe, PORT_FILE, text, (size_t)size, err);
-    if (status == GLINT_OK)
-        status = glint_sources_write(&probe, b->work, err);
-    glint_sources_free(&probe);
+    const glint_status status = glint_text_write(b->work, PORT_FILE, text, (size_t)size, err);
     free(text);
     return status;
 }
@@ -165,90 +157,96 @@ static glint_status verilate_top(const build *b, glint_error *err)
     return status == GLINT_OK ? run_verilator(b, &line, err) : status;
 }
 
-/* The words that a makefile's `variable += \` continues with, each told to `add`. */
-static glint_status each_word(const char *makefile, const char *variable,
-                              glint_status (*add)(build *b, const char *word, glint_error *err),
-                              build *b, glint_error *err)
+/* The next word that a makefile's `variable += \` continues with, from *line on; false: no more. */
+static bool next_word(const char **line, char word[256])
+{
+    while (**line == ' ' || **line == '\t') {
+        const bool found = sscanf(*line, " %255[^ \t\n\\]", word) == 1;
+        *line += strcspn(*line, "\n");
+        *line += **line == '\n';
+        if (found)
+            return true;
+    }
+    return false;
+}
+
+static const char *words_of(const char *makefile, const char *variable)
 {
     char start[64];
-    glint_status status = GLINT_OK;
     (void)snprintf(start, sizeof start, "\n%s += \\\n", variable);
     const char *line = strstr(makefile, start);
-    if (line == NULL)
-        return GLINT_OK;
-    line += strlen(start);
-    while (status == GLINT_OK && (*line == ' ' || *line == '\t')) {
-        char word[256];
-        if (sscanf(line, " %255[^ \t\n\\]", word) == 1)
-            status = add(b, word, err);
-        line += strcspn(line, "\n");
-        line += *line == '\n';
-    }
+    return line != NULL ? line + strlen(start) : "";
+}
+
+static void include_classes(const build *b, const char *makefile, const char *variable)
+{
+    char word[256];
+    for (const char *line = words_of(makefile, variable); next_word(&line, word);)
+        fprintf(b->unity, "#include \"%s.cpp\"\n", word);
+}
+
+/* Everything in one file for the compiler, the shim behind what is fast. What runs once, half of
+ * the text of a large circuit, is not optimised. */
+static void write_unity(const build *b, const char *makefile)
+{
+    include_classes(b, makefile, "VM_CLASSES_FAST");
+    include_classes(b, makefile, "VM_SUPPORT_FAST");
+    fputs("#include \"shim.cpp\"\n"
+          "#ifdef __clang__\n#pragma clang optimize off\n"
+          "#else\n#pragma GCC optimize(\"O0\")\n#endif\n",
+          b->unity);
+    include_classes(b, makefile, "VM_CLASSES_SLOW");
+    include_classes(b, makefile, "VM_SUPPORT_SLOW");
+}
+
+static glint_status add_runtime(build *b, const char *makefile, const char *variable,
+                                glint_error *err)
+{
+    char word[256];
+    glint_status status = GLINT_OK;
+    for (const char *line = words_of(makefile, variable);
+         status == GLINT_OK && next_word(&line, word);)
+        status = glint_runtime_add(&b->runtime, word, err);
     return status;
 }
 
-static glint_status add_text(build *b, const char *begin, const char *text, const char *end,
-                             glint_error *err)
-{
-    char *grown;
-    const int size =
-        asprintf(&grown, "%s%s%s%s", b->unity != NULL ? b->unity : "", begin, text, end);
-    if (size < 0)
-        return no_memory(err);
-    free(b->unity);
-    b->unity = grown;
-    b->unity_size = (size_t)size;
-    return GLINT_OK;
-}
-
-static glint_status add_class(build *b, const char *word, glint_error *err)
-{
-    return add_text(b, "#include \"", word, ".cpp\"\n", err);
-}
-
-static glint_status add_runtime(build *b, const char *word, glint_error *err)
-{
-    return glint_runtime_add(&b->runtime, word, err);
-}
-
-/* Not optimised: what runs once, half of the text of a large circuit. */
-static const char slow_from_here[] = "#ifdef __clang__\n#pragma clang optimize off\n"
-                                     "#else\n#pragma GCC optimize(\"O0\")\n#endif\n";
-
-/* What Verilator wrote, by its list of it: everything in one file for the compiler, the shim behind
- * what is fast. */
+/* What Verilator wrote, by its list of it. */
 static glint_status list_classes(build *b, glint_error *err)
 {
-    glint_sources list = {0};
-    glint_status status = glint_sources_read_file(&list, b->work, GLINT_CLASS "_classes.mk", err);
-    const char *makefile = status == GLINT_OK ? list.file[0].text : NULL;
+    char *makefile, *unity = NULL;
+    size_t size;
+    glint_status status =
+        glint_text_read(b->work, GLINT_CLASS "_classes.mk", &makefile, &size, err);
     if (status == GLINT_OK)
-        status = each_word(makefile, "VM_GLOBAL_FAST", add_runtime, b, err);
+        status = add_runtime(b, makefile, "VM_GLOBAL_FAST", err);
     if (status == GLINT_OK)
-        status = each_word(makefile, "VM_GLOBAL_SLOW", add_runtime, b, err);
+        status = add_runtime(b, makefile, "VM_GLOBAL_SLOW", err);
+    b->unity = status == GLINT_OK ? open_memstream(&unity, &size) : NULL;
+    if (b->unity != NULL)
+        write_unity(b, makefile);
+    const bool good = b->unity != NULL && fclose(b->unity) == 0;
     if (status == GLINT_OK)
-        status = each_word(makefile, "VM_CLASSES_FAST", add_class, b, err);
-    if (status == GLINT_OK)
-        status = each_word(makefile, "VM_SUPPORT_FAST", add_class, b, err);
-    if (status == GLINT_OK)
-        status = add_class(b, "shim", err);
-    if (status == GLINT_OK)
-        status = add_text(b, slow_from_here, "", "", err);
-    if (status == GLINT_OK)
-        status = each_word(makefile, "VM_CLASSES_SLOW", add_class, b, err);
-    if (status == GLINT_OK)
-        status = each_word(makefile, "VM_SUPPORT_SLOW", add_class, b, err);
-    glint_sources_free(&list);
+        status = good ? glint_text_write(b->work, UNITY, unity, size, err) : no_memory(err);
+    free(unity);
+    free(makefile);
     return status;
 }
 
-static glint_status write_unity(build *b, glint_error *err)
+/* Verilator's list of what it has read: nothing from elsewhere, as that would be in no hash. */
+static glint_status check_read(const build *b, glint_error *err)
 {
-    glint_sources unity = {0};
-    glint_status status = glint_sources_add(&unity, UNITY, b->unity, b->unity_size, err);
-    if (status == GLINT_OK)
-        status = glint_sources_write(&unity, b->work, err);
-    glint_sources_free(&unity);
+    const char *root = b->product->tools.root;
+    char *list, *rest = NULL;
+    size_t size;
+    glint_status status = glint_text_read(b->work, GLINT_CLASS "__ver.d", &list, &size, err);
+    char *word = status == GLINT_OK ? strtok_r(list, " \n", &rest) : NULL;
+    for (; status == GLINT_OK && word != NULL; word = strtok_r(NULL, " \n", &rest))
+        if (word[0] == '/' && strncmp(word, root, strlen(root)) != 0 &&
+            strncmp(strrchr(word, '/'), "/verilator_bin", 14) != 0)
+            status = glint_fail(err, GLINT_DEVICE_FAULT,
+                                "%s: its Verilog includes %s; what it includes must lie beside it",
+                                b->product->verilog, word);
+    free(list);
     return status;
 }
 
@@ -280,11 +278,12 @@ static glint_status compile(const build *b, glint_error *err)
 /* Whether the runtime's writer of waveforms wants lz4: that of 5.04 and newer does. */
 static bool wants_lz4(const build *b)
 {
-    glint_sources rules = {0};
+    char *rules;
+    size_t size;
     const bool wants =
-        glint_sources_read_file(&rules, b->runtime.include, "verilated.mk", NULL) == GLINT_OK &&
-        strstr(rules.file[0].text, "-llz4") != NULL;
-    glint_sources_free(&rules);
+        glint_text_read(b->runtime.include, "verilated.mk", &rules, &size, NULL) == GLINT_OK &&
+        strstr(rules, "-llz4") != NULL;
+    free(rules);
     return wants;
 }
 
@@ -320,11 +319,11 @@ static glint_status make(build *b, glint_error *err)
         status =
             p->kind != GLINT_RTL_OBSERVED ? verilate_top(b, err) : verilate_probe(b, false, err);
     if (status == GLINT_OK)
+        status = check_read(b, err);
+    if (status == GLINT_OK)
         status = glint_table_write(p, b->work, err);
     if (status == GLINT_OK)
         status = list_classes(b, err);
-    if (status == GLINT_OK)
-        status = write_unity(b, err);
     if (status == GLINT_OK)
         status = compile(b, err);
     if (status == GLINT_OK)
@@ -338,7 +337,6 @@ static glint_status make_entry(const glint_product *product, glint_cache_entry *
     build b = {.product = product, .work = entry->work, .runtime.lock = -1};
     glint_status status = make(&b, err);
     glint_runtime_end(&b.runtime);
-    free(b.unity);
     if (status == GLINT_OK)
         status = glint_cache_commit(entry, OBJECT, err);
     if (status == GLINT_OK)

@@ -31,20 +31,11 @@ static bool is_pipelined(const glint_rtl *rtl)
     return glint_rtl_setting(rtl)->values[GLINT_DIVIDER_FORM] == GLINT_DIVIDER_PIPELINED;
 }
 
-/* A port that must have the given size. */
-static void *port(glint_rtl *rtl, const char *name, size_t size, bool *good)
-{
-    size_t found = 0;
-    void *data = glint_rtl_port(rtl, name, &found);
-    *good = *good && data != NULL && found == size;
-    return data;
-}
-
 static void find_component(glint_rtl *rtl, divider *d, int component, const char *difference,
                            const char *quotient, bool *good)
 {
     quotient_port *q = &d->quotient[component];
-    d->difference[component] = port(rtl, difference, 2, good);
+    d->difference[component] = glint_batch_port(rtl, difference, 2, good);
     q->data = glint_rtl_port(rtl, quotient, &q->size);
     *good = *good && q->data != NULL && (q->size == 2 || q->size == 4);
 }
@@ -52,12 +43,12 @@ static void find_component(glint_rtl *rtl, divider *d, int component, const char
 static bool find_ports(glint_rtl *rtl, divider *d)
 {
     bool good = true;
-    d->reset = port(rtl, "reset", 1, &good);
-    d->en = port(rtl, "en", 1, &good);
-    d->k = port(rtl, "k", 1, &good);
-    d->out_of_table = port(rtl, "out_of_table", 1, &good);
-    d->start = port(rtl, is_pipelined(rtl) ? "in_valid" : "start", 1, &good);
-    d->done = port(rtl, is_pipelined(rtl) ? "out_valid" : "done", 1, &good);
+    d->reset = glint_batch_port(rtl, "reset", 1, &good);
+    d->en = glint_batch_port(rtl, "en", 1, &good);
+    d->k = glint_batch_port(rtl, "k", 1, &good);
+    d->out_of_table = glint_batch_port(rtl, "out_of_table", 1, &good);
+    d->start = glint_batch_port(rtl, is_pipelined(rtl) ? "in_valid" : "start", 1, &good);
+    d->done = glint_batch_port(rtl, is_pipelined(rtl) ? "out_valid" : "done", 1, &good);
     if (is_pipelined(rtl)) {
         find_component(rtl, d, 0, "difference_r", "quotient_r", &good);
         find_component(rtl, d, 1, "difference_g", "quotient_g", &good);

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "file/directory.h"
+#include "file/new_file.h"
 #include "file/temporary.h"
 #include "rtl/cache.h"
 #include "rtl/diagnosis.h"
@@ -234,19 +235,15 @@ static glint_status add_expected(glint_runtime *runtime, glint_error *err)
 /* The text of the header: what a model and the shim include. */
 static glint_status write_header(const glint_runtime *runtime, glint_error *err)
 {
+    glint_new_file *file;
     if (access(runtime->header, R_OK) == 0)
         return GLINT_OK;
-    char *beside;
-    if (asprintf(&beside, "%s.%ld", runtime->header, (long)gettid()) < 0)
-        return no_memory(err);
-    FILE *out = fopen(beside, "w");
-    if (out != NULL)
-        fputs("#include <exception>\n#include <memory>\n#include <verilated.h>\n", out);
-    glint_status status = GLINT_OK;
-    if (out == NULL || fclose(out) != 0 || rename(beside, runtime->header) != 0)
-        status = glint_fail(err, GLINT_IO_ERROR, "%s: %s", runtime->header, strerror(errno));
-    free(beside);
-    return status;
+    const glint_status status = glint_new_file_open(runtime->header, &file, err);
+    if (status != GLINT_OK)
+        return status;
+    fputs("#include <exception>\n#include <memory>\n#include <verilated.h>\n",
+          glint_new_file_stream(file));
+    return glint_new_file_commit(file, err);
 }
 
 /* The header goes with the flags that it is compiled with. */

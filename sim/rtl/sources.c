@@ -56,21 +56,60 @@ static bool read_stream(FILE *in, char **text, size_t *size)
     return fclose(out) == 0 && !failed;
 }
 
+static glint_status open_file(const char *directory, const char *name, const char *mode,
+                              char **path, FILE **file, glint_error *err)
+{
+    if (asprintf(path, "%s/%s", directory, name) < 0)
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
+    *file = fopen(*path, mode);
+    if (*file != NULL)
+        return GLINT_OK;
+    const glint_status status = glint_fail(err, GLINT_IO_ERROR, "%s: %s", *path, strerror(errno));
+    free(*path);
+    return status;
+}
+
+glint_status glint_text_read(const char *directory, const char *name, char **text, size_t *size,
+                             glint_error *err)
+{
+    char *path;
+    FILE *in;
+    *text = NULL;
+    glint_status status = open_file(directory, name, "rb", &path, &in, err);
+    if (status != GLINT_OK)
+        return status;
+    if (!read_stream(in, text, size)) {
+        status = glint_fail(err, GLINT_IO_ERROR, "%s: %s", path, strerror(errno));
+        free(*text);
+        *text = NULL;
+    }
+    (void)fclose(in);
+    free(path);
+    return status;
+}
+
+glint_status glint_text_write(const char *directory, const char *name, const char *text,
+                              size_t size, glint_error *err)
+{
+    char *path;
+    FILE *out;
+    glint_status status = open_file(directory, name, "wb", &path, &out, err);
+    if (status != GLINT_OK)
+        return status;
+    const bool written = fwrite(text, 1, size, out) == size;
+    if (fclose(out) != 0 || !written)
+        status = glint_fail(err, GLINT_IO_ERROR, "%s: %s", path, strerror(errno));
+    free(path);
+    return status;
+}
+
 glint_status glint_sources_read_file(glint_sources *sources, const char *directory,
                                      const char *name, glint_error *err)
 {
     glint_source *added = NULL;
-    char *path;
-    if (asprintf(&path, "%s/%s", directory, name) < 0)
-        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
-    glint_status status = add_name(sources, name, &added, err);
-    FILE *in = status == GLINT_OK ? fopen(path, "rb") : NULL;
-    if (status == GLINT_OK && (in == NULL || !read_stream(in, &added->text, &added->size)))
-        status = glint_fail(err, GLINT_IO_ERROR, "%s: %s", path, strerror(errno));
-    if (in != NULL)
-        (void)fclose(in);
-    free(path);
-    return status;
+    const glint_status status = add_name(sources, name, &added, err);
+    return status == GLINT_OK ? glint_text_read(directory, name, &added->text, &added->size, err)
+                              : status;
 }
 
 static bool ends_so(const char *name, const char *const *endings)
@@ -111,26 +150,13 @@ glint_status glint_sources_read(glint_sources *sources, const char *directory,
     return status;
 }
 
-static glint_status write_one(const glint_source *source, const char *directory, glint_error *err)
-{
-    char *path;
-    if (asprintf(&path, "%s/%s", directory, source->name) < 0)
-        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a path");
-    FILE *out = fopen(path, "wb");
-    bool good = out != NULL && fwrite(source->text, 1, source->size, out) == source->size;
-    good = (out == NULL || fclose(out) == 0) && good;
-    const glint_status status =
-        good ? GLINT_OK : glint_fail(err, GLINT_IO_ERROR, "%s: %s", path, strerror(errno));
-    free(path);
-    return status;
-}
-
 glint_status glint_sources_write(const glint_sources *sources, const char *directory,
                                  glint_error *err)
 {
     glint_status status = GLINT_OK;
     for (int i = 0; status == GLINT_OK && i < sources->count; i++)
-        status = write_one(&sources->file[i], directory, err);
+        status = glint_text_write(directory, sources->file[i].name, sources->file[i].text,
+                                  sources->file[i].size, err);
     return status;
 }
 

@@ -38,6 +38,13 @@ glint_status glint_sources_write(const glint_sources *sources, const char *direc
 /* Whether some file declares a port of that name as inout, as far as its text tells. */
 bool glint_sources_have_inout(const glint_sources *sources, const char *port);
 
+/* One file of a directory, without a list. The text read ends with a NUL and is to be freed; NULL
+ * with a failure. */
+glint_status glint_text_read(const char *directory, const char *name, char **text, size_t *size,
+                             glint_error *err);
+glint_status glint_text_write(const char *directory, const char *name, const char *text,
+                              size_t size, glint_error *err);
+
 void glint_sources_free(glint_sources *sources);
 
 /* A hash over names and texts, and one over bytes: SHA-256, its first 80 bits in hex. */

@@ -21,15 +21,6 @@ typedef struct device {
 
 _Static_assert(sizeof(device) <= GLINT_RTL_NOTES_SIZE, "a device fits into a circuit's notes");
 
-/* A port that must have the given size. */
-static void *port(glint_rtl *rtl, const char *name, size_t size, bool *good)
-{
-    size_t found = 0;
-    void *data = glint_rtl_port(rtl, name, &found);
-    *good = *good && data != NULL && found == size;
-    return data;
-}
-
 /* Bytes of a port of so many bits. */
 static inline size_t port_size(int bits)
 {
@@ -39,21 +30,21 @@ static inline size_t port_size(int bits)
 static bool find_ports(glint_rtl *rtl, int lanes, device *d)
 {
     bool good = true;
-    d->reset = port(rtl, "reset", 1, &good);
-    d->en = port(rtl, "en", 1, &good);
-    d->n_we = port(rtl, "n_we", 1, &good);
-    d->n = port(rtl, "n", 2, &good);
-    d->rgb_we = port(rtl, "rgb_we", 1, &good);
-    d->r = port(rtl, "r", 1, &good);
-    d->g = port(rtl, "g", 1, &good);
-    d->b = port(rtl, "b", 1, &good);
-    d->in_valid = port(rtl, "in_valid", port_size(lanes), &good);
-    d->cos = port(rtl, "cos", port_size(lanes * GLINT_COS_BITS), &good);
-    d->out_valid = port(rtl, "out_valid", port_size(lanes), &good);
-    d->out_w = port(rtl, "out_w", port_size(lanes * GLINT_W_BITS), &good);
-    d->out_r = port(rtl, "out_r", port_size(lanes * GLINT_COLOR_BITS), &good);
-    d->out_g = port(rtl, "out_g", port_size(lanes * GLINT_COLOR_BITS), &good);
-    d->out_b = port(rtl, "out_b", port_size(lanes * GLINT_COLOR_BITS), &good);
+    d->reset = glint_batch_port(rtl, "reset", 1, &good);
+    d->en = glint_batch_port(rtl, "en", 1, &good);
+    d->n_we = glint_batch_port(rtl, "n_we", 1, &good);
+    d->n = glint_batch_port(rtl, "n", 2, &good);
+    d->rgb_we = glint_batch_port(rtl, "rgb_we", 1, &good);
+    d->r = glint_batch_port(rtl, "r", 1, &good);
+    d->g = glint_batch_port(rtl, "g", 1, &good);
+    d->b = glint_batch_port(rtl, "b", 1, &good);
+    d->in_valid = glint_batch_port(rtl, "in_valid", port_size(lanes), &good);
+    d->cos = glint_batch_port(rtl, "cos", port_size(lanes * GLINT_COS_BITS), &good);
+    d->out_valid = glint_batch_port(rtl, "out_valid", port_size(lanes), &good);
+    d->out_w = glint_batch_port(rtl, "out_w", port_size(lanes * GLINT_W_BITS), &good);
+    d->out_r = glint_batch_port(rtl, "out_r", port_size(lanes * GLINT_COLOR_BITS), &good);
+    d->out_g = glint_batch_port(rtl, "out_g", port_size(lanes * GLINT_COLOR_BITS), &good);
+    d->out_b = glint_batch_port(rtl, "out_b", port_size(lanes * GLINT_COLOR_BITS), &good);
     return good;
 }
 

@@ -110,23 +110,17 @@ static glint_status print_table(const writer *w)
 glint_status glint_table_write(const glint_product *product, const char *directory,
                                glint_error *err)
 {
-    glint_sources class = {0}, table = {0};
-    char *text = NULL;
+    char *class, *text = NULL;
     size_t size = 0;
-    glint_status status = glint_sources_read_file(&class, directory, GLINT_CLASS ".h", err);
+    glint_status status = glint_text_read(directory, GLINT_CLASS ".h", &class, &size, err);
     FILE *out = status == GLINT_OK ? open_memstream(&text, &size) : NULL;
     if (out != NULL)
-        status = print_table(&(writer){product, class.file[0].text, out, err});
-    if (status == GLINT_OK && (out == NULL || fclose(out) != 0))
-        status = glint_fail(err, GLINT_NO_MEMORY, "not enough memory to build a circuit");
-    else if (status != GLINT_OK && out != NULL)
-        (void)fclose(out);
+        status = print_table(&(writer){product, class, out, err});
+    const bool good = out != NULL && fclose(out) == 0;
     if (status == GLINT_OK)
-        status = glint_sources_add(&table, "glint_ports.h", text, size, err);
-    if (status == GLINT_OK)
-        status = glint_sources_write(&table, directory, err);
+        status = good ? glint_text_write(directory, "glint_ports.h", text, size, err)
+                      : glint_fail(err, GLINT_NO_MEMORY, "not enough memory to build a circuit");
     free(text);
-    glint_sources_free(&class);
-    glint_sources_free(&table);
+    free(class);
     return status;
 }

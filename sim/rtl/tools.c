@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "file/new_file.h"
 #include "rtl/cache.h"
 #include "rtl/sources.h"
 
@@ -210,16 +211,12 @@ static bool read_note(glint_tools *tools, const char *path)
 /* Failing costs only to ask again. */
 static void write_note(const glint_tools *tools, const char *path)
 {
-    char *beside;
-    if (asprintf(&beside, "%s.%ld", path, (long)gettid()) < 0)
+    glint_new_file *file;
+    if (glint_new_file_open(path, &file, NULL) != GLINT_OK)
         return;
-    FILE *out = fopen(beside, "w");
-    if (out != NULL) {
-        fprintf(out, "%s\n%s\n%s\n", tools->version, tools->root, tools->compiler_version);
-        if (fclose(out) != 0 || rename(beside, path) != 0)
-            (void)unlink(beside);
-    }
-    free(beside);
+    fprintf(glint_new_file_stream(file), "%s\n%s\n%s\n", tools->version, tools->root,
+            tools->compiler_version);
+    (void)glint_new_file_commit(file, NULL);
 }
 
 /* The first line that a tool answers to these words, of which the last is NULL. */

@@ -432,6 +432,20 @@ static void verilog_with_an_error(void **state)
     write_verilog("", "");
 }
 
+/* It would be in no hash: an edit of it would be missed. */
+static void verilog_that_includes_from_elsewhere(void **state)
+{
+    (void)state;
+    char include[700];
+    scratch_write(scratch_path("elsewhere.vh"), "`define HOW_MANY 4\n", 19);
+    (void)snprintf(include, sizeof include, "`include \"%s\"\nmodule counter",
+                   scratch_path("elsewhere.vh"));
+    write_verilog("module counter", include);
+    assert_refused(GLINT_RTL_OBSERVED, GLINT_DEVICE_FAULT, directory, "its Verilog includes /");
+    write_verilog("", "");
+    (void)builds();
+}
+
 static void a_directory_without_the_top(void **state)
 {
     (void)state;
@@ -705,6 +719,7 @@ int main(void)
         cmocka_unit_test(a_killed_builder_leaves_nothing_to_the_next),
         cmocka_unit_test(an_interrupted_build_says_so),
         cmocka_unit_test(verilog_with_an_error),
+        cmocka_unit_test(verilog_that_includes_from_elsewhere),
         cmocka_unit_test(a_directory_without_the_top),
         cmocka_unit_test(a_description_that_is_another_circuit_s),
         cmocka_unit_test(ports_that_the_description_has_not),
