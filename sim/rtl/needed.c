@@ -13,8 +13,8 @@ typedef struct search {
     glint_sources *sources;
     int top;
     char **bare;
+    bool *told; /* what it needs, by words; else it needs all files */
     bool *needed;
-    bool is_told; /* by words; else all files are needed */
 } search;
 
 static bool is_of_word(char c)
@@ -125,7 +125,7 @@ static void follow(search *s, int from)
 {
     s->needed[from] = true;
     for (int i = 0; i < s->sources->count; i++)
-        if (!s->needed[i] && (!s->is_told || reaches(s, from, i)))
+        if (!s->needed[i] && (!s->told[from] || reaches(s, from, i)))
             follow(s, i);
 }
 
@@ -181,20 +181,22 @@ static bool read_words(search *s)
 {
     const size_t count = (size_t)s->sources->count;
     s->bare = calloc(count + 1, sizeof *s->bare);
+    s->told = calloc(count + 1, sizeof *s->told);
     s->needed = calloc(count + 1, sizeof *s->needed);
-    for (size_t i = 0; s->bare != NULL && s->needed != NULL && i < count; i++) {
+    const bool good = s->bare != NULL && s->told != NULL && s->needed != NULL;
+    for (size_t i = 0; good && i < count; i++) {
         const glint_source *file = &s->sources->file[i];
         if ((s->bare[i] = strdup(file->text)) == NULL)
             return false;
-        s->is_told = make_bare(s->bare[i]) && strlen(file->text) == file->size && s->is_told;
+        s->told[i] = make_bare(s->bare[i]) && strlen(file->text) == file->size;
     }
-    return s->bare != NULL && s->needed != NULL;
+    return good;
 }
 
 glint_status glint_sources_need(glint_sources *sources, const char *top, const char *directory,
                                 const char **file, glint_error *err)
 {
-    search s = {sources, file_of(sources, top, strlen(top)), NULL, NULL, true};
+    search s = {.sources = sources, .top = file_of(sources, top, strlen(top))};
     glint_status status = GLINT_OK;
     const int count = sources->count;
     if (s.top < 0)
@@ -209,6 +211,7 @@ glint_status glint_sources_need(glint_sources *sources, const char *top, const c
     for (int i = 0; s.bare != NULL && i < count; i++)
         free(s.bare[i]);
     free(s.bare);
+    free(s.told);
     free(s.needed);
     return status;
 }
