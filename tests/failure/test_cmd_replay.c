@@ -151,7 +151,7 @@ static void what_a_packet_names_is_not_opened(void **state)
         cJSON_free(named);
         outcome done = replay("");
         assert_outcome(&done, 0, told);
-        assert_says(done.out, ": gone: C model and Verilog do not differ; ");
+        assert_says(done.out, ": gone: the C model and the Verilog agree; ");
         forget(&done);
         done = replay(RIGHT);
         assert_outcome(&done, 0, "");
