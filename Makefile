@@ -24,7 +24,7 @@ Q    := $(if $(V),,@)
 say   = $(if $(V)$(SILENT),,@printf '  %-8s %s\n' $1 $2)
 
 # Asked when they are first needed: by then $(BUILD)/packages has installed what was missing.
-PACKAGES   := libpng freetype2 assimp libcjson libcmark-gfm nettle
+PACKAGES   := libpng freetype2 assimp jansson libcmark-gfm nettle
 once        = $(eval $1 := $(shell $2))$($1)
 PACKAGE_CFLAGS = $(call once,PACKAGE_CFLAGS,pkg-config --cflags $(PACKAGES) 2>/dev/null)
 PACKAGE_LIBS   = $(call once,PACKAGE_LIBS,pkg-config --libs $(PACKAGES) 2>/dev/null)

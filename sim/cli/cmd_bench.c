@@ -138,82 +138,82 @@ static void print_frames(const glint_bench_frame *frames, int threads)
                frames[i].fragments, frames[i].frames * (double)frames[i].fragments * 1e-6);
 }
 
-static void add_kernels(cJSON *json, const glint_bench_rates *rates)
+static void add_kernels(json_t *json, const glint_bench_rates *rates)
 {
-    cJSON *list = cJSON_AddArrayToObject(json, "points");
+    json_t *list = glint_json_add(json, "points", json_array());
     for (int i = 0; i < GLINT_BENCH_CANDIDATES; i++) {
-        cJSON *entry = cJSON_CreateObject();
-        cJSON_AddStringToObject(entry, "name", glint_bench_name((glint_bench_candidate)i));
-        cJSON_AddNumberToObject(entry, "million_points_per_second", rates->points[i] * 1e-6);
-        cJSON_AddNumberToObject(entry, "ratio_to_powf", rates->to_powf[i]);
+        json_t *entry = json_object();
+        glint_json_add_text(entry, "name", glint_bench_name((glint_bench_candidate)i));
+        glint_json_add_number(entry, "million_points_per_second", rates->points[i] * 1e-6);
+        glint_json_add_number(entry, "ratio_to_powf", rates->to_powf[i]);
         if (rates->lanes[i] != 0) {
-            cJSON_AddNumberToObject(entry, "lanes", rates->lanes[i]);
-            cJSON_AddNumberToObject(entry, "million_clocks_per_second",
-                                    rates->points[i] * 1e-6 / rates->lanes[i]);
+            glint_json_add_number(entry, "lanes", rates->lanes[i]);
+            glint_json_add_number(entry, "million_clocks_per_second",
+                                  rates->points[i] * 1e-6 / rates->lanes[i]);
         }
-        cJSON_AddItemToArray(list, entry);
+        json_array_append_new(list, entry);
     }
-    cJSON *ratios = cJSON_AddObjectToObject(json, "ratios");
-    cJSON_AddNumberToObject(ratios, "c_batch_to_powf", rates->to_powf[GLINT_BENCH_C_BATCH]);
-    cJSON_AddNumberToObject(ratios, "best_rtl_to_powf", rates->to_powf[best_rtl(rates)]);
-    cJSON_AddNumberToObject(ratios, "best_rtl_lanes", rates->lanes[best_rtl(rates)]);
+    json_t *ratios = glint_json_add(json, "ratios", json_object());
+    glint_json_add_number(ratios, "c_batch_to_powf", rates->to_powf[GLINT_BENCH_C_BATCH]);
+    glint_json_add_number(ratios, "best_rtl_to_powf", rates->to_powf[best_rtl(rates)]);
+    glint_json_add_number(ratios, "best_rtl_lanes", rates->lanes[best_rtl(rates)]);
 }
 
-static void add_formulas(cJSON *json, const glint_bench_formula_rates *rates)
+static void add_formulas(json_t *json, const glint_bench_formula_rates *rates)
 {
-    cJSON *formulas = cJSON_AddObjectToObject(json, "formulas");
-    cJSON_AddStringToObject(formulas, "compiled", glint_formula_flags());
-    cJSON *list = cJSON_AddArrayToObject(formulas, "loops");
+    json_t *formulas = glint_json_add(json, "formulas", json_object());
+    glint_json_add_text(formulas, "compiled", glint_formula_flags());
+    json_t *list = glint_json_add(formulas, "loops", json_array());
     for (int i = 0; i < GLINT_FORMULA_COUNT; i++) {
-        cJSON *entry = cJSON_CreateObject();
-        cJSON_AddStringToObject(entry, "name", glint_formula_names[i]);
-        cJSON_AddNumberToObject(entry, "million_points_per_second_scalar", rates->scalar[i] * 1e-6);
-        cJSON_AddNumberToObject(entry, "million_points_per_second_vectorised",
-                                rates->vectorised[i] * 1e-6);
-        cJSON_AddNumberToObject(entry, "scalar_ratio_to_schlick", rates->scalar_to_schlick[i]);
-        cJSON_AddNumberToObject(entry, "vectorised_ratio_to_schlick",
-                                rates->vectorised_to_schlick[i]);
-        cJSON_AddItemToArray(list, entry);
+        json_t *entry = json_object();
+        glint_json_add_text(entry, "name", glint_formula_names[i]);
+        glint_json_add_number(entry, "million_points_per_second_scalar", rates->scalar[i] * 1e-6);
+        glint_json_add_number(entry, "million_points_per_second_vectorised",
+                              rates->vectorised[i] * 1e-6);
+        glint_json_add_number(entry, "scalar_ratio_to_schlick", rates->scalar_to_schlick[i]);
+        glint_json_add_number(entry, "vectorised_ratio_to_schlick",
+                              rates->vectorised_to_schlick[i]);
+        json_array_append_new(list, entry);
     }
 }
 
-static void add_dividers(cJSON *json, const glint_bench_divider_rates *rates)
+static void add_dividers(json_t *json, const glint_bench_divider_rates *rates)
 {
-    cJSON *list = cJSON_AddArrayToObject(json, "divisions");
+    json_t *list = glint_json_add(json, "divisions", json_array());
     for (int i = 0; i < GLINT_BENCH_DIVIDERS; i++) {
-        cJSON *entry = cJSON_CreateObject();
-        cJSON_AddStringToObject(entry, "name", glint_bench_divider_name((glint_bench_divider)i));
-        cJSON_AddNumberToObject(entry, "million_divisions_per_second", rates->divisions[i] * 1e-6);
-        cJSON_AddNumberToObject(entry, "ratio_to_integer", rates->to_integer[i]);
-        cJSON_AddNumberToObject(entry, "ratio_to_float", rates->to_float[i]);
+        json_t *entry = json_object();
+        glint_json_add_text(entry, "name", glint_bench_divider_name((glint_bench_divider)i));
+        glint_json_add_number(entry, "million_divisions_per_second", rates->divisions[i] * 1e-6);
+        glint_json_add_number(entry, "ratio_to_integer", rates->to_integer[i]);
+        glint_json_add_number(entry, "ratio_to_float", rates->to_float[i]);
         if (rates->clocks[i] > 0.0)
-            cJSON_AddNumberToObject(entry, "million_clocks_per_second", rates->clocks[i] * 1e-6);
-        cJSON_AddItemToArray(list, entry);
+            glint_json_add_number(entry, "million_clocks_per_second", rates->clocks[i] * 1e-6);
+        json_array_append_new(list, entry);
     }
 }
 
-static void add_frames(cJSON *json, const glint_bench_frame *frames)
+static void add_frames(json_t *json, const glint_bench_frame *frames)
 {
-    cJSON *list = cJSON_AddArrayToObject(json, "frames");
+    json_t *list = glint_json_add(json, "frames", json_array());
     for (int i = 0; i < GLINT_BENCH_FRAMES; i++) {
-        cJSON *entry = cJSON_CreateObject();
-        cJSON_AddStringToObject(entry, "model", frames[i].model);
-        cJSON_AddNumberToObject(entry, "width", frames[i].width);
-        cJSON_AddNumberToObject(entry, "height", frames[i].height);
-        cJSON_AddStringToObject(entry, "backend", glint_backend_names[frames[i].backend]);
-        cJSON_AddNumberToObject(entry, "fragments", (double)frames[i].fragments);
-        cJSON_AddNumberToObject(entry, "frames_per_second", frames[i].frames);
-        cJSON_AddNumberToObject(entry, "ratio_to_c", ratio_to_c(frames, i));
-        cJSON_AddItemToArray(list, entry);
+        json_t *entry = json_object();
+        glint_json_add_text(entry, "model", frames[i].model);
+        glint_json_add_number(entry, "width", frames[i].width);
+        glint_json_add_number(entry, "height", frames[i].height);
+        glint_json_add_text(entry, "backend", glint_backend_names[frames[i].backend]);
+        glint_json_add_number(entry, "fragments", (double)frames[i].fragments);
+        glint_json_add_number(entry, "frames_per_second", frames[i].frames);
+        glint_json_add_number(entry, "ratio_to_c", ratio_to_c(frames, i));
+        json_array_append_new(list, entry);
     }
 }
 
 static bool print_json(const bench_results *results, int threads)
 {
-    cJSON *json = cJSON_CreateObject();
-    cJSON_AddNumberToObject(json, "n", GLINT_BENCH_N);
-    cJSON_AddNumberToObject(json, "shifts", GLINT_BENCH_SHIFTS);
-    cJSON_AddNumberToObject(json, "threads", threads);
+    json_t *json = json_object();
+    glint_json_add_number(json, "n", GLINT_BENCH_N);
+    glint_json_add_number(json, "shifts", GLINT_BENCH_SHIFTS);
+    glint_json_add_number(json, "threads", threads);
     add_kernels(json, &results->points);
     add_formulas(json, &results->formulas);
     add_dividers(json, &results->dividers);

@@ -77,17 +77,17 @@ static void print_text(FILE *out, const glint_image_difference *difference)
 
 static bool print_json(const glint_image_difference *difference)
 {
-    cJSON *json = cJSON_CreateObject();
-    cJSON_AddBoolToObject(json, "equal", equal(difference));
-    cJSON_AddNumberToObject(json, "pixels", (double)difference->pixels);
-    cJSON_AddNumberToObject(json, "object_pixels", (double)difference->object_pixels);
-    cJSON_AddNumberToObject(json, "differing_pixels", (double)difference->differing_pixels);
-    cJSON_AddNumberToObject(json, "mask_pixels", (double)difference->mask_pixels);
-    cJSON_AddNumberToObject(json, "largest", difference->largest);
-    cJSON_AddNumberToObject(json, "first_x", difference->first_x);
-    cJSON_AddNumberToObject(json, "first_y", difference->first_y);
-    cJSON_AddNumberToObject(json, "nmse", difference->nmse);
-    cJSON_AddNumberToObject(json, "psnr", difference->psnr);
+    json_t *json = json_object();
+    json_object_set_new(json, "equal", json_boolean(equal(difference)));
+    glint_json_add_number(json, "pixels", (double)difference->pixels);
+    glint_json_add_number(json, "object_pixels", (double)difference->object_pixels);
+    glint_json_add_number(json, "differing_pixels", (double)difference->differing_pixels);
+    glint_json_add_number(json, "mask_pixels", (double)difference->mask_pixels);
+    glint_json_add_number(json, "largest", difference->largest);
+    glint_json_add_number(json, "first_x", difference->first_x);
+    glint_json_add_number(json, "first_y", difference->first_y);
+    glint_json_add_number(json, "nmse", difference->nmse);
+    glint_json_add_number(json, "psnr", difference->psnr);
     return glint_output_json(json);
 }
 

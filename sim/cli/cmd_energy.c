@@ -47,7 +47,7 @@ typedef struct run {
     glint_energy_plan plan;
     glint_progress progress;
     uint64_t rows_before; /* those of the models that are done */
-    cJSON *json;          /* an array, with --json */
+    json_t *json;         /* an array, with --json */
 } run;
 
 static int64_t online_cores(void)
@@ -363,35 +363,29 @@ static void print_summary(const char *name, const glint_energy_summary *summary)
     fflush(stdout); /* so that a long run can be followed */
 }
 
-static bool add_number(cJSON *object, const char *name, double value)
-{
-    return cJSON_AddNumberToObject(object, name, value) != NULL;
-}
-
-static bool add_agreement(cJSON *object, const glint_energy_summary *summary)
+static bool add_agreement(json_t *object, const glint_energy_summary *summary)
 {
     return summary->cells == 0 ||
-           (add_number(object, "cells", (double)summary->cells) &&
-            add_number(object, "within_1", share(summary->within_1, summary)) &&
-            add_number(object, "within_2", share(summary->within_2, summary)) &&
-            add_number(object, "within_3", share(summary->within_3, summary)) &&
-            add_number(object, "farthest", summary->farthest));
+           (glint_json_add_number(object, "cells", (double)summary->cells) &&
+            glint_json_add_number(object, "within_1", share(summary->within_1, summary)) &&
+            glint_json_add_number(object, "within_2", share(summary->within_2, summary)) &&
+            glint_json_add_number(object, "within_3", share(summary->within_3, summary)) &&
+            glint_json_add_number(object, "farthest", summary->farthest));
 }
 
-static bool add_summary(cJSON *array, const char *name, const glint_energy_summary *summary)
+static bool add_summary(json_t *array, const char *name, const glint_energy_summary *summary)
 {
-    cJSON *object = cJSON_CreateObject();
-    if (object == NULL || !cJSON_AddItemToArray(array, object)) {
-        cJSON_Delete(object);
+    json_t *object = json_object();
+    if (json_array_append_new(array, object) != 0)
         return false;
-    }
-    return cJSON_AddStringToObject(object, "model", name) != NULL &&
-           add_number(object, "largest", summary->largest) &&
-           add_number(object, "largest_n", summary->largest_n) &&
-           add_number(object, "largest_angle", summary->largest_angle) &&
-           add_number(object, "exponents_above_1", summary->n_above) &&
-           (summary->n_above == 0 || (add_number(object, "first_above_1", summary->first_above) &&
-                                      add_number(object, "last_above_1", summary->last_above))) &&
+    return glint_json_add_text(object, "model", name) &&
+           glint_json_add_number(object, "largest", summary->largest) &&
+           glint_json_add_number(object, "largest_n", summary->largest_n) &&
+           glint_json_add_number(object, "largest_angle", summary->largest_angle) &&
+           glint_json_add_number(object, "exponents_above_1", summary->n_above) &&
+           (summary->n_above == 0 ||
+            (glint_json_add_number(object, "first_above_1", summary->first_above) &&
+             glint_json_add_number(object, "last_above_1", summary->last_above))) &&
            add_agreement(object, summary);
 }
 
@@ -411,23 +405,19 @@ static int print_models(const run *all, const glint_energy_table *table)
 
 static int print_json(run *all)
 {
-    cJSON *object = cJSON_CreateObject();
-    if (object == NULL || !cJSON_AddItemToObject(object, "models", all->json)) {
-        cJSON_Delete(object);
-        return glint_complain("energy", GLINT_EXIT_TROUBLE, "out of memory");
-    }
-    all->json = NULL;
-    bool whole = add_number(object, "exponents", all->n.count) &&
-                 add_number(object, "incidences", all->angle.count) &&
-                 add_number(object, "f0", all->chosen->f0);
+    json_t *object = json_object();
+    bool whole = json_object_set(object, "models", all->json) == 0 &&
+                 glint_json_add_number(object, "exponents", all->n.count) &&
+                 glint_json_add_number(object, "incidences", all->angle.count) &&
+                 glint_json_add_number(object, "f0", all->chosen->f0);
     if (all->plan.samples > 0)
-        whole = whole && add_number(object, "samples", all->plan.samples) &&
-                add_number(object, "seed", (double)all->plan.seed);
+        whole = whole && glint_json_add_number(object, "samples", all->plan.samples) &&
+                glint_json_add_number(object, "seed", (double)all->plan.seed);
     if (whole)
         return glint_output_json(object)
                    ? GLINT_EXIT_OK
                    : glint_complain("energy", GLINT_EXIT_TROUBLE, "out of memory");
-    cJSON_Delete(object);
+    json_decref(object);
     return glint_complain("energy", GLINT_EXIT_TROUBLE, "out of memory");
 }
 
@@ -501,7 +491,7 @@ static int start(run *all)
     if (all->chosen->out != NULL && (glint_directory_make(all->chosen->out, &err) != GLINT_OK ||
                                      check_files(all, &err) != GLINT_OK))
         return glint_complain_error("energy", &err);
-    all->json = cJSON_CreateArray();
+    all->json = json_array();
     return all->json != NULL ? glint_output_finish("energy", do_all(all))
                              : glint_complain("energy", GLINT_EXIT_TROUBLE, "out of memory");
 }
@@ -523,7 +513,7 @@ int glint_cmd_energy(int argc, char **argv)
     status = find_what(&all);
     if (status == GLINT_OPTIONS_RUN)
         status = start(&all);
-    cJSON_Delete(all.json);
+    json_decref(all.json);
     free(all.angle.value);
     free(all.n.value);
     return status;

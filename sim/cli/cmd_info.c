@@ -112,57 +112,57 @@ static void print_text(void)
     printf("pins and signals: glint info --circuit NAME\n");
 }
 
-static void add_names(cJSON *json, const char *key, const char *const *names)
+static void add_names(json_t *json, const char *key, const char *const *names)
 {
-    cJSON *list = cJSON_AddArrayToObject(json, key);
+    json_t *list = glint_json_add(json, key, json_array());
     for (int i = 0; names[i] != NULL; i++)
-        cJSON_AddItemToArray(list, cJSON_CreateString(names[i]));
+        json_array_append_new(list, glint_json_text_of(names[i]));
 }
 
-static void add_checksum(cJSON *json, const char *key, uint32_t checksum)
+static void add_checksum(json_t *json, const char *key, uint32_t checksum)
 {
     char text[9];
     (void)snprintf(text, sizeof text, "%08" PRIx32, checksum);
-    cJSON_AddStringToObject(json, key, text);
+    glint_json_add_text(json, key, text);
 }
 
 /* The settings of the specular device that `verify` tries unasked. */
-static void add_circuits(cJSON *json)
+static void add_circuits(json_t *json)
 {
-    cJSON *list = cJSON_AddArrayToObject(json, "circuits");
+    json_t *list = glint_json_add(json, "circuits", json_array());
     glint_setting setting;
     for (int i = 0; glint_setting_listed(&glint_circuit_specular, i, &setting); i++) {
-        cJSON *circuit = cJSON_CreateObject();
+        json_t *circuit = json_object();
         glint_info_add_values(circuit, &setting);
-        cJSON_AddItemToArray(list, circuit);
+        json_array_append_new(list, circuit);
     }
 }
 
-static void add_descriptions(cJSON *json)
+static void add_descriptions(json_t *json)
 {
-    cJSON *list = cJSON_AddArrayToObject(json, "descriptions");
+    json_t *list = glint_json_add(json, "descriptions", json_array());
     const glint_circuit *circuit;
     for (int i = 0; (circuit = glint_circuit_number(i)) != NULL; i++) {
         const glint_setting setting = glint_setting_standard(circuit);
-        cJSON_AddItemToArray(list, glint_info_json(&setting));
+        json_array_append_new(list, glint_info_json(&setting));
     }
 }
 
 static bool print_json(void)
 {
-    cJSON *json = cJSON_CreateObject();
-    cJSON_AddStringToObject(json, "version", GLINT_VERSION);
+    json_t *json = json_object();
+    glint_json_add_text(json, "version", GLINT_VERSION);
     add_names(json, "gates", glint_gate_names);
     add_names(json, "pipelines", glint_pipeline_names);
     add_names(json, "backends", glint_backend_names);
     for (size_t i = 0; i < FACT_COUNT; i++)
-        cJSON_AddNumberToObject(json, facts[i].key, facts[i].value);
-    cJSON_AddStringToObject(json, "rounding", "half up");
+        glint_json_add_number(json, facts[i].key, facts[i].value);
+    glint_json_add_text(json, "rounding", "half up");
     add_checksum(json, "rom33_crc32", rom_checksum(glint_rom33, GLINT_N_COUNT));
     add_checksum(json, "rom9_crc32", rom_checksum(rom9_word, GLINT_N_COUNT));
     add_checksum(json, "divider_table_crc32", rom_checksum(table_word, TABLE_WORDS));
     char *version = simulator();
-    cJSON_AddStringToObject(json, "verilator", version != NULL ? version : "none");
+    glint_json_add_text(json, "verilator", version != NULL ? version : "none");
     free(version);
     add_circuits(json);
     add_descriptions(json);

@@ -47,12 +47,12 @@ static void print_text(const choices *chosen)
     }
 }
 
-static void add_errors(cJSON *json, const glint_accuracy *a)
+static void add_errors(json_t *json, const glint_accuracy *a)
 {
-    cJSON_AddNumberToObject(json, "largest_error", a->absolute.error);
-    cJSON_AddNumberToObject(json, "largest_error_cosine", a->absolute.cosine);
-    cJSON_AddNumberToObject(json, "epicentre_error", a->epicentre_absolute.error);
-    cJSON_AddNumberToObject(json, "epicentre_relative_error", a->epicentre_relative.error);
+    glint_json_add_number(json, "largest_error", a->absolute.error);
+    glint_json_add_number(json, "largest_error_cosine", a->absolute.cosine);
+    glint_json_add_number(json, "epicentre_error", a->epicentre_absolute.error);
+    glint_json_add_number(json, "epicentre_relative_error", a->epicentre_relative.error);
 }
 
 static bool print_json(const choices *chosen)
@@ -63,26 +63,26 @@ static bool print_json(const choices *chosen)
         [GLINT_REFLECTANCE_OF_NH] = "N.H",
         [GLINT_REFLECTANCE_OF_GEOMETRY] = "N.L N.V N.H V.H",
     };
-    cJSON *json = cJSON_CreateObject();
-    cJSON_AddNumberToObject(json, "n", chosen->n);
-    cJSON_AddNumberToObject(json, "level", chosen->level);
-    cJSON *list = cJSON_AddArrayToObject(json, "models");
+    json_t *json = json_object();
+    glint_json_add_number(json, "n", chosen->n);
+    glint_json_add_number(json, "level", chosen->level);
+    json_t *list = glint_json_add(json, "models", json_array());
     for (int i = 0; i < GLINT_REFLECTANCE_COUNT; i++) {
         const glint_reflectance_model model = (glint_reflectance_model)i;
         const glint_reflectance_info *info = glint_reflectance_describe(model);
-        cJSON *entry = cJSON_CreateObject();
-        cJSON_AddStringToObject(entry, "name", glint_reflectance_names[i]);
-        cJSON_AddStringToObject(entry, "title", info->title);
-        cJSON_AddStringToObject(entry, "equation", info->equation);
-        cJSON_AddStringToObject(entry, "formula", info->formula);
-        cJSON_AddStringToObject(entry, "edges", info->edges);
-        cJSON_AddStringToObject(entry, "cosine", cosines[info->cosine]);
-        cJSON_AddNumberToObject(entry, "n_min", info->n_min);
-        cJSON_AddNumberToObject(entry, "n_max", info->n_max);
+        json_t *entry = json_object();
+        glint_json_add_text(entry, "name", glint_reflectance_names[i]);
+        glint_json_add_text(entry, "title", info->title);
+        glint_json_add_text(entry, "equation", info->equation);
+        glint_json_add_text(entry, "formula", info->formula);
+        glint_json_add_text(entry, "edges", info->edges);
+        glint_json_add_text(entry, "cosine", cosines[info->cosine]);
+        glint_json_add_number(entry, "n_min", info->n_min);
+        glint_json_add_number(entry, "n_max", info->n_max);
         glint_accuracy a;
         if (measure(model, chosen, &a))
             add_errors(entry, &a);
-        cJSON_AddItemToArray(list, entry);
+        json_array_append_new(list, entry);
     }
     return glint_output_json(json);
 }

@@ -134,39 +134,39 @@ static void print_text(const replay *of)
         print_answers(of);
 }
 
-static cJSON *mismatches_of(const replay *of)
+static json_t *mismatches_of(const replay *of)
 {
-    cJSON *list = cJSON_CreateArray();
+    json_t *list = json_array();
     for (int i = 0; i < of->now.count; i++) {
         const glint_mismatch *mismatch = &of->now.mismatch[i];
         char text[GLINT_VALUE_TEXT];
-        cJSON *entry = cJSON_CreateObject();
-        cJSON_AddStringToObject(entry, "signal", mismatch->signal.name);
-        cJSON_AddNumberToObject(entry, glint_setting_lane_name(&of->packet->setting),
-                                mismatch->signal.lane);
-        cJSON_AddNumberToObject(entry, "block", mismatch->signal.block);
+        json_t *entry = json_object();
+        glint_json_add_text(entry, "signal", mismatch->signal.name);
+        glint_json_add_number(entry, glint_setting_lane_name(&of->packet->setting),
+                              mismatch->signal.lane);
+        glint_json_add_number(entry, "block", mismatch->signal.block);
         glint_mismatch_bits(&mismatch->signal, mismatch->model, text);
-        cJSON_AddStringToObject(entry, "model", text);
+        glint_json_add_text(entry, "model", text);
         glint_mismatch_bits(&mismatch->signal, mismatch->rtl, text);
-        cJSON_AddStringToObject(entry, "rtl", text);
-        cJSON_AddItemToArray(list, entry);
+        glint_json_add_text(entry, "rtl", text);
+        json_array_append_new(list, entry);
     }
     return list;
 }
 
 static bool print_json(const replay_options *chosen, const replay *of)
 {
-    cJSON *json = cJSON_CreateObject();
-    cJSON_AddStringToObject(json, "packet", chosen->directory);
-    cJSON_AddStringToObject(json, "kind", glint_failure_kind_names[of->packet->kind]);
-    cJSON_AddBoolToObject(json, "mismatch", glint_failure_differs(&of->now));
-    cJSON_AddBoolToObject(json, "same", of->same);
-    cJSON_AddNumberToObject(json, "comparisons", (double)of->capture->found.comparisons);
-    cJSON_AddNumberToObject(json, "clock", (double)of->now.clock);
-    cJSON_AddItemToObject(json, "mismatches", mismatches_of(of));
+    json_t *json = json_object();
+    glint_json_add_text(json, "packet", chosen->directory);
+    glint_json_add_text(json, "kind", glint_failure_kind_names[of->packet->kind]);
+    json_object_set_new(json, "mismatch", json_boolean(glint_failure_differs(&of->now)));
+    json_object_set_new(json, "same", json_boolean(of->same));
+    glint_json_add_number(json, "comparisons", (double)of->capture->found.comparisons);
+    glint_json_add_number(json, "clock", (double)of->now.clock);
+    json_object_set_new(json, "mismatches", mismatches_of(of));
     if (has_answers(of)) {
-        cJSON_AddNumberToObject(json, "model", of->now.model);
-        cJSON_AddNumberToObject(json, "rtl", of->now.rtl);
+        glint_json_add_number(json, "model", of->now.model);
+        glint_json_add_number(json, "rtl", of->now.rtl);
     }
     return glint_output_json(json);
 }

@@ -268,9 +268,9 @@ static void print_text(const glint_study_options *study, const glint_study_row *
 
 static bool print_json(const glint_study_options *study, const glint_study_row *rows)
 {
-    cJSON *json = glint_study_json(&study->setup, rows, study->count);
+    json_t *json = glint_study_json(&study->setup, rows, study->count);
     if (study->frames > 0)
-        cJSON_AddItemToObject(json, "times", glint_study_times_json(rows, study->count));
+        json_object_set_new(json, "times", glint_study_times_json(rows, study->count));
     return glint_output_json(json);
 }
 

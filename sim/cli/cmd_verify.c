@@ -467,36 +467,36 @@ static int report_all(const verify_options *chosen, verification *all, FILE *out
 }
 
 /* A JSON number has no more than 53 bits. */
-static void add_value(cJSON *entry, const char *name, const glint_signal_info *signal,
+static void add_value(json_t *entry, const char *name, const glint_signal_info *signal,
                       const uint64_t *words)
 {
     char text[GLINT_VALUE_TEXT];
     if (glint_signal_width(signal) <= 53) {
-        cJSON_AddNumberToObject(entry, name, (double)words[0]);
+        glint_json_add_number(entry, name, (double)words[0]);
         return;
     }
     glint_mismatch_bits(signal, words, text);
-    cJSON_AddStringToObject(entry, name, text);
+    glint_json_add_text(entry, name, text);
 }
 
 /* The summary lines of a failing setting. */
-static void add_failure(cJSON *entry, const task *task)
+static void add_failure(json_t *entry, const task *task)
 {
     if (task->status != GLINT_OK && task->status != GLINT_INTERRUPTED)
-        cJSON_AddStringToObject(entry, "error", task->err.text);
+        glint_json_add_text(entry, "error", task->err.text);
     if (task->packet[0] != '\0')
-        cJSON_AddStringToObject(entry, "packet", task->packet);
-    cJSON *list = cJSON_AddArrayToObject(entry, "first_mismatches");
+        glint_json_add_text(entry, "packet", task->packet);
+    json_t *list = glint_json_add(entry, "first_mismatches", json_array());
     for (int i = 0; i < task->result.kept; i++) {
         const glint_mismatch *m = &task->result.mismatch[i];
-        cJSON *mismatch = cJSON_CreateObject();
-        cJSON_AddNumberToObject(mismatch, "clock", (double)m->clock);
-        cJSON_AddStringToObject(mismatch, "signal", m->signal.name);
-        cJSON_AddNumberToObject(mismatch, "block", m->signal.block);
-        cJSON_AddNumberToObject(mismatch, "lane", m->signal.lane);
+        json_t *mismatch = json_object();
+        glint_json_add_number(mismatch, "clock", (double)m->clock);
+        glint_json_add_text(mismatch, "signal", m->signal.name);
+        glint_json_add_number(mismatch, "block", m->signal.block);
+        glint_json_add_number(mismatch, "lane", m->signal.lane);
         add_value(mismatch, "model", &m->signal, m->model);
         add_value(mismatch, "rtl", &m->signal, m->rtl);
-        cJSON_AddItemToArray(list, mismatch);
+        json_array_append_new(list, mismatch);
     }
 }
 
@@ -504,27 +504,27 @@ static bool print_json(const verify_options *chosen, const verification *all, co
                        double seconds)
 {
     char seed[32]; /* a JSON number would lose the low bits of a large seed */
-    cJSON *json = cJSON_CreateObject();
+    json_t *json = json_object();
     (void)snprintf(seed, sizeof seed, "%" PRId64, chosen->seed);
-    cJSON_AddNumberToObject(json, "mismatches", (double)sums->mismatches);
-    cJSON_AddNumberToObject(json, "comparisons", (double)sums->comparisons);
-    cJSON_AddNumberToObject(json, "clocks", (double)sums->clocks);
-    cJSON_AddStringToObject(json, "seed", seed);
-    cJSON_AddBoolToObject(json, "interrupted", sums->interrupted);
-    cJSON_AddNumberToObject(json, "seconds", seconds);
+    glint_json_add_number(json, "mismatches", (double)sums->mismatches);
+    glint_json_add_number(json, "comparisons", (double)sums->comparisons);
+    glint_json_add_number(json, "clocks", (double)sums->clocks);
+    glint_json_add_text(json, "seed", seed);
+    json_object_set_new(json, "interrupted", json_boolean(sums->interrupted));
+    glint_json_add_number(json, "seconds", seconds);
     glint_reach_sum_json(json, &sums->reach);
-    cJSON *list = cJSON_AddArrayToObject(json, "settings");
+    json_t *list = glint_json_add(json, "settings", json_array());
     for (int i = 0; i < all->count; i++) {
         const task *task = &all->tasks[i];
-        cJSON *entry = cJSON_CreateObject();
-        cJSON_AddStringToObject(entry, "circuit", task->options.setting.circuit->name);
+        json_t *entry = json_object();
+        glint_json_add_text(entry, "circuit", task->options.setting.circuit->name);
         glint_info_add_values(entry, &task->options.setting);
-        cJSON_AddNumberToObject(entry, "clocks", (double)task->result.clocks);
-        cJSON_AddNumberToObject(entry, "comparisons", (double)task->result.comparisons);
-        cJSON_AddNumberToObject(entry, "mismatches", (double)task->result.mismatches);
+        glint_json_add_number(entry, "clocks", (double)task->result.clocks);
+        glint_json_add_number(entry, "comparisons", (double)task->result.comparisons);
+        glint_json_add_number(entry, "mismatches", (double)task->result.mismatches);
         glint_reach_json(entry, &task->options.setting, &task->result.reach);
         add_failure(entry, task);
-        cJSON_AddItemToArray(list, entry);
+        json_array_append_new(list, entry);
     }
     return glint_output_json(json);
 }

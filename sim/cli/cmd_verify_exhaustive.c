@@ -255,45 +255,45 @@ static void print_text(const glint_exhaustive_choice *chosen, run *run)
     print_resume(chosen, run, stdout);
 }
 
-static void add_circuits(cJSON *json, const run *run)
+static void add_circuits(json_t *json, const run *run)
 {
-    cJSON *list = cJSON_AddArrayToObject(json, "circuits");
+    json_t *list = glint_json_add(json, "circuits", json_array());
     for (int c = 0; c < run->options.configs; c++) {
         const glint_specular_config *config = &run->options.config[c];
         const glint_exhaustive_circuit *circuit = &run->result.circuit[c];
-        cJSON *entry = cJSON_CreateObject();
-        cJSON_AddStringToObject(entry, "gate", glint_gate_name(config->gate));
-        cJSON_AddStringToObject(entry, "pipeline", glint_pipeline_name(config->pipeline));
-        cJSON_AddNumberToObject(entry, "lanes", config->lanes);
-        cJSON_AddNumberToObject(entry, "points", (double)circuit->points);
-        cJSON_AddNumberToObject(entry, "mismatches", (double)circuit->mismatches);
-        cJSON_AddNumberToObject(entry, "w_codes", circuit->w_codes);
-        cJSON_AddNumberToObject(entry, "pairs", (double)circuit->pairs);
-        cJSON_AddNumberToObject(entry, "pairs_total", (double)circuit->pairs_total);
-        cJSON_AddItemToArray(list, entry);
+        json_t *entry = json_object();
+        glint_json_add_text(entry, "gate", glint_gate_name(config->gate));
+        glint_json_add_text(entry, "pipeline", glint_pipeline_name(config->pipeline));
+        glint_json_add_number(entry, "lanes", config->lanes);
+        glint_json_add_number(entry, "points", (double)circuit->points);
+        glint_json_add_number(entry, "mismatches", (double)circuit->mismatches);
+        glint_json_add_number(entry, "w_codes", circuit->w_codes);
+        glint_json_add_number(entry, "pairs", (double)circuit->pairs);
+        glint_json_add_number(entry, "pairs_total", (double)circuit->pairs_total);
+        json_array_append_new(list, entry);
     }
 }
 
-static void add_mismatches(cJSON *json, const run *run)
+static void add_mismatches(json_t *json, const run *run)
 {
-    cJSON *list = cJSON_AddArrayToObject(json, "first_mismatches");
+    json_t *list = glint_json_add(json, "first_mismatches", json_array());
     for (int i = 0; i < run->result.kept; i++) {
         const glint_exhaustive_mismatch *m = &run->result.mismatch[i];
         const glint_answer *answer = &m->answer;
-        cJSON *entry = cJSON_CreateObject();
-        cJSON_AddStringToObject(entry, "gate", glint_gate_name(m->config.gate));
-        cJSON_AddStringToObject(entry, "pipeline", glint_pipeline_name(m->config.pipeline));
-        cJSON_AddNumberToObject(entry, "lanes", m->config.lanes);
-        cJSON_AddNumberToObject(entry, "lane", answer->at % m->config.lanes);
-        cJSON_AddNumberToObject(entry, "n", answer->material.n);
-        cJSON_AddNumberToObject(entry, "cos_code", answer->cos_code[answer->at]);
-        cJSON_AddNumberToObject(entry, "r", answer->material.r);
-        cJSON_AddNumberToObject(entry, "g", answer->material.g);
-        cJSON_AddNumberToObject(entry, "b", answer->material.b);
-        cJSON_AddStringToObject(entry, "value", glint_answer_value_name(answer->value));
-        cJSON_AddNumberToObject(entry, "model", answer->model);
-        cJSON_AddNumberToObject(entry, "rtl", answer->rtl);
-        cJSON_AddItemToArray(list, entry);
+        json_t *entry = json_object();
+        glint_json_add_text(entry, "gate", glint_gate_name(m->config.gate));
+        glint_json_add_text(entry, "pipeline", glint_pipeline_name(m->config.pipeline));
+        glint_json_add_number(entry, "lanes", m->config.lanes);
+        glint_json_add_number(entry, "lane", answer->at % m->config.lanes);
+        glint_json_add_number(entry, "n", answer->material.n);
+        glint_json_add_number(entry, "cos_code", answer->cos_code[answer->at]);
+        glint_json_add_number(entry, "r", answer->material.r);
+        glint_json_add_number(entry, "g", answer->material.g);
+        glint_json_add_number(entry, "b", answer->material.b);
+        glint_json_add_text(entry, "value", glint_answer_value_name(answer->value));
+        glint_json_add_number(entry, "model", answer->model);
+        glint_json_add_number(entry, "rtl", answer->rtl);
+        json_array_append_new(list, entry);
     }
 }
 
@@ -301,27 +301,27 @@ static bool print_json(const glint_exhaustive_choice *chosen, const run *run)
 {
     char seed[32]; /* a JSON number would lose the low bits of a large seed */
     const glint_exhaustive_circuit sum = sum_of(run);
-    cJSON *json = cJSON_CreateObject();
-    cJSON_AddNumberToObject(json, "mismatches", (double)sum.mismatches);
-    cJSON_AddNumberToObject(json, "comparisons", (double)sum.comparisons);
-    cJSON_AddNumberToObject(json, "points", (double)sum.points);
-    cJSON_AddNumberToObject(json, "n_done", run->result.n_done);
-    cJSON_AddNumberToObject(json, "next", run->result.next);
-    cJSON_AddStringToObject(json, "shard", chosen->shard);
-    cJSON_AddNumberToObject(json, "stride", (double)chosen->stride);
+    json_t *json = json_object();
+    glint_json_add_number(json, "mismatches", (double)sum.mismatches);
+    glint_json_add_number(json, "comparisons", (double)sum.comparisons);
+    glint_json_add_number(json, "points", (double)sum.points);
+    glint_json_add_number(json, "n_done", run->result.n_done);
+    glint_json_add_number(json, "next", run->result.next);
+    glint_json_add_text(json, "shard", chosen->shard);
+    glint_json_add_number(json, "stride", (double)chosen->stride);
     (void)snprintf(seed, sizeof seed, "%" PRId64, chosen->seed);
     if (chosen->stride != 1)
-        cJSON_AddStringToObject(json, "seed", seed);
-    cJSON_AddBoolToObject(json, "every_lane", chosen->every_lane);
-    cJSON_AddStringToObject(json, "not_reached", GLINT_NOT_REACHED);
-    cJSON_AddBoolToObject(json, "interrupted", run->status == GLINT_INTERRUPTED);
-    cJSON_AddNumberToObject(json, "seconds", run->seconds);
+        glint_json_add_text(json, "seed", seed);
+    json_object_set_new(json, "every_lane", json_boolean(chosen->every_lane));
+    glint_json_add_text(json, "not_reached", GLINT_NOT_REACHED);
+    json_object_set_new(json, "interrupted", json_boolean(run->status == GLINT_INTERRUPTED));
+    glint_json_add_number(json, "seconds", run->seconds);
     if (run->status != GLINT_OK && run->status != GLINT_INTERRUPTED)
-        cJSON_AddStringToObject(json, "error", run->err.text);
+        glint_json_add_text(json, "error", run->err.text);
     add_circuits(json, run);
     add_mismatches(json, run);
     if (run->packet[0] != '\0')
-        cJSON_AddStringToObject(json, "packet", run->packet);
+        glint_json_add_text(json, "packet", run->packet);
     return glint_output_json(json);
 }
 

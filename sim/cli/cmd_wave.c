@@ -156,7 +156,7 @@ static int name_files(const wave_options *chosen, const char *name, wave_files *
 }
 
 /* Says what was written: the command that opens it, or an entry of the JSON list. */
-static void announce(const wave_files *files, cJSON *list)
+static void announce(const wave_files *files, json_t *list)
 {
     if (list == NULL) {
         char waveform[QUOTED_SIZE] = "", save_file[QUOTED_SIZE] = "";
@@ -165,10 +165,10 @@ static void announce(const wave_files *files, cJSON *list)
         printf("gtkwave %s %s\n", waveform, save_file);
         return;
     }
-    cJSON *entry = cJSON_CreateObject();
-    cJSON_AddStringToObject(entry, "waveform", files->waveform);
-    cJSON_AddStringToObject(entry, "save_file", files->save_file);
-    cJSON_AddItemToArray(list, entry);
+    json_t *entry = json_object();
+    glint_json_add_text(entry, "waveform", files->waveform);
+    glint_json_add_text(entry, "save_file", files->save_file);
+    json_array_append_new(list, entry);
 }
 
 /* Of the specular device without the lanes, unless waveforms of several counts are made. */
@@ -202,7 +202,7 @@ static glint_status record(const wave_options *chosen, const glint_setting *sett
     return status;
 }
 
-static int write_setting(const wave_options *chosen, const glint_setting *setting, cJSON *list)
+static int write_setting(const wave_options *chosen, const glint_setting *setting, json_t *list)
 {
     char name[GLINT_SETTING_TEXT];
     wave_files files;
@@ -227,7 +227,7 @@ static bool is_first(const wave_options *chosen, const glint_setting *setting)
 }
 
 /* Circuit by circuit, of each the standard setting before the others. */
-static int write_circuit(const wave_options *chosen, int circuit, cJSON *list)
+static int write_circuit(const wave_options *chosen, int circuit, json_t *list)
 {
     const glint_setting first = glint_circuit_options_first(&chosen->circuits, circuit);
     glint_setting setting;
@@ -256,7 +256,7 @@ static int build_all(const wave_options *chosen)
     return status == GLINT_OK ? GLINT_EXIT_OK : glint_complain_error("wave", &err);
 }
 
-static int write_all(const wave_options *chosen, cJSON *list)
+static int write_all(const wave_options *chosen, json_t *list)
 {
     int status = build_all(chosen);
     for (int c = 0; c < chosen->circuits.chosen_count && status == GLINT_EXIT_OK; c++)
@@ -280,8 +280,8 @@ int glint_cmd_wave(int argc, char **argv)
     glint_error err;
     if (glint_directory_make(chosen.out, &err) != GLINT_OK)
         return glint_complain_error("wave", &err);
-    cJSON *json = chosen.json ? cJSON_CreateObject() : NULL;
-    cJSON *files = cJSON_AddArrayToObject(json, "files");
+    json_t *json = chosen.json ? json_object() : NULL;
+    json_t *files = glint_json_add(json, "files", json_array());
     status = write_all(&chosen, files);
     if (!chosen.json)
         return glint_output_finish("wave", status);

@@ -99,90 +99,90 @@ void glint_info_print_setting(const glint_setting *setting)
     print_rows(setting);
 }
 
-void glint_info_add_values(cJSON *json, const glint_setting *setting)
+void glint_info_add_values(json_t *json, const glint_setting *setting)
 {
     const glint_circuit *circuit = setting->circuit;
     for (int i = 0; i < circuit->parameter_count; i++) {
         const glint_parameter *parameter = &circuit->parameters[i];
         if (parameter->choices != NULL)
-            cJSON_AddStringToObject(json, parameter->name, parameter->choices[setting->values[i]]);
+            glint_json_add_text(json, parameter->name, parameter->choices[setting->values[i]]);
         else
-            cJSON_AddNumberToObject(json, parameter->name, setting->values[i]);
+            glint_json_add_number(json, parameter->name, setting->values[i]);
     }
 }
 
-static cJSON *parameter_json(const glint_parameter *parameter)
+static json_t *parameter_json(const glint_parameter *parameter)
 {
-    cJSON *json = cJSON_CreateObject();
-    cJSON_AddStringToObject(json, "name", parameter->name);
+    json_t *json = json_object();
+    glint_json_add_text(json, "name", parameter->name);
     if (parameter->meaning != NULL)
-        cJSON_AddStringToObject(json, "meaning", parameter->meaning);
+        glint_json_add_text(json, "meaning", parameter->meaning);
     if (parameter->choices == NULL) {
-        cJSON_AddNumberToObject(json, "min", parameter->min);
-        cJSON_AddNumberToObject(json, "max", parameter->max);
-        cJSON_AddNumberToObject(json, "default", parameter->standard);
+        glint_json_add_number(json, "min", parameter->min);
+        glint_json_add_number(json, "max", parameter->max);
+        glint_json_add_number(json, "default", parameter->standard);
         return json;
     }
-    cJSON *choices = cJSON_AddArrayToObject(json, "choices");
+    json_t *choices = glint_json_add(json, "choices", json_array());
     for (int i = 0; i <= parameter->max; i++)
-        cJSON_AddItemToArray(choices, cJSON_CreateString(parameter->choices[i]));
-    cJSON_AddStringToObject(json, "default", parameter->choices[parameter->standard]);
+        json_array_append_new(choices, glint_json_text_of(parameter->choices[i]));
+    glint_json_add_text(json, "default", parameter->choices[parameter->standard]);
     return json;
 }
 
-static cJSON *row_json(const char *name, const char *key, const char *what, int is_signed,
-                       int int_bits, int frac_bits, int lane, const char *meaning)
+static json_t *row_json(const char *name, const char *key, const char *what, int is_signed,
+                        int int_bits, int frac_bits, int lane, const char *meaning)
 {
-    cJSON *json = cJSON_CreateObject();
-    cJSON_AddStringToObject(json, "name", name);
-    cJSON_AddStringToObject(json, key, what);
-    cJSON_AddNumberToObject(json, "int_bits", int_bits);
-    cJSON_AddNumberToObject(json, "frac_bits", frac_bits);
-    cJSON_AddBoolToObject(json, "signed", is_signed);
+    json_t *json = json_object();
+    glint_json_add_text(json, "name", name);
+    glint_json_add_text(json, key, what);
+    glint_json_add_number(json, "int_bits", int_bits);
+    glint_json_add_number(json, "frac_bits", frac_bits);
+    json_object_set_new(json, "signed", json_boolean(is_signed));
     if (lane >= 0)
-        cJSON_AddNumberToObject(json, "lane", lane);
+        glint_json_add_number(json, "lane", lane);
     if (meaning != NULL)
-        cJSON_AddStringToObject(json, "meaning", meaning);
+        glint_json_add_text(json, "meaning", meaning);
     return json;
 }
 
-static void add_rows(cJSON *json, const glint_setting *setting)
+static void add_rows(json_t *json, const glint_setting *setting)
 {
-    cJSON *pins = cJSON_AddArrayToObject(json, "pins");
+    json_t *pins = glint_json_add(json, "pins", json_array());
     for (int i = 0; i < glint_setting_pin_count(setting); i++) {
         const glint_pin_info pin = glint_setting_pin(setting, i);
-        cJSON_AddItemToArray(pins, row_json(pin.name, "role", roles[pin.role], pin.is_signed,
-                                            pin.int_bits, pin.frac_bits, pin.lane, pin.meaning));
+        json_array_append_new(pins, row_json(pin.name, "role", roles[pin.role], pin.is_signed,
+                                             pin.int_bits, pin.frac_bits, pin.lane, pin.meaning));
     }
-    cJSON *signals = cJSON_AddArrayToObject(json, "signals");
+    json_t *signals = glint_json_add(json, "signals", json_array());
     for (int i = 0; i < glint_setting_signal_count(setting); i++) {
         const glint_signal_info signal = glint_setting_signal(setting, i);
-        cJSON_AddItemToArray(signals, row_json(signal.name, "kind", kinds[signal.kind],
-                                               signal.is_signed, signal.int_bits, signal.frac_bits,
-                                               signal.lane, signal.meaning));
+        json_array_append_new(signals, row_json(signal.name, "kind", kinds[signal.kind],
+                                                signal.is_signed, signal.int_bits, signal.frac_bits,
+                                                signal.lane, signal.meaning));
     }
 }
 
-cJSON *glint_info_json(const glint_setting *setting)
+json_t *glint_info_json(const glint_setting *setting)
 {
     const glint_circuit *circuit = setting->circuit;
-    cJSON *json = cJSON_CreateObject();
-    cJSON_AddStringToObject(json, "circuit", circuit->name);
-    cJSON_AddStringToObject(json, "title", circuit->title);
-    cJSON *parameters = cJSON_AddArrayToObject(json, "parameters");
+    json_t *json = json_object();
+    glint_json_add_text(json, "circuit", circuit->name);
+    glint_json_add_text(json, "title", circuit->title);
+    json_t *parameters = glint_json_add(json, "parameters", json_array());
     for (int i = 0; i < circuit->parameter_count; i++)
-        cJSON_AddItemToArray(parameters, parameter_json(&circuit->parameters[i]));
-    glint_info_add_values(cJSON_AddObjectToObject(json, "setting"), setting);
-    cJSON_AddNumberToObject(json, "settings_listed", listed_count(circuit));
-    cJSON_AddStringToObject(json, "top", glint_setting_top(setting));
+        json_array_append_new(parameters, parameter_json(&circuit->parameters[i]));
+    glint_info_add_values(glint_json_add(json, "setting", json_object()), setting);
+    glint_json_add_number(json, "settings_listed", listed_count(circuit));
+    glint_json_add_text(json, "top", glint_setting_top(setting));
     if (circuit->clock_port != NULL)
-        cJSON_AddStringToObject(json, "clock", circuit->clock_port);
-    cJSON_AddNumberToObject(json, "latency", glint_setting_latency(setting));
-    cJSON_AddNumberToObject(json, "pace", glint_setting_pace(setting));
+        glint_json_add_text(json, "clock", circuit->clock_port);
+    glint_json_add_number(json, "latency", glint_setting_latency(setting));
+    glint_json_add_number(json, "pace", glint_setting_pace(setting));
     if (circuit->domain != NULL) {
-        cJSON *domain = cJSON_AddObjectToObject(json, "domain");
-        cJSON_AddStringToObject(domain, "what", circuit->domain->what);
-        cJSON_AddNumberToObject(domain, "points", (double)circuit->domain->points(setting->values));
+        json_t *domain = glint_json_add(json, "domain", json_object());
+        glint_json_add_text(domain, "what", circuit->domain->what);
+        glint_json_add_number(domain, "points", (double)circuit->domain->points(setting->values));
     }
     add_rows(json, setting);
     return json;

@@ -14,7 +14,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "file/json_text.h"
+#include "file/json.h"
 
 /* The one variable of the process: a signal handler can reach nothing else. One byte, written only
  * with true, so that a reader in any thread sees the old value or the new one. */
@@ -129,10 +129,10 @@ void glint_tell_remarks(const char *command, const char *path, const char *remar
         (void)glint_complain(command, GLINT_EXIT_OK, "%s: %s", path, remarks);
 }
 
-bool glint_output_json(cJSON *json)
+bool glint_output_json(json_t *json)
 {
     char *text = glint_json_text(json);
-    cJSON_Delete(json);
+    json_decref(json);
     if (text == NULL)
         return false;
     puts(text);

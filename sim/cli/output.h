@@ -7,8 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include <cjson/cJSON.h>
-
+#include "file/json.h"
 #include "glint_status.h"
 
 /* What every subcommand returns, as cmp does. */
@@ -47,7 +46,7 @@ void glint_tell_remarks(const char *command, const char *path, const char *remar
 
 /* Prints a JSON object on standard output, a newline after it, and deletes it. json may be NULL
  * (out of memory while it was built). Returns false when memory ran out. */
-bool glint_output_json(cJSON *json);
+bool glint_output_json(json_t *json);
 
 /* True once SIGINT, SIGTERM or SIGHUP has arrived. */
 bool glint_stop_requested(void);

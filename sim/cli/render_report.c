@@ -57,59 +57,59 @@ void glint_render_report_text(FILE *out, const glint_render_options *chosen,
     }
 }
 
-static void add_frame(cJSON *frames, const glint_render_frame *frame)
+static void add_frame(json_t *frames, const glint_render_frame *frame)
 {
     const glint_render_stats *stats = &frame->stats;
-    cJSON *json = cJSON_CreateObject();
-    cJSON_AddStringToObject(json, "backend", glint_backend_names[frame->kind]);
-    cJSON_AddNumberToObject(json, "seconds", stats->seconds);
-    cJSON_AddNumberToObject(json, "frames_per_second", per_second(1.0, stats));
-    cJSON_AddNumberToObject(json, "fragments_per_second",
-                            per_second((double)stats->fragments, stats));
+    json_t *json = json_object();
+    glint_json_add_text(json, "backend", glint_backend_names[frame->kind]);
+    glint_json_add_number(json, "seconds", stats->seconds);
+    glint_json_add_number(json, "frames_per_second", per_second(1.0, stats));
+    glint_json_add_number(json, "fragments_per_second",
+                          per_second((double)stats->fragments, stats));
     if (stats->divider_clocks > 0)
-        cJSON_AddNumberToObject(json, "divider_clocks", (double)stats->divider_clocks);
-    cJSON_AddItemToArray(frames, json);
+        glint_json_add_number(json, "divider_clocks", (double)stats->divider_clocks);
+    json_array_append_new(frames, json);
 }
 
-static void add_comparison(cJSON *json, const glint_image_difference *difference)
+static void add_comparison(json_t *json, const glint_image_difference *difference)
 {
-    cJSON *compared = cJSON_AddObjectToObject(json, "comparison");
-    cJSON_AddNumberToObject(compared, "pixels", (double)difference->pixels);
-    cJSON_AddNumberToObject(compared, "differing_pixels", (double)difference->differing_pixels);
-    cJSON_AddNumberToObject(compared, "mask_pixels", (double)difference->mask_pixels);
-    cJSON_AddNumberToObject(compared, "largest", difference->largest);
-    cJSON_AddNumberToObject(compared, "first_x", difference->first_x);
-    cJSON_AddNumberToObject(compared, "first_y", difference->first_y);
+    json_t *compared = glint_json_add(json, "comparison", json_object());
+    glint_json_add_number(compared, "pixels", (double)difference->pixels);
+    glint_json_add_number(compared, "differing_pixels", (double)difference->differing_pixels);
+    glint_json_add_number(compared, "mask_pixels", (double)difference->mask_pixels);
+    glint_json_add_number(compared, "largest", difference->largest);
+    glint_json_add_number(compared, "first_x", difference->first_x);
+    glint_json_add_number(compared, "first_y", difference->first_y);
 }
 
 bool glint_render_report_json(const glint_render_options *chosen, const glint_render_result *result,
                               const char *packet)
 {
     const glint_render_stats *stats = &result->frame[0].stats;
-    cJSON *json = cJSON_CreateObject();
-    cJSON_AddStringToObject(json, "model", chosen->what.model);
-    cJSON_AddStringToObject(json, "out", chosen->out);
-    cJSON_AddNumberToObject(json, "width", chosen->what.width);
-    cJSON_AddNumberToObject(json, "height", chosen->what.height);
-    cJSON_AddStringToObject(json, "gate", glint_gate_names[chosen->backend.gate]);
-    cJSON_AddStringToObject(json, "pipeline", glint_pipeline_names[chosen->backend.pipeline]);
-    cJSON_AddStringToObject(json, "shading", glint_shading_names[chosen->scene.shading]);
+    json_t *json = json_object();
+    glint_json_add_text(json, "model", chosen->what.model);
+    glint_json_add_text(json, "out", chosen->out);
+    glint_json_add_number(json, "width", chosen->what.width);
+    glint_json_add_number(json, "height", chosen->what.height);
+    glint_json_add_text(json, "gate", glint_gate_names[chosen->backend.gate]);
+    glint_json_add_text(json, "pipeline", glint_pipeline_names[chosen->backend.pipeline]);
+    glint_json_add_text(json, "shading", glint_shading_names[chosen->scene.shading]);
     if (chosen->scene.by_model)
-        cJSON_AddStringToObject(json, "specular", glint_reflectance_names[chosen->scene.specular]);
+        glint_json_add_text(json, "specular", glint_reflectance_names[chosen->scene.specular]);
     if (divider_works(chosen))
-        cJSON_AddNumberToObject(json, "shifts", chosen->scene.shifts);
-    cJSON_AddNumberToObject(json, "threads", (double)chosen->what.threads);
-    cJSON_AddNumberToObject(json, "triangles", (double)stats->triangles);
-    cJSON_AddNumberToObject(json, "drawn", (double)stats->drawn);
-    cJSON_AddNumberToObject(json, "fragments", (double)stats->fragments);
-    cJSON_AddNumberToObject(json, "highlights", (double)stats->highlights);
-    cJSON_AddNumberToObject(json, "divisions", (double)stats->divisions);
-    cJSON *frames = cJSON_AddArrayToObject(json, "frames");
+        glint_json_add_number(json, "shifts", chosen->scene.shifts);
+    glint_json_add_number(json, "threads", (double)chosen->what.threads);
+    glint_json_add_number(json, "triangles", (double)stats->triangles);
+    glint_json_add_number(json, "drawn", (double)stats->drawn);
+    glint_json_add_number(json, "fragments", (double)stats->fragments);
+    glint_json_add_number(json, "highlights", (double)stats->highlights);
+    glint_json_add_number(json, "divisions", (double)stats->divisions);
+    json_t *frames = glint_json_add(json, "frames", json_array());
     for (int i = 0; i < result->frame_count; i++)
         add_frame(frames, &result->frame[i]);
     if (result->frame_count == 2)
         add_comparison(json, &result->difference);
     if (packet != NULL)
-        cJSON_AddStringToObject(json, "packet", packet);
+        glint_json_add_text(json, "packet", packet);
     return glint_output_json(json);
 }

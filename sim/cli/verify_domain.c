@@ -157,42 +157,42 @@ static void print_text(const glint_exhaustive_choice *chosen, run *run)
     print_resume(chosen, run, stdout);
 }
 
-static void add_mismatches(cJSON *json, const run *run)
+static void add_mismatches(json_t *json, const run *run)
 {
     char text[GLINT_VALUE_TEXT];
-    cJSON *list = cJSON_AddArrayToObject(json, "first_mismatches");
+    json_t *list = glint_json_add(json, "first_mismatches", json_array());
     for (int i = 0; i < run->result.kept; i++) {
         const glint_domain_mismatch *mismatch = &run->result.mismatch[i];
         const glint_mismatch *signal = &mismatch->signal;
-        cJSON *entry = cJSON_CreateObject();
-        cJSON_AddNumberToObject(entry, "point", (double)mismatch->point);
-        cJSON_AddStringToObject(entry, "signal", signal->signal.name);
-        cJSON_AddNumberToObject(entry, "lane", signal->signal.lane);
+        json_t *entry = json_object();
+        glint_json_add_number(entry, "point", (double)mismatch->point);
+        glint_json_add_text(entry, "signal", signal->signal.name);
+        glint_json_add_number(entry, "lane", signal->signal.lane);
         glint_mismatch_bits(&signal->signal, signal->model, text);
-        cJSON_AddStringToObject(entry, "model", text);
+        glint_json_add_text(entry, "model", text);
         glint_mismatch_bits(&signal->signal, signal->rtl, text);
-        cJSON_AddStringToObject(entry, "rtl", text);
-        cJSON_AddItemToArray(list, entry);
+        glint_json_add_text(entry, "rtl", text);
+        json_array_append_new(list, entry);
     }
 }
 
-static cJSON *setting_json(const run *run)
+static json_t *setting_json(const run *run)
 {
     const glint_domain_result *result = &run->result;
-    cJSON *json = cJSON_CreateObject();
+    json_t *json = json_object();
     glint_info_add_values(json, &run->options.setting);
-    cJSON_AddNumberToObject(json, "points", (double)result->points);
-    cJSON_AddNumberToObject(json, "points_total", (double)result->points_total);
-    cJSON_AddNumberToObject(json, "next", (double)result->next);
-    cJSON_AddNumberToObject(json, "clocks", (double)result->clocks);
-    cJSON_AddNumberToObject(json, "comparisons", (double)result->comparisons);
-    cJSON_AddNumberToObject(json, "mismatches", (double)result->mismatches);
-    cJSON_AddNumberToObject(json, "seconds", run->seconds);
+    glint_json_add_number(json, "points", (double)result->points);
+    glint_json_add_number(json, "points_total", (double)result->points_total);
+    glint_json_add_number(json, "next", (double)result->next);
+    glint_json_add_number(json, "clocks", (double)result->clocks);
+    glint_json_add_number(json, "comparisons", (double)result->comparisons);
+    glint_json_add_number(json, "mismatches", (double)result->mismatches);
+    glint_json_add_number(json, "seconds", run->seconds);
     if (run->status != GLINT_OK && run->status != GLINT_INTERRUPTED)
-        cJSON_AddStringToObject(json, "error", run->err.text);
+        glint_json_add_text(json, "error", run->err.text);
     add_mismatches(json, run);
     if (run->packet[0] != '\0')
-        cJSON_AddStringToObject(json, "packet", run->packet);
+        glint_json_add_text(json, "packet", run->packet);
     return json;
 }
 
@@ -221,22 +221,22 @@ static bool print_json(const glint_exhaustive_choice *chosen, const run *runs, i
     char seed[32]; /* a JSON number would lose the low bits of a large seed */
     const sums sum = add_up(runs, count);
     const glint_circuit *circuit = chosen->circuits.chosen[0];
-    cJSON *json = cJSON_CreateObject();
-    cJSON_AddStringToObject(json, "circuit", circuit->name);
-    cJSON_AddStringToObject(json, "domain", circuit->domain->what);
-    cJSON_AddNumberToObject(json, "mismatches", (double)sum.mismatches);
-    cJSON_AddNumberToObject(json, "comparisons", (double)sum.comparisons);
-    cJSON_AddNumberToObject(json, "points", (double)sum.points);
-    cJSON_AddStringToObject(json, "shard", chosen->shard);
-    cJSON_AddNumberToObject(json, "stride", (double)chosen->stride);
+    json_t *json = json_object();
+    glint_json_add_text(json, "circuit", circuit->name);
+    glint_json_add_text(json, "domain", circuit->domain->what);
+    glint_json_add_number(json, "mismatches", (double)sum.mismatches);
+    glint_json_add_number(json, "comparisons", (double)sum.comparisons);
+    glint_json_add_number(json, "points", (double)sum.points);
+    glint_json_add_text(json, "shard", chosen->shard);
+    glint_json_add_number(json, "stride", (double)chosen->stride);
     (void)snprintf(seed, sizeof seed, "%" PRId64, chosen->seed);
     if (chosen->stride != 1)
-        cJSON_AddStringToObject(json, "seed", seed);
-    cJSON_AddStringToObject(json, "not_reached", NOT_REACHED);
-    cJSON_AddBoolToObject(json, "interrupted", sum.interrupted);
-    cJSON *list = cJSON_AddArrayToObject(json, "settings");
+        glint_json_add_text(json, "seed", seed);
+    glint_json_add_text(json, "not_reached", NOT_REACHED);
+    json_object_set_new(json, "interrupted", json_boolean(sum.interrupted));
+    json_t *list = glint_json_add(json, "settings", json_array());
     for (int i = 0; i < count && runs[i].has_run; i++)
-        cJSON_AddItemToArray(list, setting_json(&runs[i]));
+        json_array_append_new(list, setting_json(&runs[i]));
     return glint_output_json(json);
 }
 

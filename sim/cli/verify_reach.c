@@ -117,49 +117,48 @@ void glint_reach_sum_print(const glint_reach_sum *sum)
 }
 
 /* What every circuit has. */
-static cJSON *add_object(cJSON *entry, const glint_reach *depth, const glint_reach *counts)
+static json_t *add_object(json_t *entry, const glint_reach *depth, const glint_reach *counts)
 {
-    cJSON *json = cJSON_AddObjectToObject(entry, "reach");
-    cJSON_AddNumberToObject(json, "clocks_without_reset", (double)depth->run);
-    cJSON_AddNumberToObject(json, "enabled_clocks_without_reset", (double)depth->run_enabled);
-    cJSON_AddNumberToObject(json, "stalls_in_a_row", (double)depth->stall);
-    cJSON_AddNumberToObject(json, "resets", (double)counts->resets);
-    cJSON_AddNumberToObject(json, "resets_in_flight", (double)counts->resets_in_flight);
+    json_t *json = glint_json_add(entry, "reach", json_object());
+    glint_json_add_number(json, "clocks_without_reset", (double)depth->run);
+    glint_json_add_number(json, "enabled_clocks_without_reset", (double)depth->run_enabled);
+    glint_json_add_number(json, "stalls_in_a_row", (double)depth->stall);
+    glint_json_add_number(json, "resets", (double)counts->resets);
+    glint_json_add_number(json, "resets_in_flight", (double)counts->resets_in_flight);
     return json;
 }
 
-static void add_changes(cJSON *json, bool material, const glint_reach *reach)
+static void add_changes(json_t *json, bool material, const glint_reach *reach)
 {
-    cJSON_AddNumberToObject(json, material ? "material_changes" : "strobes",
-                            (double)reach->changes);
-    cJSON_AddNumberToObject(json, material ? "material_changes_in_flight" : "strobes_in_flight",
-                            (double)reach->changes_in_flight);
+    glint_json_add_number(json, material ? "material_changes" : "strobes", (double)reach->changes);
+    glint_json_add_number(json, material ? "material_changes_in_flight" : "strobes_in_flight",
+                          (double)reach->changes_in_flight);
 }
 
-static void add_lane_counts(cJSON *json, int lanes, const glint_reach *reach)
+static void add_lane_counts(json_t *json, int lanes, const glint_reach *reach)
 {
-    cJSON_AddNumberToObject(json, "lanes_alone", reach->lanes_alone);
+    glint_json_add_number(json, "lanes_alone", reach->lanes_alone);
     if (lanes > GLINT_REACH_PATTERN_LANES)
         return;
-    cJSON_AddNumberToObject(json, "lane_patterns", (double)reach->patterns);
-    cJSON_AddNumberToObject(json, "lane_patterns_possible", (double)patterns_of(lanes));
+    glint_json_add_number(json, "lane_patterns", (double)reach->patterns);
+    glint_json_add_number(json, "lane_patterns_possible", (double)patterns_of(lanes));
 }
 
-void glint_reach_json(cJSON *entry, const glint_setting *setting, const glint_reach *reach)
+void glint_reach_json(json_t *entry, const glint_setting *setting, const glint_reach *reach)
 {
-    cJSON *json = add_object(entry, reach, reach);
+    json_t *json = add_object(entry, reach, reach);
     const int lanes = glint_reach_lanes(setting);
     if (glint_setting_pace(setting) > 1)
-        cJSON_AddNumberToObject(json, "starts_while_busy", (double)reach->ignored);
+        glint_json_add_number(json, "starts_while_busy", (double)reach->ignored);
     if (glint_reach_has(setting, GLINT_PIN_STROBE))
         add_changes(json, has_material(setting), reach);
     if (lanes != 0)
         add_lane_counts(json, lanes, reach);
 }
 
-void glint_reach_sum_json(cJSON *result, const glint_reach_sum *sum)
+void glint_reach_sum_json(json_t *result, const glint_reach_sum *sum)
 {
-    cJSON *json = add_object(result, &sum->least, &sum->all);
+    json_t *json = add_object(result, &sum->least, &sum->all);
     if (sum->strobes)
         add_changes(json, sum->material, &sum->all);
 }

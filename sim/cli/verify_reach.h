@@ -2,9 +2,9 @@
 #ifndef GLINT_SIM_CLI_VERIFY_REACH_H
 #define GLINT_SIM_CLI_VERIFY_REACH_H
 
-#include <cjson/cJSON.h>
-
 #include "lockstep/reach.h"
+
+#include "file/json.h"
 
 /* Of several settings together. */
 typedef struct glint_reach_sum {
@@ -29,7 +29,7 @@ void glint_reach_sum_add(glint_reach_sum *sum, const glint_setting *setting,
 void glint_reach_sum_print(const glint_reach_sum *sum);
 
 /* Adds "reach" to the entry of a setting, or of all together. */
-void glint_reach_json(cJSON *entry, const glint_setting *setting, const glint_reach *reach);
-void glint_reach_sum_json(cJSON *result, const glint_reach_sum *sum);
+void glint_reach_json(json_t *entry, const glint_setting *setting, const glint_reach *reach);
+void glint_reach_sum_json(json_t *result, const glint_reach_sum *sum);
 
 #endif

@@ -19,8 +19,8 @@ typedef struct glint_answer_form {
     void (*print_below)(FILE *out, const glint_capture *capture, int row);
 
     /* What was asked, in the JSON of the answer, whose value is there. */
-    void (*write)(cJSON *to, const glint_answer *answer);
-    void (*read)(glint_json_reader *r, const cJSON *from, glint_answer *answer);
+    void (*write)(json_t *to, const glint_answer *answer);
+    void (*read)(glint_json_reader *r, const json_t *from, glint_answer *answer);
 } glint_answer_form;
 
 extern const glint_answer_form glint_point_form, glint_division_form;

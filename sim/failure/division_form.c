@@ -39,33 +39,33 @@ static void print(FILE *out, const glint_failure *failure)
         print_division_alone(out, failure);
 }
 
-static void write(cJSON *to, const glint_answer *answer)
+static void write(json_t *to, const glint_answer *answer)
 {
-    cJSON *list = cJSON_AddArrayToObject(to, "divisions");
+    json_t *list = glint_json_add(to, "divisions", json_array());
     for (int i = 0; i < answer->count; i++) {
         const glint_division *division = &answer->division[i];
         const double values[] = {division->difference[0], division->difference[1],
                                  division->difference[2], division->k};
-        cJSON_AddItemToArray(list, cJSON_CreateDoubleArray(values, 4));
+        json_array_append_new(list, glint_json_numbers_of(values, 4));
     }
 }
 
-static void read(glint_json_reader *r, const cJSON *json, glint_answer *answer)
+static void read(glint_json_reader *r, const json_t *json, glint_answer *answer)
 {
-    const cJSON *list = glint_json_array(r, json, "divisions", 1, GLINT_ANSWER_DIVISIONS);
-    const cJSON *values;
+    const json_t *list = glint_json_array(r, json, "divisions", 1, GLINT_ANSWER_DIVISIONS);
+    const json_t *values;
     if (answer->value == GLINT_ANSWER_W)
         glint_json_refuse(r, "value is not an output of a divider");
-    cJSON_ArrayForEach(values, list)
+    glint_json_each(values, list)
     {
         glint_division *division = &answer->division[answer->count++];
         for (int c = 0; c < GLINT_DIVIDER_COMPONENTS; c++)
             division->difference[c] = (int16_t)glint_json_integer_of(
-                r, cJSON_GetArrayItem(values, c), "divisions", -GLINT_DIVIDER_DIFFERENCE_MAX,
+                r, json_array_get(values, (size_t)c), "divisions", -GLINT_DIVIDER_DIFFERENCE_MAX,
                 GLINT_DIVIDER_DIFFERENCE_MAX);
-        division->k =
-            (uint8_t)glint_json_integer_of(r, cJSON_GetArrayItem(values, GLINT_DIVIDER_COMPONENTS),
-                                           "divisions", 0, (1 << GLINT_DIVIDER_K_BITS) - 1);
+        division->k = (uint8_t)glint_json_integer_of(
+            r, json_array_get(values, (size_t)GLINT_DIVIDER_COMPONENTS), "divisions", 0,
+            (1 << GLINT_DIVIDER_K_BITS) - 1);
     }
 }
 

@@ -25,7 +25,7 @@ typedef struct reader {
 /* ---- The setting ------------------------------------------------------------------------------
  */
 
-static void read_circuit(reader *r, const cJSON *json)
+static void read_circuit(reader *r, const json_t *json)
 {
     const char *name = glint_json_string(&r->json, json, "circuit");
     const glint_circuit *circuit = glint_circuit_named(name);
@@ -40,7 +40,7 @@ static void read_circuit(reader *r, const cJSON *json)
     r->failure->setting.circuit = circuit;
 }
 
-static int read_value(reader *r, const cJSON *json, const glint_parameter *parameter)
+static int read_value(reader *r, const json_t *json, const glint_parameter *parameter)
 {
     if (parameter->choices != NULL)
         return glint_json_choice(&r->json, json, parameter->name, parameter->choices,
@@ -50,17 +50,17 @@ static int read_value(reader *r, const cJSON *json, const glint_parameter *param
 
 /* Where it was looked for: a packet says so only of what is not Glint's own. It is to be said, not
  * to be opened. */
-static void read_directories(reader *r, const cJSON *json)
+static void read_directories(reader *r, const json_t *json)
 {
     glint_failure *failure = r->failure;
-    if (glint_json_member(json, GLINT_JSON_CIRCUIT_DIR) != NULL)
+    if (json_object_get(json, GLINT_JSON_CIRCUIT_DIR) != NULL)
         glint_json_printed(&r->json, json, GLINT_JSON_CIRCUIT_DIR, failure->circuit_dir,
                            sizeof failure->circuit_dir);
-    if (glint_json_member(json, GLINT_JSON_RTL) != NULL)
+    if (json_object_get(json, GLINT_JSON_RTL) != NULL)
         glint_json_printed(&r->json, json, GLINT_JSON_RTL, failure->rtl, sizeof failure->rtl);
 }
 
-static void read_setting(reader *r, const cJSON *json)
+static void read_setting(reader *r, const json_t *json)
 {
     glint_setting *setting = &r->failure->setting;
     glint_error why;
@@ -69,9 +69,9 @@ static void read_setting(reader *r, const cJSON *json)
     if (r->json.failed)
         return;
     const glint_circuit *circuit = setting->circuit;
-    const cJSON *from = glint_json_is_own(circuit)
-                            ? json
-                            : glint_json_object(&r->json, json, GLINT_JSON_PARAMETERS);
+    const json_t *from = glint_json_is_own(circuit)
+                             ? json
+                             : glint_json_object(&r->json, json, GLINT_JSON_PARAMETERS);
     for (int i = 0; i < circuit->parameter_count && !r->json.failed; i++)
         setting->values[i] = read_value(r, from, &circuit->parameters[i]);
     if (!r->json.failed && glint_setting_check(setting, &why) != GLINT_OK)
@@ -81,7 +81,7 @@ static void read_setting(reader *r, const cJSON *json)
 /* ---- What was found ---------------------------------------------------------------------------
  */
 
-static void read_mismatch(reader *r, const cJSON *json, glint_mismatch *mismatch)
+static void read_mismatch(reader *r, const json_t *json, glint_mismatch *mismatch)
 {
     const glint_setting *setting = &r->failure->setting;
     const char *name = glint_json_string(&r->json, json, "signal");
@@ -100,19 +100,19 @@ static void read_mismatch(reader *r, const cJSON *json, glint_mismatch *mismatch
     }
     const int width = glint_signal_width(&mismatch->signal);
     mismatch->clock = r->failure->finding.clock;
-    glint_json_words(&r->json, glint_json_member(json, "model"), "model", width, mismatch->model);
-    glint_json_words(&r->json, glint_json_member(json, "rtl"), "rtl", width, mismatch->rtl);
+    glint_json_words(&r->json, json_object_get(json, "model"), "model", width, mismatch->model);
+    glint_json_words(&r->json, json_object_get(json, "rtl"), "rtl", width, mismatch->rtl);
 }
 
-static void read_finding(reader *r, const cJSON *json)
+static void read_finding(reader *r, const json_t *json)
 {
     glint_failure_finding *finding = &r->failure->finding;
-    const cJSON *from = glint_json_object(&r->json, json, "found");
+    const json_t *from = glint_json_object(&r->json, json, "found");
     finding->lockstep_differs = glint_json_boolean(&r->json, from, "lockstep_differs");
     finding->clock = (uint64_t)glint_json_integer(&r->json, from, "clock", 0, CLOCK_MAX);
-    const cJSON *list = glint_json_array(&r->json, from, "mismatches", 0, GLINT_MISMATCHES_KEPT);
-    const cJSON *entry;
-    cJSON_ArrayForEach(entry, list)
+    const json_t *list = glint_json_array(&r->json, from, "mismatches", 0, GLINT_MISMATCHES_KEPT);
+    const json_t *entry;
+    glint_json_each(entry, list)
     {
         if (!r->json.failed)
             read_mismatch(r, entry, &finding->mismatch[finding->count++]);
@@ -129,20 +129,20 @@ static void read_finding(reader *r, const cJSON *json)
  */
 
 /* In the order of the values of each clock: what has other names is of another circuit. */
-static void check_pin_names(reader *r, const cJSON *json)
+static void check_pin_names(reader *r, const json_t *json)
 {
     const glint_setting *setting = &r->failure->setting;
     const int count = glint_setting_pin_count(setting);
-    const cJSON *list = glint_json_array(&r->json, json, "names", count, count);
+    const json_t *list = glint_json_array(&r->json, json, "names", count, count);
     for (int i = 0; list != NULL && i < count; i++) {
-        const char *name = cJSON_GetStringValue(cJSON_GetArrayItem(list, i));
+        const char *name = json_string_value(json_array_get(list, (size_t)i));
         const char *pin = glint_setting_pin(setting, i).name;
         if (name == NULL || strcmp(name, pin) != 0)
             glint_json_refuse(&r->json, "pin %d of names is not %s", i + 1, pin);
     }
 }
 
-static void read_pin(reader *r, const cJSON *value, const glint_pin_info *pin, glint_pins *pins)
+static void read_pin(reader *r, const json_t *value, const glint_pin_info *pin, glint_pins *pins)
 {
     const int width = glint_pin_width(pin);
     uint64_t words[GLINT_VALUE_WORDS];
@@ -157,42 +157,41 @@ static void read_pin(reader *r, const cJSON *value, const glint_pin_info *pin, g
     glint_pin_set(pin, pins, words);
 }
 
-static void read_clock(reader *r, const cJSON *values, glint_pins *pins)
+static void read_clock(reader *r, const json_t *values, glint_pins *pins)
 {
     const glint_setting *setting = &r->failure->setting;
     const int count = glint_setting_pin_count(setting);
-    if (!cJSON_IsArray(values) || cJSON_GetArraySize(values) != count) {
+    if (!json_is_array(values) || (int)json_array_size(values) != count) {
         glint_json_refuse(&r->json, "a clock does not have %d pins", count);
         return;
     }
-    const cJSON *value = values->child;
-    for (int i = 0; i < count && !r->json.failed; i++, value = value->next) {
+    for (int i = 0; i < count && !r->json.failed; i++) {
         const glint_pin_info pin = glint_setting_pin(setting, i);
-        read_pin(r, value, &pin, pins);
+        read_pin(r, json_array_get(values, (size_t)i), &pin, pins);
     }
 }
 
 /* A random run without pins is played from its seed. */
-static void read_pins(reader *r, const cJSON *json)
+static void read_pins(reader *r, const json_t *json)
 {
     glint_failure *failure = r->failure;
-    const cJSON *from = glint_json_member(json, "pins");
+    const json_t *from = json_object_get(json, "pins");
     failure->first_clock = 1;
     if (from == NULL || r->json.failed)
         return;
     failure->first_clock =
         (uint64_t)glint_json_integer(&r->json, from, "first_clock", 1, CLOCK_MAX);
     check_pin_names(r, from);
-    const cJSON *clocks = glint_json_array(&r->json, from, "clocks", 1, PINS_MAX);
+    const json_t *clocks = glint_json_array(&r->json, from, "clocks", 1, PINS_MAX);
     if (clocks == NULL)
         return;
-    failure->pins = calloc((size_t)cJSON_GetArraySize(clocks), sizeof *failure->pins);
+    failure->pins = calloc((size_t)(int)json_array_size(clocks), sizeof *failure->pins);
     if (failure->pins == NULL) {
         glint_json_refuse(&r->json, "not enough memory for its pins");
         return;
     }
-    const cJSON *clock;
-    cJSON_ArrayForEach(clock, clocks)
+    const json_t *clock;
+    glint_json_each(clock, clocks)
     {
         if (!r->json.failed)
             read_clock(r, clock, &failure->pins[failure->pin_count++]);
@@ -202,14 +201,14 @@ static void read_pins(reader *r, const cJSON *json)
 /* ---- Answers and frames -----------------------------------------------------------------------
  */
 
-static void read_answer(reader *r, const cJSON *json)
+static void read_answer(reader *r, const json_t *json)
 {
     const char *values[GLINT_ANSWER_VALUES];
     for (int i = 0; i < GLINT_ANSWER_VALUES; i++)
         values[i] = glint_answer_value_name((glint_answer_value)i);
     const glint_answer_form *form = glint_answer_form_of(r->failure->setting.circuit);
     glint_answer *answer = &r->failure->answer;
-    const cJSON *from = glint_json_member(json, "answer");
+    const json_t *from = json_object_get(json, "answer");
     r->failure->has_answer = from != NULL;
     if (from == NULL)
         return;
@@ -225,26 +224,26 @@ static void read_answer(reader *r, const cJSON *json)
     answer->at = (int)glint_json_integer(&r->json, from, "at", 0, answer->count - 1);
 }
 
-static void read_corners(reader *r, const cJSON *json, glint_failure_frame *frame)
+static void read_corners(reader *r, const json_t *json, glint_failure_frame *frame)
 {
-    const cJSON *corners = glint_json_array(&r->json, json, "corners", 3, 3);
+    const json_t *corners = glint_json_array(&r->json, json, "corners", 3, 3);
     for (int i = 0; corners != NULL && i < 3; i++)
         for (int c = 0; c < 3; c++) {
-            const cJSON *value = cJSON_GetArrayItem(cJSON_GetArrayItem(corners, i), c);
-            if (!cJSON_IsNumber(value) || !(fabs(value->valuedouble) <= 1e30))
+            const json_t *value = json_array_get(json_array_get(corners, (size_t)i), (size_t)c);
+            if (!json_is_number(value) || !(fabs(json_number_value(value)) <= 1e30))
                 glint_json_refuse(&r->json, "corners are no coordinates");
             else
-                frame->corner[i][c] = (float)value->valuedouble;
+                frame->corner[i][c] = (float)json_number_value(value);
         }
 }
 
-static void read_frame(reader *r, const cJSON *json)
+static void read_frame(reader *r, const json_t *json)
 {
     glint_failure_frame *frame = &r->failure->frame;
-    const cJSON *from = glint_json_object(&r->json, json, "frame");
+    const json_t *from = glint_json_object(&r->json, json, "frame");
     frame->width = (int)glint_json_integer(&r->json, from, "width", 1, SIDE_MAX);
     frame->height = (int)glint_json_integer(&r->json, from, "height", 1, SIDE_MAX);
-    frame->has_pixel = glint_json_member(from, "x") != NULL;
+    frame->has_pixel = json_object_get(from, "x") != NULL;
     if (!frame->has_pixel && r->failure->has_answer)
         glint_json_refuse(&r->json, "x is missing");
     if (!frame->has_pixel)
@@ -253,12 +252,12 @@ static void read_frame(reader *r, const cJSON *json)
     frame->y = (int)glint_json_integer(&r->json, from, "y", 0, frame->height - 1);
     glint_json_rgb(&r->json, from, "model", frame->model);
     glint_json_rgb(&r->json, from, "rtl", frame->rtl);
-    frame->has_triangle = glint_json_member(from, "triangle") != NULL;
+    frame->has_triangle = json_object_get(from, "triangle") != NULL;
     if (frame->has_triangle) {
         frame->triangle = (uint32_t)glint_json_integer(&r->json, from, "triangle", 0, UINT32_MAX);
         read_corners(r, from, frame);
     }
-    const cJSON *fragment = glint_json_member(from, "fragment");
+    const json_t *fragment = json_object_get(from, "fragment");
     frame->has_fragment = fragment != NULL;
     if (frame->has_fragment) {
         frame->cos_code =
@@ -282,10 +281,9 @@ static void check_clock(reader *r)
 /* ---- All of it --------------------------------------------------------------------------------
  */
 
-static void read_all(reader *r, const cJSON *json)
+static void read_all(reader *r, const json_t *json)
 {
     glint_failure *failure = r->failure;
-    glint_json_check_names(&r->json, json);
     if (strcmp(glint_json_string(&r->json, json, "format"), GLINT_JSON_FORMAT) != 0)
         glint_json_refuse(&r->json, "it is no failure packet's");
     if (glint_json_integer(&r->json, json, "version", 0, INT32_MAX) != GLINT_JSON_VERSION)
@@ -309,20 +307,33 @@ static void read_all(reader *r, const cJSON *json)
     check_clock(r);
 }
 
+/* Nothing of the file's own text goes into the message: it may be anything. */
+static glint_status parse(const char *text, json_t **json, glint_error *err)
+{
+    json_error_t why;
+    *json = json_loads(text, JSON_REJECT_DUPLICATES, &why);
+    if (*json != NULL)
+        return GLINT_OK;
+    if (json_error_code(&why) == json_error_duplicate_key)
+        return glint_fail(err, GLINT_BAD_INPUT, "a name in line %d is there twice", why.line);
+    return glint_fail(err, GLINT_BAD_INPUT, "it is no whole JSON: line %d", why.line);
+}
+
 glint_status glint_failure_from_json(const char *text, const glint_circuit *extra,
                                      glint_failure **failure, glint_error *err)
 {
     *failure = NULL;
-    cJSON *json = cJSON_ParseWithOpts(text, NULL, 1);
-    if (json == NULL)
-        return glint_fail(err, GLINT_BAD_INPUT, "it is no whole JSON");
+    json_t *json;
+    const glint_status status = parse(text, &json, err);
+    if (status != GLINT_OK)
+        return status;
     reader r = {.json = {.err = err}, .extra = extra, .failure = calloc(1, sizeof *r.failure)};
     if (r.failure == NULL) {
-        cJSON_Delete(json);
+        json_decref(json);
         return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a failure");
     }
     read_all(&r, json);
-    cJSON_Delete(json);
+    json_decref(json);
     if (r.json.failed) {
         glint_failure_destroy(r.failure);
         return GLINT_BAD_INPUT;

@@ -2,15 +2,12 @@
 #include "failure/json_reader.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "circuit/words.h"
-
-#define MEMBERS_MAX 32 /* of an object: twice the most that any has */
 
 void glint_json_refuse(glint_json_reader *r, const char *format, ...)
 {
@@ -25,39 +22,34 @@ void glint_json_refuse(glint_json_reader *r, const char *format, ...)
     r->failed = true;
 }
 
-int64_t glint_json_integer_of(glint_json_reader *r, const cJSON *item, const char *name,
+int64_t glint_json_integer_of(glint_json_reader *r, const json_t *item, const char *name,
                               int64_t min, int64_t max)
 {
-    const double value = cJSON_IsNumber(item) ? item->valuedouble : (double)NAN;
-    if (!(value >= (double)min && value <= (double)max) || value != floor(value)) {
+    const int64_t value = json_integer_value(item);
+    if (!json_is_integer(item) || value < min || value > max) {
         glint_json_refuse(r, "%s is no whole number from %" PRId64 " to %" PRId64, name, min, max);
         return min;
     }
-    return (int64_t)value;
+    return value;
 }
 
-const cJSON *glint_json_member(const cJSON *json, const char *name)
-{
-    return cJSON_GetObjectItemCaseSensitive(json, name);
-}
-
-int64_t glint_json_integer(glint_json_reader *r, const cJSON *json, const char *name, int64_t min,
+int64_t glint_json_integer(glint_json_reader *r, const json_t *json, const char *name, int64_t min,
                            int64_t max)
 {
-    return glint_json_integer_of(r, glint_json_member(json, name), name, min, max);
+    return glint_json_integer_of(r, json_object_get(json, name), name, min, max);
 }
 
-bool glint_json_boolean(glint_json_reader *r, const cJSON *json, const char *name)
+bool glint_json_boolean(glint_json_reader *r, const json_t *json, const char *name)
 {
-    const cJSON *item = glint_json_member(json, name);
-    if (!cJSON_IsBool(item))
+    const json_t *item = json_object_get(json, name);
+    if (!json_is_boolean(item))
         glint_json_refuse(r, "%s is neither true nor false", name);
-    return cJSON_IsTrue(item);
+    return json_is_true(item);
 }
 
-const char *glint_json_string(glint_json_reader *r, const cJSON *json, const char *name)
+const char *glint_json_string(glint_json_reader *r, const json_t *json, const char *name)
 {
-    const char *value = cJSON_GetStringValue(glint_json_member(json, name));
+    const char *value = json_string_value(json_object_get(json, name));
     if (value == NULL)
         glint_json_refuse(r, "%s is no text", name);
     return value != NULL ? value : "";
@@ -76,7 +68,7 @@ static bool is_control(const char *c)
     return first < 0x20 || first == 0x7f || (first == 0xc2 && second >= 0x80 && second < 0xa0);
 }
 
-void glint_json_printed(glint_json_reader *r, const cJSON *json, const char *name, char *text,
+void glint_json_printed(glint_json_reader *r, const json_t *json, const char *name, char *text,
                         size_t size)
 {
     const char *value = glint_json_string(r, json, name);
@@ -86,7 +78,7 @@ void glint_json_printed(glint_json_reader *r, const cJSON *json, const char *nam
     (void)snprintf(text, size, "%s", value);
 }
 
-uint64_t glint_json_decimal(glint_json_reader *r, const cJSON *json, const char *name)
+uint64_t glint_json_decimal(glint_json_reader *r, const json_t *json, const char *name)
 {
     const char *value = glint_json_string(r, json, name);
     if (!has_only(value, "0123456789", 19))
@@ -94,10 +86,10 @@ uint64_t glint_json_decimal(glint_json_reader *r, const cJSON *json, const char 
     return r->failed ? 0 : strtoull(value, NULL, 10);
 }
 
-void glint_json_words(glint_json_reader *r, const cJSON *item, const char *name, int width,
+void glint_json_words(glint_json_reader *r, const json_t *item, const char *name, int width,
                       uint64_t *words)
 {
-    const char *value = cJSON_GetStringValue(item);
+    const char *value = json_string_value(item);
     memset(words, 0, (size_t)glint_words_of(width) * sizeof *words);
     if (value == NULL || strncmp(value, "0x", 2) != 0 ||
         !has_only(value + 2, "0123456789abcdef", GLINT_VALUE_TEXT) ||
@@ -105,7 +97,7 @@ void glint_json_words(glint_json_reader *r, const cJSON *item, const char *name,
         glint_json_refuse(r, "%s is no number of %d bits", name, width);
 }
 
-int glint_json_choice(glint_json_reader *r, const cJSON *json, const char *name,
+int glint_json_choice(glint_json_reader *r, const json_t *json, const char *name,
                       const char *const *names, int count)
 {
     const char *value = glint_json_string(r, json, name);
@@ -116,62 +108,36 @@ int glint_json_choice(glint_json_reader *r, const cJSON *json, const char *name,
     return 0;
 }
 
-const cJSON *glint_json_array(glint_json_reader *r, const cJSON *json, const char *name, int min,
-                              int max)
+const json_t *glint_json_array(glint_json_reader *r, const json_t *json, const char *name, int min,
+                               int max)
 {
-    const cJSON *list = glint_json_member(json, name);
-    const int size = cJSON_IsArray(list) ? cJSON_GetArraySize(list) : -1;
+    const json_t *list = json_object_get(json, name);
+    const int size = json_is_array(list) ? (int)json_array_size(list) : -1;
     if (size < min || size > max)
         glint_json_refuse(r, "%s is no list of %d to %d", name, min, max);
     return r->failed ? NULL : list;
 }
 
-const cJSON *glint_json_object(glint_json_reader *r, const cJSON *json, const char *name)
+const json_t *glint_json_object(glint_json_reader *r, const json_t *json, const char *name)
 {
-    const cJSON *item = glint_json_member(json, name);
-    if (!cJSON_IsObject(item))
+    const json_t *item = json_object_get(json, name);
+    if (!json_is_object(item))
         glint_json_refuse(r, "%s is missing", name);
     return item;
 }
 
-void glint_json_rgb(glint_json_reader *r, const cJSON *json, const char *name, uint8_t values[3])
+void glint_json_rgb(glint_json_reader *r, const json_t *json, const char *name, uint8_t values[3])
 {
-    const cJSON *list = glint_json_array(r, json, name, 3, 3);
+    const json_t *list = glint_json_array(r, json, name, 3, 3);
     for (int i = 0; list != NULL && i < 3; i++)
-        values[i] = (uint8_t)glint_json_integer_of(r, cJSON_GetArrayItem(list, i), name, 0,
+        values[i] = (uint8_t)glint_json_integer_of(r, json_array_get(list, (size_t)i), name, 0,
                                                    GLINT_COLOR_MAX);
 }
 
-glint_material glint_json_material(glint_json_reader *r, const cJSON *json)
+glint_material glint_json_material(glint_json_reader *r, const json_t *json)
 {
     uint8_t colors[3] = {0};
     const uint16_t n = (uint16_t)glint_json_integer(r, json, "n", 0, GLINT_N_MAX);
     glint_json_rgb(r, json, "rgb", colors);
     return (glint_material){n, colors[0], colors[1], colors[2]};
-}
-
-/* What may stand in a message as it is. */
-static bool is_plain(const char *name)
-{
-    const size_t length = strspn(name, "abcdefghijklmnopqrstuvwxyz_");
-    return name[length] == '\0' && length != 0 && length <= 40;
-}
-
-void glint_json_check_names(glint_json_reader *r, const cJSON *json)
-{
-    const cJSON *item;
-    int members = 0;
-    cJSON_ArrayForEach(item, json)
-    {
-        if (r->failed)
-            return;
-        if (cJSON_IsObject(json) && ++members > MEMBERS_MAX)
-            glint_json_refuse(r, "an object has more than %d members", MEMBERS_MAX);
-        for (const cJSON *other = item->next; cJSON_IsObject(json) && other != NULL && !r->failed;
-             other = other->next)
-            if (strcmp(item->string, other->string) == 0)
-                glint_json_refuse(r, "%s is there twice",
-                                  is_plain(item->string) ? item->string : "a name");
-        glint_json_check_names(r, item);
-    }
 }

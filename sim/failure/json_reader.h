@@ -8,8 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include <cjson/cJSON.h>
-
+#include "file/json.h"
 #include "glint_specular.h"
 #include "glint_status.h"
 
@@ -21,45 +20,39 @@ typedef struct glint_json_reader {
 void glint_json_refuse(glint_json_reader *r, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* The member of that name; NULL: there is none. */
-const cJSON *glint_json_member(const cJSON *json, const char *name);
-
 /* An item, or the member of that name, as a whole number in the range. */
-int64_t glint_json_integer_of(glint_json_reader *r, const cJSON *item, const char *name,
+int64_t glint_json_integer_of(glint_json_reader *r, const json_t *item, const char *name,
                               int64_t min, int64_t max);
-int64_t glint_json_integer(glint_json_reader *r, const cJSON *json, const char *name, int64_t min,
+int64_t glint_json_integer(glint_json_reader *r, const json_t *json, const char *name, int64_t min,
                            int64_t max);
 
-bool glint_json_boolean(glint_json_reader *r, const cJSON *json, const char *name);
-const char *glint_json_string(glint_json_reader *r, const cJSON *json, const char *name);
+bool glint_json_boolean(glint_json_reader *r, const json_t *json, const char *name);
+const char *glint_json_string(glint_json_reader *r, const json_t *json, const char *name);
 
 /* As glint_json_string(), of what may be printed as it is: nothing in it works on a terminal. */
-void glint_json_printed(glint_json_reader *r, const cJSON *json, const char *name, char *text,
+void glint_json_printed(glint_json_reader *r, const json_t *json, const char *name, char *text,
                         size_t size);
 
 /* A text of decimal digits and nothing else. */
-uint64_t glint_json_decimal(glint_json_reader *r, const cJSON *json, const char *name);
+uint64_t glint_json_decimal(glint_json_reader *r, const json_t *json, const char *name);
 
 /* A text of hexadecimal digits behind "0x" and nothing else, as a value of so many bits. words:
  * those of GLINT_VALUE_WORDS that it needs. */
-void glint_json_words(glint_json_reader *r, const cJSON *item, const char *name, int width,
+void glint_json_words(glint_json_reader *r, const json_t *item, const char *name, int width,
                       uint64_t *words);
 
 /* Index of the text among names. */
-int glint_json_choice(glint_json_reader *r, const cJSON *json, const char *name,
+int glint_json_choice(glint_json_reader *r, const json_t *json, const char *name,
                       const char *const *names, int count);
 
 /* An array of min to max; NULL after a refusal. */
-const cJSON *glint_json_array(glint_json_reader *r, const cJSON *json, const char *name, int min,
-                              int max);
+const json_t *glint_json_array(glint_json_reader *r, const json_t *json, const char *name, int min,
+                               int max);
 
-const cJSON *glint_json_object(glint_json_reader *r, const cJSON *json, const char *name);
+const json_t *glint_json_object(glint_json_reader *r, const json_t *json, const char *name);
 
 /* A colour, and a material with its n. */
-void glint_json_rgb(glint_json_reader *r, const cJSON *json, const char *name, uint8_t values[3]);
-glint_material glint_json_material(glint_json_reader *r, const cJSON *json);
-
-/* Refuses two values of one name anywhere in it: no reader knows which is meant. */
-void glint_json_check_names(glint_json_reader *r, const cJSON *json);
+void glint_json_rgb(glint_json_reader *r, const json_t *json, const char *name, uint8_t values[3]);
+glint_material glint_json_material(glint_json_reader *r, const json_t *json);
 
 #endif

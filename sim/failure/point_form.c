@@ -60,21 +60,21 @@ static void print_below(FILE *out, const glint_capture *capture, int row)
             held[0], held[1], held[2], held[3]);
 }
 
-static void write(cJSON *to, const glint_answer *answer)
+static void write(json_t *to, const glint_answer *answer)
 {
     const double rgb[] = {answer->material.r, answer->material.g, answer->material.b};
-    cJSON_AddNumberToObject(to, "n", answer->material.n);
-    cJSON_AddItemToObject(to, "rgb", cJSON_CreateDoubleArray(rgb, 3));
-    cJSON *list = cJSON_AddArrayToObject(to, "cosines");
+    glint_json_add_number(to, "n", answer->material.n);
+    json_object_set_new(to, "rgb", glint_json_numbers_of(rgb, 3));
+    json_t *list = glint_json_add(to, "cosines", json_array());
     for (int i = 0; i < answer->count; i++)
-        cJSON_AddItemToArray(list, cJSON_CreateNumber(answer->cos_code[i]));
+        json_array_append_new(list, glint_json_number_of(answer->cos_code[i]));
 }
 
-static void read(glint_json_reader *r, const cJSON *json, glint_answer *answer)
+static void read(glint_json_reader *r, const json_t *json, glint_answer *answer)
 {
-    const cJSON *list = glint_json_array(r, json, "cosines", 1, GLINT_ANSWER_POINTS);
-    const cJSON *code;
-    cJSON_ArrayForEach(code, list)
+    const json_t *list = glint_json_array(r, json, "cosines", 1, GLINT_ANSWER_POINTS);
+    const json_t *code;
+    glint_json_each(code, list)
     {
         answer->cos_code[answer->count++] =
             (uint32_t)glint_json_integer_of(r, code, "cosines", 0, GLINT_COS_CODE_MAX);

@@ -1,10 +1,11 @@
 /* Reads the parts of a glTF 2.0 file that assimp drops without a word; see gltf.h. */
 #include "render/gltf.h"
 
-#include <cjson/cJSON.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "file/json.h"
 
 /* Extensions that change how a surface looks, or what else is in the scene, but not a triangle; and
  * the one that Debian's assimp reads. */
@@ -49,17 +50,18 @@ static bool is_understood(const char *name)
 }
 
 /* The first name in the list that is not understood, and not in the other list; NULL: none. */
-static const char *first_unread(const cJSON *list, const cJSON *other)
+static const char *first_unread(const json_t *list, const json_t *other)
 {
-    const cJSON *entry;
-    cJSON_ArrayForEach(entry, list)
+    const json_t *entry;
+    glint_json_each(entry, list)
     {
-        const char *name = cJSON_GetStringValue(entry);
+        const char *name = json_string_value(entry);
         bool found = name == NULL || is_understood(name);
-        const cJSON *second;
-        cJSON_ArrayForEach(second, other)
+        const json_t *second;
+        glint_json_each(second, other)
         {
-            found = found || (cJSON_IsString(second) && strcmp(name, second->valuestring) == 0);
+            found =
+                found || (json_is_string(second) && strcmp(name, json_string_value(second)) == 0);
         }
         if (!found)
             return name;
@@ -67,11 +69,11 @@ static const char *first_unread(const cJSON *list, const cJSON *other)
     return NULL;
 }
 
-static glint_status check_extensions(const glint_text *text, const cJSON *json,
+static glint_status check_extensions(const glint_text *text, const json_t *json,
                                      glint_remarks *remarks, glint_error *err)
 {
-    const cJSON *required = cJSON_GetObjectItemCaseSensitive(json, "extensionsRequired");
-    const cJSON *used = cJSON_GetObjectItemCaseSensitive(json, "extensionsUsed");
+    const json_t *required = json_object_get(json, "extensionsRequired");
+    const json_t *used = json_object_get(json, "extensionsUsed");
     const char *name = first_unread(required, NULL);
     if (name != NULL) {
         return glint_fail(err, GLINT_BAD_INPUT,
@@ -86,24 +88,24 @@ static glint_status check_extensions(const glint_text *text, const cJSON *json,
     return GLINT_OK;
 }
 
-static bool has_weight(const cJSON *owner)
+static bool has_weight(const json_t *owner)
 {
-    const cJSON *weight;
-    cJSON_ArrayForEach(weight, cJSON_GetObjectItemCaseSensitive(owner, "weights"))
+    const json_t *weight;
+    glint_json_each(weight, json_object_get(owner, "weights"))
     {
-        if (cJSON_IsNumber(weight) && weight->valuedouble != 0.0)
+        if (json_is_number(weight) && json_number_value(weight) != 0.0)
             return true;
     }
     return false;
 }
 
 /* Morph targets that are blended in from the start: by their mesh, or by its node. */
-static void look_for_weights(const cJSON *json, glint_remarks *remarks)
+static void look_for_weights(const json_t *json, glint_remarks *remarks)
 {
     static const char *const owners[] = {"meshes", "nodes"};
     for (size_t i = 0; i < sizeof owners / sizeof owners[0]; i++) {
-        const cJSON *owner;
-        cJSON_ArrayForEach(owner, cJSON_GetObjectItemCaseSensitive(json, owners[i]))
+        const json_t *owner;
+        glint_json_each(owner, json_object_get(json, owners[i]))
         {
             if (has_weight(owner)) {
                 glint_remark(remarks, "morph targets are ignored");
@@ -114,16 +116,15 @@ static void look_for_weights(const cJSON *json, glint_remarks *remarks)
 }
 
 /* A second set of joints for each vertex, which assimp 5.2 does not read. */
-static void look_for_joints(const cJSON *json, glint_remarks *remarks)
+static void look_for_joints(const json_t *json, glint_remarks *remarks)
 {
-    const cJSON *mesh;
-    cJSON_ArrayForEach(mesh, cJSON_GetObjectItemCaseSensitive(json, "meshes"))
+    const json_t *mesh;
+    glint_json_each(mesh, json_object_get(json, "meshes"))
     {
-        const cJSON *primitive;
-        cJSON_ArrayForEach(primitive, cJSON_GetObjectItemCaseSensitive(mesh, "primitives"))
+        const json_t *primitive;
+        glint_json_each(primitive, json_object_get(mesh, "primitives"))
         {
-            if (cJSON_HasObjectItem(cJSON_GetObjectItemCaseSensitive(primitive, "attributes"),
-                                    "JOINTS_1")) {
+            if ((json_object_get(json_object_get(primitive, "attributes"), "JOINTS_1") != NULL)) {
                 glint_remark(remarks, "only four joints per vertex are used");
                 return;
             }
@@ -132,13 +133,13 @@ static void look_for_joints(const cJSON *json, glint_remarks *remarks)
 }
 
 /* What inverseBindMatrices left out means, assimp 5.2 does not know: it crashes. */
-static glint_status check_skins(const glint_text *text, const cJSON *json, glint_error *err)
+static glint_status check_skins(const glint_text *text, const json_t *json, glint_error *err)
 {
     int at = 0;
-    const cJSON *skin;
-    cJSON_ArrayForEach(skin, cJSON_GetObjectItemCaseSensitive(json, "skins"))
+    const json_t *skin;
+    glint_json_each(skin, json_object_get(json, "skins"))
     {
-        if (cJSON_GetObjectItemCaseSensitive(skin, "inverseBindMatrices") == NULL) {
+        if (json_object_get(skin, "inverseBindMatrices") == NULL) {
             return glint_fail(
                 err, GLINT_BAD_INPUT,
                 "%.300s: skin %d has no inverseBindMatrices, which are required: export them",
@@ -156,18 +157,18 @@ static glint_status check_skins(const glint_text *text, const cJSON *json, glint
 
 typedef struct all_nodes {
     size_t count;
-    const cJSON **at;
+    const json_t **at;
     bool *shown;
 } all_nodes;
 
-static bool list_nodes(const cJSON *json, all_nodes *nodes)
+static bool list_nodes(const json_t *json, all_nodes *nodes)
 {
-    const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "nodes");
-    const size_t count = (size_t)cJSON_GetArraySize(list);
-    nodes->at = calloc(count + 1, sizeof(const cJSON *));
+    const json_t *list = json_object_get(json, "nodes");
+    const size_t count = (size_t)(int)json_array_size(list);
+    nodes->at = calloc(count + 1, sizeof(const json_t *));
     nodes->shown = calloc(count + 1, sizeof *nodes->shown);
-    const cJSON *node;
-    cJSON_ArrayForEach(node, list)
+    const json_t *node;
+    glint_json_each(node, list)
     {
         if (nodes->at != NULL)
             nodes->at[nodes->count++] = node;
@@ -176,38 +177,39 @@ static bool list_nodes(const cJSON *json, all_nodes *nodes)
 }
 
 /* Marks these nodes and all below them. */
-static void mark_shown(all_nodes *nodes, const cJSON *indices, int depth)
+static void mark_shown(all_nodes *nodes, const json_t *indices, int depth)
 {
-    const cJSON *index;
-    cJSON_ArrayForEach(index, indices)
+    const json_t *index;
+    glint_json_each(index, indices)
     {
-        const double at = cJSON_IsNumber(index) ? index->valuedouble : -1.0;
+        const double at = json_is_number(index) ? json_number_value(index) : -1.0;
         if (depth < DEPTH_MAX && at >= 0.0 && at < (double)nodes->count &&
             !nodes->shown[(size_t)at]) {
             nodes->shown[(size_t)at] = true;
-            mark_shown(nodes, cJSON_GetObjectItemCaseSensitive(nodes->at[(size_t)at], "children"),
-                       depth + 1);
+            mark_shown(nodes, json_object_get(nodes->at[(size_t)at], "children"), depth + 1);
         }
     }
 }
 
 /* The scene that assimp reads: the one that is named, else the first. */
-static const cJSON *scene_of(const cJSON *json)
+static const json_t *scene_of(const json_t *json)
 {
-    const cJSON *scenes = cJSON_GetObjectItemCaseSensitive(json, "scenes");
-    const cJSON *chosen = cJSON_GetObjectItemCaseSensitive(json, "scene");
-    return cJSON_GetArrayItem(scenes, cJSON_IsNumber(chosen) ? chosen->valueint : 0);
+    const json_t *scenes = json_object_get(json, "scenes");
+    const json_t *chosen = json_object_get(json, "scene");
+    return json_array_get(scenes,
+                          (size_t)(json_is_number(chosen) ? json_integer_value(chosen) : 0));
 }
 
-static void look_for_hidden(const cJSON *json, glint_remarks *remarks)
+static void look_for_hidden(const json_t *json, glint_remarks *remarks)
 {
     all_nodes nodes = {0};
-    const cJSON *scene = scene_of(json);
+    const json_t *scene = scene_of(json);
     size_t hidden = 0;
     if (scene != NULL && list_nodes(json, &nodes)) {
-        mark_shown(&nodes, cJSON_GetObjectItemCaseSensitive(scene, "nodes"), 0);
+        mark_shown(&nodes, json_object_get(scene, "nodes"), 0);
         for (size_t i = 0; i < nodes.count; i++)
-            hidden += cJSON_HasObjectItem(nodes.at[i], "mesh") != 0 && !nodes.shown[i] ? 1 : 0;
+            hidden +=
+                (json_object_get(nodes.at[i], "mesh") != NULL) != 0 && !nodes.shown[i] ? 1 : 0;
     }
     glint_remark_count(remarks, hidden, "mesh outside the scene", "meshes outside the scene");
     free(nodes.at);
@@ -215,21 +217,21 @@ static void look_for_hidden(const cJSON *json, glint_remarks *remarks)
 }
 
 /* The JSON of a binary file is its first chunk, after a twelve-byte header. */
-static cJSON *parse(const glint_text *text)
+static json_t *parse(const glint_text *text)
 {
     if (text->length < 20 || memcmp(text->at, "glTF", 4) != 0)
-        return cJSON_ParseWithLength(text->at, text->length);
+        return json_loadb(text->at, text->length, 0, NULL);
     uint32_t length = 0;
     for (int i = 3; i >= 0; i--)
         length = length << 8 | (unsigned char)text->at[12 + i];
-    return length <= text->length - 20 ? cJSON_ParseWithLength(text->at + 20, length) : NULL;
+    return length <= text->length - 20 ? json_loadb(text->at + 20, length, 0, NULL) : NULL;
 }
 
 glint_status glint_gltf_check(const glint_text *text, glint_bytes *plain, glint_remarks *remarks,
                               glint_error *err)
 {
     (void)plain;
-    cJSON *json = parse(text);
+    json_t *json = parse(text);
     glint_status status = GLINT_OK;
     if (json != NULL) {
         status = check_extensions(text, json, remarks, err);
@@ -239,6 +241,6 @@ glint_status glint_gltf_check(const glint_text *text, glint_bytes *plain, glint_
     }
     if (json != NULL && status == GLINT_OK)
         status = check_skins(text, json, err);
-    cJSON_Delete(json);
+    json_decref(json);
     return status;
 }

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "file/json_text.h"
+#include "file/json.h"
 #include "study/files.h"
 #include "study/sheet.h"
 #include "study/table.h"
@@ -116,9 +116,9 @@ static glint_status write_table(const making *m, const char *name,
 
 static glint_status write_json(const making *m, const glint_study_row *rows, glint_error *err)
 {
-    cJSON *json = glint_study_json(&m->options->setup, rows, m->options->count);
+    json_t *json = glint_study_json(&m->options->setup, rows, m->options->count);
     char *text = glint_json_text(json);
-    cJSON_Delete(json);
+    json_decref(json);
     FILE *stream;
     glint_status status = text != NULL
                               ? glint_study_files_add(m->files, "study.json", &stream, err)

@@ -71,12 +71,12 @@ void glint_study_write_times(FILE *to, const glint_study_setup *setup, const gli
     }
 }
 
-static void add_numbers(cJSON *json, const char *name, const double *value, int count)
+static void add_numbers(json_t *json, const char *name, const double *value, int count)
 {
-    cJSON_AddItemToObject(json, name, cJSON_CreateDoubleArray(value, count));
+    json_object_set_new(json, name, glint_json_numbers_of(value, count));
 }
 
-static void add_color(cJSON *json, const char *name, const uint8_t rgb[3])
+static void add_color(json_t *json, const char *name, const uint8_t rgb[3])
 {
     add_numbers(json, name, (const double[]){rgb[0], rgb[1], rgb[2]}, 3);
 }
@@ -90,17 +90,17 @@ static double plain(float value)
     return sscanf(text, "%lf", &back) == 1 ? back : (double)value;
 }
 
-static void add_scene(cJSON *json, const glint_study_setup *setup)
+static void add_scene(json_t *json, const glint_study_setup *setup)
 {
     const glint_scene *s = &setup->scene;
-    cJSON *scene = cJSON_AddObjectToObject(json, "scene");
-    cJSON_AddStringToObject(scene, "model", setup->model);
+    json_t *scene = glint_json_add(json, "scene", json_object());
+    glint_json_add_text(scene, "model", setup->model);
     if (setup->density > 0)
-        cJSON_AddNumberToObject(scene, "density", setup->density);
+        glint_json_add_number(scene, "density", setup->density);
     else
-        cJSON_AddNullToObject(scene, "density");
-    cJSON_AddNumberToObject(scene, "width", setup->width);
-    cJSON_AddNumberToObject(scene, "height", setup->height);
+        json_object_set_new(scene, "density", json_null());
+    glint_json_add_number(scene, "width", setup->width);
+    glint_json_add_number(scene, "height", setup->height);
     add_color(scene, "color", s->color);
     add_color(scene, "highlight", s->highlight);
     add_numbers(scene, "light",
@@ -114,61 +114,61 @@ static void add_scene(cJSON *json, const glint_study_setup *setup)
                  {"yaw", s->yaw}, {"pitch", s->pitch},
                  {"fov", s->fov}, {"distance", s->distance}};
     for (size_t i = 0; i < sizeof reals / sizeof reals[0]; i++)
-        cJSON_AddNumberToObject(scene, reals[i].name, plain(reals[i].value));
+        glint_json_add_number(scene, reals[i].name, plain(reals[i].value));
 }
 
-static cJSON *row_json(const glint_study_row *r)
+static json_t *row_json(const glint_study_row *r)
 {
     const glint_image_difference *d = &r->difference;
-    cJSON *json = cJSON_CreateObject();
-    cJSON_AddNumberToObject(json, "n", r->n);
-    cJSON_AddNumberToObject(json, "nmse", d->nmse);
-    cJSON_AddNumberToObject(json, "psnr", d->psnr);
-    cJSON_AddStringToObject(json, "reading", glint_image_reading(d->nmse));
-    cJSON_AddNumberToObject(json, "largest", d->largest);
+    json_t *json = json_object();
+    glint_json_add_number(json, "n", r->n);
+    glint_json_add_number(json, "nmse", d->nmse);
+    glint_json_add_number(json, "psnr", d->psnr);
+    glint_json_add_text(json, "reading", glint_image_reading(d->nmse));
+    glint_json_add_number(json, "largest", d->largest);
     if (d->largest_x >= 0) {
-        cJSON_AddNumberToObject(json, "largest_x", d->largest_x);
-        cJSON_AddNumberToObject(json, "largest_y", d->largest_y);
+        glint_json_add_number(json, "largest_x", d->largest_x);
+        glint_json_add_number(json, "largest_y", d->largest_y);
     } else {
-        cJSON_AddNullToObject(json, "largest_x");
-        cJSON_AddNullToObject(json, "largest_y");
+        json_object_set_new(json, "largest_x", json_null());
+        json_object_set_new(json, "largest_y", json_null());
     }
-    cJSON_AddNumberToObject(json, "differing_pixels", (double)d->differing_pixels);
-    cJSON_AddNumberToObject(json, "object_pixels", (double)d->object_pixels);
-    cJSON_AddNumberToObject(json, "triangles", (double)r->triangles);
-    cJSON_AddNumberToObject(json, "drawn", (double)r->drawn);
-    cJSON_AddNumberToObject(json, "seen", (double)r->seen);
-    cJSON_AddNumberToObject(json, "highlit_a", (double)r->highlit[0]);
-    cJSON_AddNumberToObject(json, "highlit_b", (double)r->highlit[1]);
+    glint_json_add_number(json, "differing_pixels", (double)d->differing_pixels);
+    glint_json_add_number(json, "object_pixels", (double)d->object_pixels);
+    glint_json_add_number(json, "triangles", (double)r->triangles);
+    glint_json_add_number(json, "drawn", (double)r->drawn);
+    glint_json_add_number(json, "seen", (double)r->seen);
+    glint_json_add_number(json, "highlit_a", (double)r->highlit[0]);
+    glint_json_add_number(json, "highlit_b", (double)r->highlit[1]);
     return json;
 }
 
-cJSON *glint_study_json(const glint_study_setup *setup, const glint_study_row *rows, int count)
+json_t *glint_study_json(const glint_study_setup *setup, const glint_study_row *rows, int count)
 {
     glint_study_name name;
-    cJSON *json = cJSON_CreateObject();
-    cJSON_AddStringToObject(json, "a", glint_study_method_name(&setup->method[0], &name));
-    cJSON_AddStringToObject(json, "b", glint_study_method_name(&setup->method[1], &name));
+    json_t *json = json_object();
+    glint_json_add_text(json, "a", glint_study_method_name(&setup->method[0], &name));
+    glint_json_add_text(json, "b", glint_study_method_name(&setup->method[1], &name));
     add_scene(json, setup);
-    cJSON *array = cJSON_AddArrayToObject(json, "rows");
+    json_t *array = glint_json_add(json, "rows", json_array());
     for (int i = 0; i < count; i++)
-        cJSON_AddItemToArray(array, row_json(&rows[i]));
+        json_array_append_new(array, row_json(&rows[i]));
     return json;
 }
 
-cJSON *glint_study_times_json(const glint_study_row *rows, int count)
+json_t *glint_study_times_json(const glint_study_row *rows, int count)
 {
-    cJSON *array = cJSON_CreateArray();
+    json_t *array = json_array();
     for (int i = 0; i < count; i++) {
-        cJSON *json = cJSON_CreateObject();
-        cJSON_AddNumberToObject(json, "n", rows[i].n);
-        cJSON_AddNumberToObject(json, "frames", rows[i].frames);
-        cJSON_AddNumberToObject(json, "seconds_a", rows[i].seconds[0]);
-        cJSON_AddNumberToObject(json, "seconds_b", rows[i].seconds[1]);
-        cJSON_AddNumberToObject(json, "fps_a", per_second(rows[i].seconds[0]));
-        cJSON_AddNumberToObject(json, "fps_b", per_second(rows[i].seconds[1]));
-        cJSON_AddNumberToObject(json, "b_to_a", rows[i].ratio);
-        cJSON_AddItemToArray(array, json);
+        json_t *json = json_object();
+        glint_json_add_number(json, "n", rows[i].n);
+        glint_json_add_number(json, "frames", rows[i].frames);
+        glint_json_add_number(json, "seconds_a", rows[i].seconds[0]);
+        glint_json_add_number(json, "seconds_b", rows[i].seconds[1]);
+        glint_json_add_number(json, "fps_a", per_second(rows[i].seconds[0]));
+        glint_json_add_number(json, "fps_b", per_second(rows[i].seconds[1]));
+        glint_json_add_number(json, "b_to_a", rows[i].ratio);
+        json_array_append_new(array, json);
     }
     return array;
 }

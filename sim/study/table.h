@@ -5,8 +5,7 @@
 
 #include <stdio.h>
 
-#include <cjson/cJSON.h>
-
+#include "file/json.h"
 #include "study/study.h"
 
 /* CSV with a header: n, NMSE, PSNR (inf: equal), largest difference and where (empty: nowhere),
@@ -22,9 +21,9 @@ void glint_study_write_times(FILE *to, const glint_study_setup *setup, const gli
 
 /* The methods, the scene with its model, and the same rows; psnr null: infinite, largest_x and
  * largest_y null: nowhere, density null: the model has none. NULL: no memory. */
-cJSON *glint_study_json(const glint_study_setup *setup, const glint_study_row *rows, int count);
+json_t *glint_study_json(const glint_study_setup *setup, const glint_study_row *rows, int count);
 
 /* An array of the times; NULL: no memory. */
-cJSON *glint_study_times_json(const glint_study_row *rows, int count);
+json_t *glint_study_times_json(const glint_study_row *rows, int count);
 
 #endif

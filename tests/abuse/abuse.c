@@ -21,10 +21,10 @@
 #include <time.h>
 #include <unistd.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 
 #include "../child.h"
 #include "../record.h"
@@ -343,9 +343,9 @@ static bool is_picture(const char *path)
 static bool is_json(const char *path)
 {
     char *text = scratch_read(path, NULL);
-    cJSON *json = cJSON_Parse(text);
+    json_t *json = json_loads(text, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     free(text);
-    cJSON_Delete(json);
+    json_decref(json);
     return json != NULL;
 }
 

@@ -7,10 +7,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 
 #include "../cli/run.h"
 #include "own.h"
@@ -64,11 +64,11 @@ static void every_input_is_tried(void **state)
     forget(&done);
     done = own_run(MAC, "", "verify --exhaustive --width 4 --json");
     assert_outcome(&done, 0, NULL);
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
-    assert_int_equal(cJSON_GetObjectItemCaseSensitive(json, "mismatches")->valueint, 0);
+    assert_int_equal(json_integer_value(json_object_get(json, "mismatches")), 0);
     assert_non_null(strstr(done.out, "1024")); /* points: 4 * 2^4 * 2^4 */
-    cJSON_Delete(json);
+    json_decref(json);
     forget(&done);
     done = own_run(MAC, "", "verify --exhaustive --width 16");
     assert_own_refused(&done, "saturating_mac, width 16");

@@ -6,22 +6,22 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 #include "run.h"
 
-static void expect_entries(const cJSON *json, const char *name, int count, const char *const *keys)
+static void expect_entries(const json_t *json, const char *name, int count, const char *const *keys)
 {
-    const cJSON *list = cJSON_GetObjectItem(json, name);
-    const cJSON *entry;
-    assert_int_equal(cJSON_GetArraySize(list), count);
-    cJSON_ArrayForEach(entry, list)
+    const json_t *list = json_object_get(json, name);
+    const json_t *entry;
+    assert_int_equal(json_array_size(list), count);
+    glint_json_each(entry, list)
     {
         for (int i = 0; keys[i] != NULL; i++) {
-            const cJSON *value = cJSON_GetObjectItem(entry, keys[i]);
-            assert_true(cJSON_IsNumber(value) && value->valuedouble > 0.0);
+            const json_t *value = json_object_get(entry, keys[i]);
+            assert_true(json_is_number(value) && json_number_value(value) > 0.0);
         }
     }
 }
@@ -38,15 +38,15 @@ static void the_json_has_all_parts(void **state)
     static const char *const frames[] = {"width", "height", "fragments", "frames_per_second", NULL};
     outcome done = run("bench --seconds 0.01 --threads 1 --json", "");
     assert_outcome(&done, 0, "");
-    cJSON *json = cJSON_Parse(done.out);
-    assert_true(cJSON_IsObject(json));
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
+    assert_true(json_is_object(json));
     expect_entries(json, "points", 10, points);
-    const cJSON *formulas = cJSON_GetObjectItem(json, "formulas");
-    assert_non_null(strstr(cJSON_GetObjectItem(formulas, "compiled")->valuestring, "-O3"));
+    const json_t *formulas = json_object_get(json, "formulas");
+    assert_non_null(strstr(json_string_value(json_object_get(formulas, "compiled")), "-O3"));
     expect_entries(formulas, "loops", 6, loops);
     expect_entries(json, "divisions", 6, divisions);
     expect_entries(json, "frames", 12, frames);
-    cJSON_Delete(json);
+    json_decref(json);
     forget(&done);
 }
 

@@ -7,10 +7,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 #include "image/image.h"
 #include "run.h"
 
@@ -91,12 +91,12 @@ static void a_differing_mask_is_a_difference(void **state)
     forget(&done);
 }
 
-static double number(const cJSON *json, const char *name)
+static double number(const json_t *json, const char *name)
 {
-    const cJSON *value = cJSON_GetObjectItem(json, name);
-    if (!cJSON_IsNumber(value))
+    const json_t *value = json_object_get(json, name);
+    if (!json_is_number(value))
         fail_msg("%s is no number", name);
-    return value->valuedouble;
+    return json_number_value(value);
 }
 
 static void json_says_the_same(void **state)
@@ -106,24 +106,24 @@ static void json_says_the_same(void **state)
     make_png("b.png", 5, 110, 1);
     outcome done = compare("a.png", "b.png", "--json");
     assert_outcome(&done, 1, "");
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
-    assert_true(cJSON_IsFalse(cJSON_GetObjectItem(json, "equal")));
+    assert_true(json_is_false(json_object_get(json, "equal")));
     assert_true(number(json, "pixels") == 20 && number(json, "object_pixels") == 20);
     assert_true(number(json, "differing_pixels") == 1 && number(json, "mask_pixels") == 0);
     assert_true(number(json, "largest") == 10);
     assert_true(number(json, "first_x") == 2 && number(json, "first_y") == 1);
     assert_true(fabs(number(json, "nmse") - 1.0 / 6000.0) < 1e-12);
     assert_true(fabs(number(json, "psnr") - 10.0 * log10(255.0 * 255.0 * 0.6)) < 1e-9);
-    cJSON_Delete(json);
+    json_decref(json);
     forget(&done);
 
     done = compare("a.png", "a.png", "--json");
     assert_outcome(&done, 0, "");
-    json = cJSON_Parse(done.out);
-    assert_true(cJSON_IsTrue(cJSON_GetObjectItem(json, "equal")));
-    assert_true(cJSON_IsNull(cJSON_GetObjectItem(json, "psnr")));
-    cJSON_Delete(json);
+    json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
+    assert_true(json_is_true(json_object_get(json, "equal")));
+    assert_true(json_is_null(json_object_get(json, "psnr")));
+    json_decref(json);
     forget(&done);
 }
 

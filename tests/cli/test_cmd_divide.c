@@ -9,10 +9,10 @@
 #include <stdint.h>
 #include <sys/resource.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 #include "run.h"
 
 #define HEADER "difference,k,shifts,quotient_code,quotient,exact,error\n"
@@ -258,19 +258,19 @@ static void json_is_an_array_of_objects(void **state)
                                         {-8, 4, 6, -128, -2, -2, 0}};
     outcome done = run("divide --json --shifts 6", "255 7\n-8 4\n");
     assert_outcome(&done, 0, "");
-    cJSON *json = cJSON_Parse(done.out);
-    assert_true(cJSON_IsArray(json));
-    assert_int_equal(cJSON_GetArraySize(json), 2);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
+    assert_true(json_is_array(json));
+    assert_int_equal(json_array_size(json), 2);
     for (int i = 0; i < 2; i++) {
-        const cJSON *row = cJSON_GetArrayItem(json, i);
-        assert_int_equal(cJSON_GetArraySize(row), 7);
+        const json_t *row = json_array_get(json, (size_t)i);
+        assert_int_equal(json_object_size(row), 7);
         for (int j = 0; j < 7; j++) {
-            const cJSON *value = cJSON_GetObjectItem(row, names[j]);
-            assert_true(cJSON_IsNumber(value));
-            assert_true(value->valuedouble == values[i][j]);
+            const json_t *value = json_object_get(row, names[j]);
+            assert_true(json_is_number(value));
+            assert_true(json_number_value(value) == values[i][j]);
         }
     }
-    cJSON_Delete(json);
+    json_decref(json);
     forget(&done);
 }
 

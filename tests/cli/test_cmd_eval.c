@@ -8,11 +8,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../golden.h"
 #include "../scratch.h"
+#include "file/json.h"
 #include "run.h"
 
 #define HEADER "n,cos_code,w_code,r,g,b\n"
@@ -275,21 +275,21 @@ static void json_is_an_array_of_objects(void **state)
     (void)state;
     outcome done = run("eval --json", "2 0.5 4 8 12\n7 1 1 2 3\n");
     assert_outcome(&done, 0, "");
-    cJSON *json = cJSON_Parse(done.out);
-    assert_true(cJSON_IsArray(json));
-    assert_int_equal(cJSON_GetArraySize(json), 2);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
+    assert_true(json_is_array(json));
+    assert_int_equal(json_array_size(json), 2);
     static const char *const names[] = {"n", "cos_code", "w_code", "r", "g", "b"};
     static const int values[2][6] = {{2, 131072, 65536, 1, 2, 3}, {7, 262144, 262144, 1, 2, 3}};
     for (int i = 0; i < 2; i++) {
-        const cJSON *point = cJSON_GetArrayItem(json, i);
-        assert_int_equal(cJSON_GetArraySize(point), 6);
+        const json_t *point = json_array_get(json, (size_t)i);
+        assert_int_equal(json_object_size(point), 6);
         for (int j = 0; j < 6; j++) {
-            const cJSON *value = cJSON_GetObjectItem(point, names[j]);
-            assert_true(cJSON_IsNumber(value));
-            assert_int_equal(value->valueint, values[i][j]);
+            const json_t *value = json_object_get(point, names[j]);
+            assert_true(json_is_number(value));
+            assert_int_equal(json_integer_value(value), values[i][j]);
         }
     }
-    cJSON_Delete(json);
+    json_decref(json);
     forget(&done);
 }
 
@@ -560,9 +560,9 @@ static void an_interrupt_leaves_whole_json(void **state)
     assert_int_equal(wait_for(child), 2);
     close(input);
     close(output);
-    cJSON *json = cJSON_Parse(out);
-    assert_true(cJSON_IsArray(json) && cJSON_GetArraySize(json) > 0);
-    cJSON_Delete(json);
+    json_t *json = json_loads(out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
+    assert_true(json_is_array(json) && (int)json_array_size(json) > 0);
+    json_decref(json);
 }
 
 static void a_line_without_end_is_refused(void **state)

@@ -8,11 +8,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 #include <math.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 #include "reflectance/reflectance.h"
 #include "run.h"
 
@@ -31,11 +31,11 @@ static void the_list_has_every_model(void **state)
     forget(&done);
 }
 
-static double number(const cJSON *entry, const char *key)
+static double number(const json_t *entry, const char *key)
 {
-    const cJSON *item = cJSON_GetObjectItemCaseSensitive(entry, key);
-    assert_true(cJSON_IsNumber(item));
-    return item->valuedouble;
+    const json_t *item = json_object_get(entry, key);
+    assert_true(json_is_number(item));
+    return json_number_value(item);
 }
 
 static void json_has_every_model_and_its_errors(void **state)
@@ -43,24 +43,24 @@ static void json_has_every_model_and_its_errors(void **state)
     (void)state;
     outcome done = run("models --n 10 --level 0.5 --json", "");
     assert_outcome(&done, 0, "");
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
     assert_true(number(json, "n") == 10 && number(json, "level") == 0.5);
-    const cJSON *models = cJSON_GetObjectItemCaseSensitive(json, "models");
-    assert_int_equal(cJSON_GetArraySize(models), GLINT_REFLECTANCE_COUNT);
+    const json_t *models = json_object_get(json, "models");
+    assert_int_equal(json_array_size(models), GLINT_REFLECTANCE_COUNT);
     for (int i = 0; i < GLINT_REFLECTANCE_COUNT; i++) {
-        const cJSON *entry = cJSON_GetArrayItem(models, i);
-        assert_string_equal(cJSON_GetObjectItemCaseSensitive(entry, "name")->valuestring,
+        const json_t *entry = json_array_get(models, (size_t)i);
+        assert_string_equal(json_string_value(json_object_get(entry, "name")),
                             glint_reflectance_names[i]);
     }
     /* (2.15) at n = 10: largest where (2·11/3)(1 − 11/3·u) = 10 (1 − u)^9, u = 0.06036. */
-    const cJSON *entry = cJSON_GetArrayItem(models, GLINT_REFLECTANCE_COSINE_QUADRATIC);
+    const json_t *entry = json_array_get(models, (size_t)GLINT_REFLECTANCE_COSINE_QUADRATIC);
     assert_true(fabs(number(entry, "largest_error") - 0.0697867) < 1e-6);
     assert_true(fabs(number(entry, "largest_error_cosine") - 0.93964) < 1e-4);
     assert_true(number(entry, "epicentre_relative_error") > number(entry, "epicentre_error"));
-    const cJSON *none = cJSON_GetArrayItem(models, GLINT_REFLECTANCE_COOK_TORRANCE);
-    assert_null(cJSON_GetObjectItemCaseSensitive(none, "largest_error"));
-    cJSON_Delete(json);
+    const json_t *none = json_array_get(models, (size_t)GLINT_REFLECTANCE_COOK_TORRANCE);
+    assert_null(json_object_get(none, "largest_error"));
+    json_decref(json);
     forget(&done);
 }
 

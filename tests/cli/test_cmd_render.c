@@ -10,10 +10,10 @@
 #include <sys/resource.h>
 #include <time.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 #include "image/image.h"
 #include "reflectance/reflectance.h"
 #include "run.h"
@@ -328,13 +328,13 @@ static void the_divisions_are_told_of(void **state)
     forget(&done);
     done = render("told.png", "--size 100x80 --shading gouraud --shifts 7 --json --backend both");
     assert_outcome(&done, 0, "");
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
-    assert_string_equal(cJSON_GetObjectItem(json, "shading")->valuestring, "gouraud");
-    assert_int_equal(cJSON_GetObjectItem(json, "shifts")->valueint, 7);
-    assert_int_equal(cJSON_GetObjectItem(json, "highlights")->valueint, 14112);
-    assert_true(cJSON_GetObjectItem(json, "divisions")->valueint > 1000);
-    cJSON_Delete(json);
+    assert_string_equal(json_string_value(json_object_get(json, "shading")), "gouraud");
+    assert_int_equal(json_integer_value(json_object_get(json, "shifts")), 7);
+    assert_int_equal(json_integer_value(json_object_get(json, "highlights")), 14112);
+    assert_true(json_integer_value(json_object_get(json, "divisions")) > 1000);
+    json_decref(json);
     forget(&done);
 }
 
@@ -343,22 +343,22 @@ static void json_gives_the_figures(void **state)
     (void)state;
     outcome done = render("json.png", "--json --backend both --size 100x80 --threads 2");
     assert_outcome(&done, 0, "");
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
-    assert_string_equal(cJSON_GetObjectItem(json, "model")->valuestring, "teapot");
-    assert_int_equal(cJSON_GetObjectItem(json, "width")->valueint, 100);
-    assert_int_equal(cJSON_GetObjectItem(json, "height")->valueint, 80);
-    assert_int_equal(cJSON_GetObjectItem(json, "threads")->valueint, 2);
-    assert_true(cJSON_GetObjectItem(json, "triangles")->valueint > 1000);
-    assert_true(cJSON_GetObjectItem(json, "fragments")->valueint > 500);
-    const cJSON *frames = cJSON_GetObjectItem(json, "frames");
-    assert_int_equal(cJSON_GetArraySize(frames), 2);
-    assert_string_equal(cJSON_GetObjectItem(cJSON_GetArrayItem(frames, 1), "backend")->valuestring,
+    assert_string_equal(json_string_value(json_object_get(json, "model")), "teapot");
+    assert_int_equal(json_integer_value(json_object_get(json, "width")), 100);
+    assert_int_equal(json_integer_value(json_object_get(json, "height")), 80);
+    assert_int_equal(json_integer_value(json_object_get(json, "threads")), 2);
+    assert_true(json_integer_value(json_object_get(json, "triangles")) > 1000);
+    assert_true(json_integer_value(json_object_get(json, "fragments")) > 500);
+    const json_t *frames = json_object_get(json, "frames");
+    assert_int_equal(json_array_size(frames), 2);
+    assert_string_equal(json_string_value(json_object_get(json_array_get(frames, 1), "backend")),
                         "rtl");
-    const cJSON *comparison = cJSON_GetObjectItem(json, "comparison");
-    assert_int_equal(cJSON_GetObjectItem(comparison, "pixels")->valueint, 8000);
-    assert_int_equal(cJSON_GetObjectItem(comparison, "differing_pixels")->valueint, 0);
-    cJSON_Delete(json);
+    const json_t *comparison = json_object_get(json, "comparison");
+    assert_int_equal(json_integer_value(json_object_get(comparison, "pixels")), 8000);
+    assert_int_equal(json_integer_value(json_object_get(comparison, "differing_pixels")), 0);
+    json_decref(json);
     forget(&done);
 }
 

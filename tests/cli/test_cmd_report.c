@@ -7,13 +7,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include <signal.h>
 #include <sys/resource.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 #include "image/image.h"
 #include "run.h"
 
@@ -89,27 +89,27 @@ static void the_markdown_has_the_numbers(void **state)
     free(text);
 }
 
-static cJSON *read_json(void)
+static json_t *read_json(void)
 {
     char *text = scratch_read(in_report("index.json"), NULL);
-    cJSON *json = cJSON_Parse(text);
+    json_t *json = json_loads(text, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
     free(text);
     return json;
 }
 
-static double number(const cJSON *json, const char *name)
+static double number(const json_t *json, const char *name)
 {
-    const cJSON *item = cJSON_GetObjectItem(cJSON_GetObjectItem(json, "numbers"), name);
-    if (!cJSON_IsNumber(item))
+    const json_t *item = json_object_get(json_object_get(json, "numbers"), name);
+    if (!json_is_number(item))
         fail_msg("no number %s", name);
-    return item->valuedouble;
+    return json_number_value(item);
 }
 
 static void the_json_has_the_numbers(void **state)
 {
     (void)state;
-    cJSON *json = read_json();
+    json_t *json = read_json();
     assert_true(number(json, "divider.rounded.8.absolute.k") == 9.0);
     assert_true(fabs(number(json, "divider.rounded.8.absolute") - 0.4427) < 0.00005);
     assert_true(fabs(100.0 * number(json, "divider.rounded.8.relative.mean") - 0.81) < 0.005);
@@ -117,7 +117,7 @@ static void the_json_has_the_numbers(void **state)
     assert_true(number(json, "divider.described.all.additions") == 408.0);
     assert_true(number(json, "divider.described.clocks") == 2946.0);
     assert_true(number(json, "divider.described.clocks-by-shifts") == 2064.0);
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 /* Each frame is no farther from the exact one than that with fewer shifts; the one that was written
@@ -127,7 +127,7 @@ static void the_frames_are_as_far_from_exact_as_said(void **state)
     (void)state;
     static const char *const scenes[] = {"teapot-20", "teapot-6", "sphere-128", "sphere-72"};
     static const int shifts[] = {6, 7, 8, 12, 16};
-    cJSON *json = read_json();
+    json_t *json = read_json();
     for (int scene = 0; scene < 4; scene++) {
         double before = INFINITY;
         for (int i = 0; i < 5; i++) {
@@ -153,7 +153,7 @@ static void the_frames_are_as_far_from_exact_as_said(void **state)
     assert_int_equal(frame->width, exact->width);
     glint_image_destroy(frame);
     glint_image_destroy(exact);
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 static void the_figure_has_a_row_for_each_k(void **state)

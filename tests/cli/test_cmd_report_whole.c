@@ -7,10 +7,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 
 #include "../child.h"
 #include "../terminal.h"
@@ -52,51 +52,51 @@ static int forget_report(void **state)
     return scratch_remove(state);
 }
 
-static cJSON *read_json(void)
+static json_t *read_json(void)
 {
     char *text = read_report("index.json");
-    cJSON *json = cJSON_Parse(text);
+    json_t *json = json_loads(text, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
     free(text);
     return json;
 }
 
 /* The claim of a place in the thesis that has the words. */
-static const cJSON *claim(const cJSON *json, const char *where, const char *words)
+static const json_t *claim(const json_t *json, const char *where, const char *words)
 {
-    const cJSON *entry;
-    cJSON_ArrayForEach(entry, cJSON_GetObjectItem(json, "claims"))
+    const json_t *entry;
+    glint_json_each(entry, json_object_get(json, "claims"))
     {
-        if (strcmp(cJSON_GetObjectItem(entry, "where")->valuestring, where) == 0 &&
-            strstr(cJSON_GetObjectItem(entry, "claim")->valuestring, words) != NULL)
+        if (strcmp(json_string_value(json_object_get(entry, "where")), where) == 0 &&
+            strstr(json_string_value(json_object_get(entry, "claim")), words) != NULL)
             return entry;
     }
     fail_msg("no claim of %s with \"%s\"", where, words);
     return NULL;
 }
 
-static const char *text_of(const cJSON *entry, const char *name)
+static const char *text_of(const json_t *entry, const char *name)
 {
-    return cJSON_GetObjectItem(entry, name)->valuestring;
+    return json_string_value(json_object_get(entry, name));
 }
 
-static const cJSON *section(const cJSON *json, const char *name)
+static const json_t *section(const json_t *json, const char *name)
 {
-    const cJSON *found = cJSON_GetObjectItem(json, name);
+    const json_t *found = json_object_get(json, name);
     if (found == NULL)
         fail_msg("no %s", name);
     return found;
 }
 
-static double number(const cJSON *json, const char *name)
+static double number(const json_t *json, const char *name)
 {
-    const cJSON *found = section(json, name);
-    assert_true(cJSON_IsNumber(found));
-    return found->valuedouble;
+    const json_t *found = section(json, name);
+    assert_true(json_is_number(found));
+    return json_number_value(found);
 }
 
 /* One of those measured, by its name. */
-static double measured(const cJSON *json, const char *name)
+static double measured(const json_t *json, const char *name)
 {
     return number(section(json, "numbers"), name);
 }
@@ -155,13 +155,13 @@ static void claims_have_their_verdicts(void **state)
         {"(2.26), figure 2.16", "24.55", "does not hold", "B must be 25.944 "},
         {"figure 2.16", "(n+6)/(8π)", "holds", "at most 0.999992"},
     };
-    cJSON *json = read_json();
+    json_t *json = read_json();
     for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
-        const cJSON *found = claim(json, expected[i].where, expected[i].words);
+        const json_t *found = claim(json, expected[i].where, expected[i].words);
         assert_string_equal(text_of(found, "verdict"), expected[i].verdict);
         assert_says(text_of(found, "measured"), expected[i].measured);
     }
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 static bool keeps(const char *rule, double number, double stated, double decimals)
@@ -185,12 +185,12 @@ static bool keeps(const char *rule, double number, double stated, double decimal
 static void verdicts_follow_from_the_numbers_beside_them(void **state)
 {
     (void)state;
-    cJSON *json = read_json();
-    const cJSON *entry;
-    cJSON_ArrayForEach(entry, cJSON_GetObjectItem(json, "claims"))
+    json_t *json = read_json();
+    const json_t *entry;
+    glint_json_each(entry, json_object_get(json, "claims"))
     {
         const char *expected = "cannot be decided";
-        if (cJSON_IsNull(section(entry, "number"))) {
+        if (json_is_null(section(entry, "number"))) {
             assert_string_equal(text_of(entry, "verdict"), expected);
             continue;
         }
@@ -203,7 +203,7 @@ static void verdicts_follow_from_the_numbers_beside_them(void **state)
                           !keeps(rule, highest, stated, decimals) &&
                           (lowest > stated) == (highest > stated);
         assert_true(lowest <= highest);
-        if (all && !cJSON_IsTrue(cJSON_GetObjectItem(entry, "circular")))
+        if (all && !json_is_true(json_object_get(entry, "circular")))
             expected = "holds";
         if (none)
             expected = "does not hold";
@@ -211,7 +211,7 @@ static void verdicts_follow_from_the_numbers_beside_them(void **state)
             fail_msg("%s: %s, not %s", text_of(entry, "claim"), text_of(entry, "verdict"),
                      expected);
     }
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 /* The scene that the claim's worst frame is of, rendered by another command, has its NMSE. */
@@ -219,47 +219,47 @@ static void a_claim_on_frames_is_of_the_scene_it_names(void **state)
 {
     (void)state;
     char line[1400];
-    cJSON *json = read_json();
+    json_t *json = read_json();
     snprintf(line, sizeof line,
              "study --a blinn --b cosine-quadratic --model teapot --n 13 --frames 0 --size 160x120 "
              "--color 238,138,32 --highlight 255,255,255 --ia 0 --kd 0.5 --ks 0.5 --json --out %s",
              scratch_path("study"));
     outcome done = run(line, "");
     assert_outcome(&done, 0, "");
-    cJSON *study = cJSON_Parse(done.out);
-    const double nmse = number(cJSON_GetArrayItem(section(study, "rows"), 0), "nmse");
-    const cJSON *found = claim(json, "Table 3.2", "Cosine-quadratic: NMSE at most 0.00008");
+    json_t *study = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
+    const double nmse = number(json_array_get(section(study, "rows"), 0), "nmse");
+    const json_t *found = claim(json, "Table 3.2", "Cosine-quadratic: NMSE at most 0.00008");
     assert_true(fabs(number(found, "highest") / nmse - 1.0) < 1e-9);
     assert_true(fabs(measured(json, "frames.cosine-quadratic.3.9-white") / nmse - 1.0) < 1e-9);
-    cJSON_Delete(study);
+    json_decref(study);
     forget(&done);
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 static void the_device_stands_beside_the_formulas(void **state)
 {
     (void)state;
-    cJSON *json = read_json();
+    json_t *json = read_json();
     const double of_formula = measured(json, "lobes.cosine-quadratic.absolute");
     const double of_device = measured(json, "lobes.device.absolute");
     assert_true(fabs(of_formula - 1.0 / 9.0) < 1e-9);
     assert_true(of_device != of_formula && fabs(of_device - of_formula) < 4e-5);
     assert_true(of_device == measured(json, "lobes.device-verilog.absolute"));
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 /* The gates cosine and sign are one, the C model and the Verilog too; that as drawn is neither. */
 static void the_device_is_the_first_chapter(void **state)
 {
     (void)state;
-    cJSON *json = read_json();
+    json_t *json = read_json();
     assert_true(measured(json, "device.points") == 3670030.0);
     assert_true(measured(json, "device.sign.differing") == 0.0);
     assert_true(measured(json, "device.verilog-differing") == 0.0);
     assert_true(measured(json, "device.sign.nmse") == 0.0);
     assert_true(measured(json, "device.drawn.differing") > 1e6);
     assert_true(fabs(measured(json, "device.drawn.nmse") - 2.84958) < 5e-6);
-    cJSON_Delete(json);
+    json_decref(json);
     char *text = read_report("index.md");
     const char *device = strstr(text, "## The device (section 3.1");
     assert_non_null(device);
@@ -295,7 +295,7 @@ static void both_circuits_have_their_rows(void **state)
         assert_says(text, rows[i]);
     free(text);
     /* The C model and the Verilog are one circuit: to the last bit. */
-    cJSON *json = read_json();
+    json_t *json = read_json();
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         char model[64], verilog[64];
         snprintf(model, sizeof model, "energy.device.%s", numbers[i]);
@@ -304,7 +304,7 @@ static void both_circuits_have_their_rows(void **state)
     }
     assert_true(measured(json, "energy.smallest-b-device.b") ==
                 measured(json, "energy.smallest-b-device-verilog.b"));
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 /* Figure 3.13 in numbers: in the JSON what the figure is drawn from, of every method; the verdict
@@ -316,7 +316,7 @@ static void times_of_frames_are_in_the_json_and_the_figure(void **state)
     static const char *const methods[] = {"blinn", "cosine-quadratic", "c", "rtl"};
     static const int exponents[] = {10, 100, 1000};
     double best = -1.0;
-    cJSON *json = read_json();
+    json_t *json = read_json();
     for (int row = 0; row < 2 * 3; row++) {
         char name[64], *at;
         double milliseconds[4];
@@ -337,10 +337,10 @@ static void times_of_frames_are_in_the_json_and_the_figure(void **state)
         assert_true(*at == '\n');
         free(data);
     }
-    const cJSON *found = claim(json, "3.4, figure 3.13", "Productivity up to 20 %");
+    const json_t *found = claim(json, "3.4, figure 3.13", "Productivity up to 20 %");
     assert_true(fabs(number(found, "highest") / (100.0 * best) - 1.0) < 1e-9);
     assert_true(number(found, "lowest") == number(found, "highest"));
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 static void speeds_are_in_the_json(void **state)
@@ -349,7 +349,7 @@ static void speeds_are_in_the_json(void **state)
     static const char *const rates[] = {"speed.schlick.scalar",          "speed.schlick.vectorised",
                                         "speed.cosine-quadratic.scalar", "speed.device",
                                         "speed.device-verilog-1",        "speed.device-verilog-16"};
-    cJSON *json = read_json();
+    json_t *json = read_json();
     for (size_t i = 0; i < sizeof rates / sizeof rates[0]; i++) {
         char ratio[64];
         snprintf(ratio, sizeof ratio, "%s.ratio", rates[i]);
@@ -358,18 +358,18 @@ static void speeds_are_in_the_json(void **state)
         if (i < 2)
             assert_true(measured(json, ratio) == 1.0);
     }
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 /* Every claim has a row, a link to its chapter, and one back; what is linked is there. */
 static void claims_and_chapters_are_linked(void **state)
 {
     (void)state;
-    cJSON *json = read_json();
+    json_t *json = read_json();
     char *page = read_report("index.html");
     int count = 0;
-    const cJSON *entry;
-    cJSON_ArrayForEach(entry, section(json, "claims"))
+    const json_t *entry;
+    glint_json_each(entry, section(json, "claims"))
     {
         char text[128];
         count++;
@@ -388,7 +388,7 @@ static void claims_and_chapters_are_linked(void **state)
     assert_true(title != NULL && title < contents && contents < summary && summary < table);
     assert_null(strstr(table, "<h2>The device"));
     free(page);
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 /* (2.25) has two readings, neither of which is called "as printed". */
@@ -445,10 +445,10 @@ static void figures_are_drawn(void **state)
 static void the_summary_counts_the_verdicts(void **state)
 {
     (void)state;
-    cJSON *json = read_json();
-    const cJSON *entry;
+    json_t *json = read_json();
+    const json_t *entry;
     int holds = 0, others = 0, open = 0;
-    cJSON_ArrayForEach(entry, cJSON_GetObjectItem(json, "claims"))
+    glint_json_each(entry, json_object_get(json, "claims"))
     {
         const char *verdict = text_of(entry, "verdict");
         holds += strcmp(verdict, "holds") == 0;
@@ -464,7 +464,7 @@ static void the_summary_counts_the_verdicts(void **state)
     assert_says(text, expected);
     assert_says(text, "with `--quick`");
     free(text);
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 /* What cannot be written at the end is said at the beginning. */

@@ -7,10 +7,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 
 #include "../child.h"
 #include "image/image.h"
@@ -64,21 +64,21 @@ static void the_files_and_the_table(void **state)
     assert_int_equal(lines_of(times), 3);
     assert_says(times, "\n200,2,");
     char *text = read_from("first", "study.json", NULL);
-    cJSON *json = cJSON_Parse(text);
+    json_t *json = json_loads(text, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
-    assert_string_equal(cJSON_GetObjectItem(json, "b")->valuestring, "cosine-quadratic");
-    const cJSON *rows = cJSON_GetObjectItem(json, "rows");
-    assert_int_equal(cJSON_GetArraySize(rows), 2);
-    const cJSON *row = cJSON_GetArrayItem(rows, 1);
-    assert_int_equal(cJSON_GetObjectItem(row, "n")->valueint, 200);
-    assert_true(cJSON_GetObjectItem(row, "highlit_a")->valueint > 10);
-    assert_null(cJSON_GetObjectItem(json, "times"));
+    assert_string_equal(json_string_value(json_object_get(json, "b")), "cosine-quadratic");
+    const json_t *rows = json_object_get(json, "rows");
+    assert_int_equal(json_array_size(rows), 2);
+    const json_t *row = json_array_get(rows, 1);
+    assert_int_equal(json_integer_value(json_object_get(row, "n")), 200);
+    assert_true(json_integer_value(json_object_get(row, "highlit_a")) > 10);
+    assert_null(json_object_get(json, "times"));
     glint_image *sheet = NULL;
     assert_int_equal(glint_image_read_png(scratch_path("first/sheet.png"), &sheet, NULL), GLINT_OK);
     assert_true(sheet->width > 360 && sheet->height > 180);
     glint_image_destroy(sheet);
     assert_true(is_there("first", "n-0010.png") && is_there("first", "n-0200.png"));
-    cJSON_Delete(json);
+    json_decref(json);
     free(text);
     free(times);
     free(csv);
@@ -115,9 +115,9 @@ static void the_numbers_are_those_of_compare(void **state)
     char command_line[1024];
     outcome done = study("numbers", "--b schlick --n 25 --frames 0 --json --yaw 60");
     assert_outcome(&done, 0, "");
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
-    const cJSON *row = cJSON_GetArrayItem(cJSON_GetObjectItem(json, "rows"), 0);
+    const json_t *row = json_array_get(json_object_get(json, "rows"), 0);
     static const char *const models[] = {"blinn", "schlick"};
     for (int i = 0; i < 2; i++) {
         snprintf(command_line, sizeof command_line,
@@ -131,16 +131,16 @@ static void the_numbers_are_those_of_compare(void **state)
              scratch_path("blinn"), scratch_path("schlick"));
     outcome compared = run(command_line, "");
     assert_outcome(&compared, 1, "");
-    cJSON *expected = cJSON_Parse(compared.out);
+    json_t *expected = json_loads(compared.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(expected);
     static const char *const names[] = {"nmse", "psnr", "largest", "differing_pixels",
                                         "object_pixels"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        assert_true(cJSON_GetObjectItem(row, names[i])->valuedouble ==
-                    cJSON_GetObjectItem(expected, names[i])->valuedouble);
+        assert_true(json_number_value(json_object_get(row, names[i])) ==
+                    json_number_value(json_object_get(expected, names[i])));
     }
-    cJSON_Delete(expected);
-    cJSON_Delete(json);
+    json_decref(expected);
+    json_decref(json);
     forget(&compared);
     forget(&done);
 }
@@ -151,11 +151,11 @@ static void times_are_in_the_json_when_asked_for(void **state)
     (void)state;
     outcome done = study("timed", "--b schlick --n 10,25 --frames 1 --json");
     assert_outcome(&done, 0, "");
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
-    const cJSON *times = cJSON_GetObjectItem(json, "times");
-    assert_int_equal(cJSON_GetArraySize(times), 2);
-    cJSON_Delete(json);
+    const json_t *times = json_object_get(json, "times");
+    assert_int_equal(json_array_size(times), 2);
+    json_decref(json);
     forget(&done);
 }
 
@@ -165,12 +165,12 @@ static void the_tables_say_what_they_are_of(void **state)
     (void)state;
     outcome done = study("named", "--model sphere --density 20 --n 10,20 --frames 1 --json");
     assert_outcome(&done, 0, "");
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
-    const cJSON *scene = cJSON_GetObjectItem(json, "scene");
-    assert_string_equal(cJSON_GetObjectItem(scene, "model")->valuestring, "sphere");
-    assert_int_equal(cJSON_GetObjectItem(scene, "density")->valueint, 20);
-    cJSON_Delete(json);
+    const json_t *scene = json_object_get(json, "scene");
+    assert_string_equal(json_string_value(json_object_get(scene, "model")), "sphere");
+    assert_int_equal(json_integer_value(json_object_get(scene, "density")), 20);
+    json_decref(json);
     forget(&done);
     static const char *const names[] = {"study.csv", "times.csv"};
     for (int i = 0; i < 2; i++) {
@@ -200,13 +200,13 @@ static void a_file_is_named_in_quotes_where_it_must_be(void **state)
     scratch_write(scratch_path("one,\"two\".obj"), triangle, sizeof triangle - 1);
     outcome done = study("quoted", options);
     assert_outcome(&done, 0, "");
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
-    const cJSON *scene = cJSON_GetObjectItem(json, "scene");
-    assert_string_equal(cJSON_GetObjectItem(scene, "model")->valuestring,
+    const json_t *scene = json_object_get(json, "scene");
+    assert_string_equal(json_string_value(json_object_get(scene, "model")),
                         scratch_path("one,\"two\".obj"));
-    assert_true(cJSON_IsNull(cJSON_GetObjectItem(scene, "density")));
-    cJSON_Delete(json);
+    assert_true(json_is_null(json_object_get(scene, "density")));
+    json_decref(json);
     char *csv = read_from("quoted", "study.csv", NULL);
     assert_says(csv, expected);
     free(csv);
@@ -219,14 +219,14 @@ static void equal_pictures_have_no_largest_difference(void **state)
     (void)state;
     outcome done = study("equal", "--n 10 --frames 0 --ks 0 --kd 0 --ia 0 --json");
     assert_outcome(&done, 0, "");
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
-    const cJSON *row = cJSON_GetArrayItem(cJSON_GetObjectItem(json, "rows"), 0);
-    assert_int_equal(cJSON_GetObjectItem(row, "largest")->valueint, 0);
-    assert_true(cJSON_IsNull(cJSON_GetObjectItem(row, "largest_x")));
-    assert_true(cJSON_IsNull(cJSON_GetObjectItem(row, "largest_y")));
-    assert_true(cJSON_IsNull(cJSON_GetObjectItem(row, "psnr")));
-    cJSON_Delete(json);
+    const json_t *row = json_array_get(json_object_get(json, "rows"), 0);
+    assert_int_equal(json_integer_value(json_object_get(row, "largest")), 0);
+    assert_true(json_is_null(json_object_get(row, "largest_x")));
+    assert_true(json_is_null(json_object_get(row, "largest_y")));
+    assert_true(json_is_null(json_object_get(row, "psnr")));
+    json_decref(json);
     char *csv = read_from("equal", "study.csv", NULL);
     assert_says(csv, "\n10,0,inf,0,,,0,");
     free(csv);

@@ -10,10 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 #include "run.h"
 
 enum { WRONG_DEVICE, WRONG_DIVIDER, SILENT_DEVICE, RIGHT, VERILOGS };
@@ -41,32 +41,32 @@ static outcome run_with(int verilog, const char *words, const char *path)
     return run(command_line, "");
 }
 
-static const cJSON *member(const cJSON *json, const char *name)
+static const json_t *member(const json_t *json, const char *name)
 {
-    return cJSON_GetObjectItemCaseSensitive(json, name);
+    return json_object_get(json, name);
 }
 
-static double number(const cJSON *json, const char *name)
+static double number(const json_t *json, const char *name)
 {
-    assert_true(cJSON_IsNumber(member(json, name)));
-    return member(json, name)->valuedouble;
+    assert_true(json_is_number(member(json, name)));
+    return json_number_value(member(json, name));
 }
 
 /* The result of a run that must fail; to be deleted. */
-static cJSON *failed_result(outcome *done)
+static json_t *failed_result(outcome *done)
 {
     assert_int_equal(done->status, 1);
-    cJSON *json = cJSON_Parse(done->out);
+    json_t *json = json_loads(done->out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
     forget(done);
     return json;
 }
 
 /* The packet that a result names is there, and replays. */
-static void assert_packet_of(const cJSON *json, const char *path, int verilog)
+static void assert_packet_of(const json_t *json, const char *path, int verilog)
 {
-    assert_true(cJSON_IsString(member(json, "packet")));
-    assert_string_equal(member(json, "packet")->valuestring, path);
+    assert_true(json_is_string(member(json, "packet")));
+    assert_string_equal(json_string_value(member(json, "packet")), path);
     outcome replayed = run_with(verilog, "replay %s", path);
     assert_int_equal(replayed.status, 1);
     assert_says(replayed.out, ": the same mismatch; ");
@@ -81,17 +81,17 @@ static void a_random_run_gives_its_mismatches(void **state)
         "verify --gate cosine --pipeline pipelined --lanes 1 --clocks 3000 --seed 5 --json "
         "--out %s/",
         scratch_path("random"));
-    cJSON *json = failed_result(&done);
-    const cJSON *setting = cJSON_GetArrayItem(member(json, "settings"), 0);
-    const cJSON *list = member(setting, "first_mismatches");
-    assert_int_equal(cJSON_GetArraySize(list), 16);
-    const cJSON *first = cJSON_GetArrayItem(list, 0);
+    json_t *json = failed_result(&done);
+    const json_t *setting = json_array_get(member(json, "settings"), 0);
+    const json_t *list = member(setting, "first_mismatches");
+    assert_int_equal(json_array_size(list), 16);
+    const json_t *first = json_array_get(list, 0);
     assert_true(number(first, "clock") >= 1 && number(first, "lane") == 0);
     assert_true(number(first, "block") >= 13 && number(first, "block") <= 15);
     assert_true(number(first, "model") != number(first, "rtl"));
-    assert_true(cJSON_IsString(member(first, "signal")));
+    assert_true(json_is_string(member(first, "signal")));
     assert_packet_of(setting, scratch_path("random//specular_cosine_pipelined_1"), WRONG_DEVICE);
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 static void an_exhaustive_run_gives_its_mismatches(void **state)
@@ -101,17 +101,17 @@ static void an_exhaustive_run_gives_its_mismatches(void **state)
                             "verify --exhaustive --shard 61/1024 --stride 97 --seed 4 --lanes 1 "
                             "--json --out %s",
                             scratch_path("whole"));
-    cJSON *json = failed_result(&done);
-    const cJSON *list = member(json, "first_mismatches");
-    assert_int_equal(cJSON_GetArraySize(list), 16);
-    const cJSON *first = cJSON_GetArrayItem(list, 0);
-    assert_string_equal(member(first, "gate")->valuestring, "cosine");
+    json_t *json = failed_result(&done);
+    const json_t *list = member(json, "first_mismatches");
+    assert_int_equal(json_array_size(list), 16);
+    const json_t *first = json_array_get(list, 0);
+    assert_string_equal(json_string_value(member(first, "gate")), "cosine");
     assert_true(number(first, "n") == 60 && number(first, "lanes") == 1);
     assert_true(number(first, "model") - number(first, "rtl") == 1); /* cut off, not rounded */
     assert_null(member(json, "error"));
     assert_packet_of(json, scratch_path("whole/specular_cosine_pipelined_1_exhaustive"),
                      WRONG_DEVICE);
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 /* It is summed up like any other, and --from would begin with the n that was not finished. */
@@ -129,14 +129,14 @@ static void a_circuit_that_keeps_an_answer_back_is_summed_up(void **state)
     outcome again = run_with(SILENT_DEVICE,
                              "verify --exhaustive --from 5 --lanes 1 --threads 1 --json --out %s",
                              scratch_path("silent"));
-    cJSON *json = failed_result(&again);
+    json_t *json = failed_result(&again);
     assert_true(number(json, "n_done") == 0 && number(json, "next") == 5);
-    assert_true(cJSON_IsFalse(member(json, "interrupted")));
-    assert_int_equal(strncmp(member(json, "error")->valuestring, "the circuit returned 0 of ", 26),
-                     0);
+    assert_true(json_is_false(member(json, "interrupted")));
+    assert_int_equal(
+        strncmp(json_string_value(member(json, "error")), "the circuit returned 0 of ", 26), 0);
     assert_packet_of(json, scratch_path("silent/specular_cosine_pipelined_1_exhaustive"),
                      SILENT_DEVICE);
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 /* The table of 1/k is wrong for one k, so that most spans, and most settings, are right. */
@@ -149,10 +149,10 @@ static void a_wrong_divider_is_found_in_a_frame(void **state)
     outcome done = run_with(WRONG_DIVIDER, words, scratch_path("span.png"));
     assert_says(done.err, "divider pipelined, 12 shifts: a mismatch (frame)\n");
     assert_says(done.err, ", k 7: quotient of ");
-    cJSON *json = failed_result(&done);
+    json_t *json = failed_result(&done);
     assert_true(number(member(json, "comparison"), "differing_pixels") > 0);
     assert_packet_of(json, scratch_path("span-failure"), WRONG_DIVIDER);
-    cJSON_Delete(json);
+    json_decref(json);
     done = run_with(RIGHT, words, scratch_path("span.png"));
     assert_int_equal(done.status, 0);
     forget(&done);

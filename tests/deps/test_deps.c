@@ -153,7 +153,7 @@ static void no_debian_is_said(void **state)
     assert_int_equal(run_deps(settings, "demo"), 2);
     assert_file("err", "sim/deps.sh: this is no Debian system (no dpkg-query); install the "
                        "equivalents of: gcc g++ make pkg-config verilator zlib1g-dev libpng-dev "
-                       "libfreetype-dev fonts-dejavu-core libassimp-dev libcjson-dev "
+                       "libfreetype-dev fonts-dejavu-core libassimp-dev libjansson-dev "
                        "libcmark-gfm-dev libcmark-gfm-extensions-dev "
                        "nettle-dev\n");
 }

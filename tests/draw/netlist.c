@@ -5,8 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <cjson/cJSON.h>
-
+#include "file/json.h"
 #include "lockstep/signals.h"
 
 enum { PATH = 1024 };
@@ -14,14 +13,13 @@ enum { PATH = 1024 };
 /* A bit of a cell's output is made of all bits of its inputs; of a bitwise cell, of those in its
  * own place where a port has as many places. */
 typedef struct cell {
-    const cJSON *description;
+    const json_t *description;
     bool is_bitwise;
     int width; /* of the output */
 } cell;
 
 struct netlist {
-    cJSON *json;
-    const cJSON *names; /* of wires: {"bits": […]} */
+    json_t *json, *names; /* of wires: {"bits": […]} */
     int bit_count, cell_count;
     int *driver; /* of each bit: its cell; −1: none, a port */
     int *place;  /* and its place in the cell's output */
@@ -67,48 +65,51 @@ static char *read_text(const char *path)
 /* ---- The netlist ----------------------------------------------------------------------------- */
 
 /* A bit's number; −1: a constant, which is a string. */
-static int bit_of(const cJSON *bit)
+static int bit_of(const json_t *bit)
 {
-    return cJSON_IsNumber(bit) ? bit->valueint : -1;
+    return json_is_integer(bit) ? (int)json_integer_value(bit) : -1;
 }
 
-static void count_bits(netlist *circuit, const cJSON *bits)
+static void count_bits(netlist *circuit, const json_t *bits)
 {
-    const cJSON *bit;
-    cJSON_ArrayForEach(bit, bits) if (bit_of(bit) >= circuit->bit_count) circuit->bit_count =
-        bit_of(bit) + 1;
+    const json_t *bit;
+    glint_json_each(bit, bits)
+    {
+        if (bit_of(bit) >= circuit->bit_count)
+            circuit->bit_count = bit_of(bit) + 1;
+    }
 }
 
-static bool is_output(const cJSON *description, const cJSON *port)
+static bool is_output(const json_t *description, const char *port)
 {
-    const cJSON *directions = cJSON_GetObjectItem(description, "port_directions");
-    return strcmp(cJSON_GetStringValue(cJSON_GetObjectItem(directions, port->string)), "output") ==
-           0;
+    const json_t *directions = json_object_get(description, "port_directions");
+    return strcmp(json_string_value(json_object_get(directions, port)), "output") == 0;
 }
 
-static bool is_bitwise(const cJSON *description)
+static bool is_bitwise(const json_t *description)
 {
     static const char *const types[] = {"$dff",  "$dffe", "$sdff", "$sdffe", "$adff", "$mux",
                                         "$pmux", "$and",  "$or",   "$xor",   "$xnor", "$not"};
-    const char *type = cJSON_GetStringValue(cJSON_GetObjectItem(description, "type"));
+    const char *type = json_string_value(json_object_get(description, "type"));
     for (size_t i = 0; i < sizeof types / sizeof types[0]; i++)
         if (strcmp(type, types[i]) == 0)
             return true;
     return false;
 }
 
-static void read_cell(netlist *circuit, const cJSON *description)
+static void read_cell(netlist *circuit, const json_t *description)
 {
-    const cJSON *port, *bit;
+    const char *name;
+    json_t *port, *bit;
     cell *made = &circuit->cells[circuit->cell_count];
     *made = (cell){.description = description, .is_bitwise = is_bitwise(description)};
-    cJSON_ArrayForEach(port, cJSON_GetObjectItem(description, "connections"))
+    json_object_foreach(json_object_get(description, "connections"), name, port)
     {
         int place = 0;
-        if (!is_output(description, port))
+        if (!is_output(description, name))
             continue;
-        made->width = cJSON_GetArraySize(port);
-        cJSON_ArrayForEach(bit, port)
+        made->width = (int)json_array_size(port);
+        glint_json_each(bit, port)
         {
             if (bit_of(bit) >= 0) {
                 circuit->driver[bit_of(bit)] = circuit->cell_count;
@@ -120,17 +121,24 @@ static void read_cell(netlist *circuit, const cJSON *description)
     circuit->cell_count++;
 }
 
-static void read_module(netlist *circuit, const cJSON *module)
+static void read_module(netlist *circuit, const json_t *module)
 {
-    const cJSON *cells = cJSON_GetObjectItem(module, "cells"), *wire, *description;
-    circuit->names = cJSON_GetObjectItem(module, "netnames");
-    cJSON_ArrayForEach(wire, circuit->names) count_bits(circuit, cJSON_GetObjectItem(wire, "bits"));
+    json_t *cells = json_object_get(module, "cells"), *wire, *description;
+    const char *name;
+    circuit->names = json_object_get(module, "netnames");
+    json_object_foreach(circuit->names, name, wire)
+    {
+        count_bits(circuit, json_object_get(wire, "bits"));
+    }
     circuit->driver = malloc(sizeof *circuit->driver * (size_t)(circuit->bit_count + 1));
     circuit->place = calloc((size_t)circuit->bit_count + 1, sizeof *circuit->place);
-    circuit->cells = calloc((size_t)cJSON_GetArraySize(cells) + 1, sizeof *circuit->cells);
+    circuit->cells = calloc(json_object_size(cells) + 1, sizeof *circuit->cells);
     for (int i = 0; i < circuit->bit_count; i++)
         circuit->driver[i] = -1;
-    cJSON_ArrayForEach(description, cells) read_cell(circuit, description);
+    json_object_foreach(cells, name, description)
+    {
+        read_cell(circuit, description);
+    }
 }
 
 netlist *netlist_make(const glint_setting *setting, const char *directory, const char *work)
@@ -140,15 +148,15 @@ netlist *netlist_make(const glint_setting *setting, const char *directory, const
     (void)snprintf(path, sizeof path, "%s/netlist.json", work);
     char *text = circuit != NULL && run_yosys(setting, directory, work) ? read_text(path) : NULL;
     if (text != NULL)
-        circuit->json = cJSON_Parse(text);
+        circuit->json = json_loads(text, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     free(text);
-    const cJSON *module,
-        *modules = circuit != NULL ? cJSON_GetObjectItem(circuit->json, "modules") : NULL;
-    cJSON_ArrayForEach(module, modules)
+    const char *name;
+    json_t *module, *modules = circuit != NULL ? json_object_get(circuit->json, "modules") : NULL;
+    json_object_foreach(modules, name, module)
     {
         /* The top alone is left, under a name of Yosys's where it has parameters; the modules
          * that it was flattened from have no attribute `top`. */
-        if (cJSON_GetObjectItem(cJSON_GetObjectItem(module, "attributes"), "top") == NULL)
+        if (json_object_get(json_object_get(module, "attributes"), "top") == NULL)
             continue;
         read_module(circuit, module);
         return circuit;
@@ -165,15 +173,15 @@ void netlist_destroy(netlist *circuit)
     free(circuit->cells);
     free(circuit->driver);
     free(circuit->place);
-    cJSON_Delete(circuit->json);
+    json_decref(circuit->json);
     free(circuit);
 }
 
 /* ---- Questions ------------------------------------------------------------------------------- */
 
-static const cJSON *bits_of(const netlist *circuit, const char *name)
+static const json_t *bits_of(const netlist *circuit, const char *name)
 {
-    return cJSON_GetObjectItem(cJSON_GetObjectItemCaseSensitive(circuit->names, name), "bits");
+    return json_object_get(json_object_get(circuit->names, name), "bits");
 }
 
 bool netlist_has(const netlist *circuit, const char *name)
@@ -183,8 +191,12 @@ bool netlist_has(const netlist *circuit, const char *name)
 
 bool netlist_is_constant(const netlist *circuit, const char *name)
 {
-    const cJSON *bit;
-    cJSON_ArrayForEach(bit, bits_of(circuit, name)) if (bit_of(bit) >= 0) return false;
+    const json_t *bit;
+    glint_json_each(bit, bits_of(circuit, name))
+    {
+        if (bit_of(bit) >= 0)
+            return false;
+    }
     return true;
 }
 
@@ -241,19 +253,20 @@ static void visit(search *s, int bit)
 static void visit_inputs(search *s, int of)
 {
     const int driver = s->circuit->driver[of];
-    const cJSON *port, *bit;
+    const char *name;
+    json_t *port, *bit;
     if (driver < 0)
         return;
     const cell *cell = &s->circuit->cells[driver];
-    cJSON_ArrayForEach(port, cJSON_GetObjectItem(cell->description, "connections"))
+    json_object_foreach(json_object_get(cell->description, "connections"), name, port)
     {
         const bool is_in_place =
-            cell->is_bitwise && strchr("ABD", port->string[0]) != NULL &&
-            cJSON_GetArraySize(port) % cell->width == 0; /* one word, or several to choose from */
+            cell->is_bitwise && strchr("ABD", name[0]) != NULL &&
+            (int)json_array_size(port) % cell->width == 0; /* one word, or several to choose from */
         int place = 0;
-        if (is_output(cell->description, port))
+        if (is_output(cell->description, name))
             continue;
-        cJSON_ArrayForEach(bit, port)
+        glint_json_each(bit, port)
         {
             if (bit_of(bit) >= 0 && (!is_in_place || place % cell->width == s->circuit->place[of]))
                 visit(s, bit_of(bit));
@@ -272,10 +285,13 @@ static void begin_at(search *s, int bit, bool is_register)
 
 static void own(const search *s)
 {
-    const cJSON *bit;
+    const json_t *bit;
     for (int i = 0; i < s->count; i++)
-        cJSON_ArrayForEach(bit, bits_of(s->circuit, s->names[i])) if (bit_of(bit) >= 0)
-            s->owned[bit_of(bit)][i] = true;
+        glint_json_each(bit, bits_of(s->circuit, s->names[i]))
+        {
+            if (bit_of(bit) >= 0)
+                s->owned[bit_of(bit)][i] = true;
+        }
 }
 
 void netlist_sources(const netlist *circuit, const char *wire, bool is_register,
@@ -291,11 +307,14 @@ void netlist_sources(const netlist *circuit, const char *wire, bool is_register,
                 .owned = calloc(bits, sizeof *s.owned),
                 .seen = calloc(bits, sizeof *s.seen),
                 .waiting = calloc(bits, sizeof *s.waiting)};
-    const cJSON *bit;
+    const json_t *bit;
     memset(reached, 0, sizeof *reached * (size_t)count);
     own(&s);
-    cJSON_ArrayForEach(bit, bits_of(circuit, wire)) if (bit_of(bit) >= 0)
-        begin_at(&s, bit_of(bit), is_register);
+    glint_json_each(bit, bits_of(circuit, wire))
+    {
+        if (bit_of(bit) >= 0)
+            begin_at(&s, bit_of(bit), is_register);
+    }
     while (s.waiting_count > 0)
         visit_inputs(&s, s.waiting[--s.waiting_count]);
     free(s.owned);

@@ -7,9 +7,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
+#include "file/json.h"
 #include "image/image.h"
 
 #include "../scratch.h"
@@ -94,16 +94,16 @@ static void the_json_says_where_it_is_above_one(void **state)
     (void)state;
     outcome done = run("energy --model energy-conserving --n 1..50 --angle 0,45 --json", "");
     assert_outcome(&done, 0, "");
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
-    const cJSON *model = cJSON_GetArrayItem(cJSON_GetObjectItem(json, "models"), 0);
-    assert_string_equal(cJSON_GetObjectItem(model, "model")->valuestring, "energy-conserving");
-    assert_int_equal(cJSON_GetObjectItem(model, "first_above_1")->valueint, 7);
-    assert_int_equal(cJSON_GetObjectItem(model, "last_above_1")->valueint, 50);
-    assert_int_equal(cJSON_GetObjectItem(model, "exponents_above_1")->valueint, 44);
-    assert_int_equal(cJSON_GetObjectItem(model, "largest_n")->valueint, 17);
-    assert_int_equal(cJSON_GetObjectItem(json, "exponents")->valueint, 50);
-    cJSON_Delete(json);
+    const json_t *model = json_array_get(json_object_get(json, "models"), 0);
+    assert_string_equal(json_string_value(json_object_get(model, "model")), "energy-conserving");
+    assert_int_equal(json_integer_value(json_object_get(model, "first_above_1")), 7);
+    assert_int_equal(json_integer_value(json_object_get(model, "last_above_1")), 50);
+    assert_int_equal(json_integer_value(json_object_get(model, "exponents_above_1")), 44);
+    assert_int_equal(json_integer_value(json_object_get(model, "largest_n")), 17);
+    assert_int_equal(json_integer_value(json_object_get(json, "exponents")), 50);
+    json_decref(json);
     forget(&done);
 }
 

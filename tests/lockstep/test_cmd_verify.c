@@ -8,10 +8,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 
 #include "../child.h"
 #include "../cli/run.h"
@@ -199,11 +199,11 @@ static void the_seed_is_printed(void **state)
     forget(&done);
 }
 
-static double number(const cJSON *json, const char *name)
+static double number(const json_t *json, const char *name)
 {
-    const cJSON *item = cJSON_GetObjectItemCaseSensitive(json, name);
-    assert_true(cJSON_IsNumber(item));
-    return item->valuedouble;
+    const json_t *item = json_object_get(json, name);
+    assert_true(json_is_number(item));
+    return json_number_value(item);
 }
 
 static void json_says_the_same(void **state)
@@ -212,18 +212,17 @@ static void json_says_the_same(void **state)
     outcome done = run(
         "verify --circuit specular --clocks 500 --gate cosine --seed 9007199254740993 --json", "");
     assert_outcome(&done, 0, "");
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
     const double signals = (double)(signals_of(GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL) +
                                     signals_of(GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED));
     assert_true(number(json, "mismatches") == 0);
     assert_true(number(json, "comparisons") == 500 * signals);
     assert_true(number(json, "clocks") == 5000);
-    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(json, "seed")),
-                        "9007199254740993");
-    assert_true(cJSON_IsFalse(cJSON_GetObjectItemCaseSensitive(json, "interrupted")));
-    assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItemCaseSensitive(json, "settings")), 10);
-    cJSON_Delete(json);
+    assert_string_equal(json_string_value(json_object_get(json, "seed")), "9007199254740993");
+    assert_true(json_is_false(json_object_get(json, "interrupted")));
+    assert_int_equal(json_array_size(json_object_get(json, "settings")), 10);
+    json_decref(json);
     forget(&done);
 }
 
@@ -243,9 +242,9 @@ static glint_reach reach_of(const glint_setting *setting, uint64_t clocks, uint6
     return count.reach;
 }
 
-static void assert_reach(const cJSON *entry, const glint_reach *depth, const glint_reach *counts)
+static void assert_reach(const json_t *entry, const glint_reach *depth, const glint_reach *counts)
 {
-    const cJSON *json = cJSON_GetObjectItemCaseSensitive(entry, "reach");
+    const json_t *json = json_object_get(entry, "reach");
     assert_true(number(json, "clocks_without_reset") == (double)depth->run);
     assert_true(number(json, "enabled_clocks_without_reset") == (double)depth->run_enabled);
     assert_true(number(json, "stalls_in_a_row") == (double)depth->stall);
@@ -271,13 +270,13 @@ static void what_was_reached_is_told(void **state)
     uint64_t patterns = 0;
     assert_outcome(&told, 0, "");
     assert_outcome(&done, 0, "");
-    cJSON *json = cJSON_Parse(done.out);
-    const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "settings");
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
+    const json_t *list = json_object_get(json, "settings");
     for (int i = 0; i < 5; i++) {
         const glint_setting setting = glint_setting_specular(
             &(glint_specular_config){GLINT_GATE_SIGN, GLINT_PIPELINE_PIPELINED, 1 << i});
         const glint_reach reach = reach_of(&setting, REACH_CLOCKS, REACH_SEED);
-        const cJSON *entry = cJSON_GetArrayItem(list, i);
+        const json_t *entry = json_array_get(list, (size_t)i);
         assert_true(number(entry, "lanes") == 1 << i);
         assert_reach(entry, &reach, &reach);
         least.run = i == 0 || reach.run < least.run ? reach.run : least.run;
@@ -289,7 +288,7 @@ static void what_was_reached_is_told(void **state)
         sum.changes += reach.changes;
         sum.changes_in_flight += reach.changes_in_flight;
         patterns = reach.patterns;
-        const cJSON *told_of = cJSON_GetObjectItemCaseSensitive(entry, "reach");
+        const json_t *told_of = json_object_get(entry, "reach");
         assert_true(number(told_of, "lanes_alone") == 1 << i);
         assert_true(number(told_of, "lane_patterns") == (double)patterns);
         assert_true(number(told_of, "lane_patterns_possible") == (1 << (1 << i)) - 1);
@@ -304,7 +303,7 @@ static void what_was_reached_is_told(void **state)
                    least.run, least.run_enabled, least.stall, sum.resets, sum.resets_in_flight,
                    sum.changes, sum.changes_in_flight, patterns);
     assert_says(told.out, words);
-    cJSON_Delete(json);
+    json_decref(json);
     forget(&told);
     forget(&done);
 }
@@ -323,17 +322,17 @@ static void what_a_divider_reached_is_told(void **state)
     (void)snprintf(words, sizeof words, " of them mid-flow; %" PRIu64 " starts while busy\n",
                    reach.ignored);
     assert_says(told.out, words);
-    cJSON *json = cJSON_Parse(done.out);
-    const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "settings");
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
+    const json_t *list = json_object_get(json, "settings");
     for (int i = 0; i < 2; i++) {
-        const cJSON *entry = cJSON_GetArrayItem(list, i);
-        const cJSON *of = cJSON_GetObjectItemCaseSensitive(entry, "reach");
+        const json_t *entry = json_array_get(list, (size_t)i);
+        const json_t *of = json_object_get(entry, "reach");
         const bool waits =
-            strcmp(cJSON_GetStringValue(cJSON_GetObjectItem(entry, "form")), "sequential") == 0;
-        assert_int_equal(cJSON_HasObjectItem(of, "starts_while_busy"), waits);
+            strcmp(json_string_value(json_object_get(entry, "form")), "sequential") == 0;
+        assert_int_equal((json_object_get(of, "starts_while_busy") != NULL), waits);
         assert_true(!waits || number(of, "starts_while_busy") == (double)reach.ignored);
     }
-    cJSON_Delete(json);
+    json_decref(json);
     forget(&told);
     forget(&done);
 }
@@ -400,11 +399,11 @@ static void an_interrupted_run_is_summed_up_in_json(void **state)
 {
     (void)state;
     char *out = interrupt_verify("--json");
-    cJSON *json = cJSON_Parse(out);
+    json_t *json = json_loads(out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
-    assert_true(cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(json, "interrupted")));
+    assert_true(json_is_true(json_object_get(json, "interrupted")));
     assert_true(number(json, "comparisons") > 0);
-    cJSON_Delete(json);
+    json_decref(json);
     free(out);
 }
 

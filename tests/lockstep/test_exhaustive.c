@@ -8,10 +8,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 #include "glint_specular.h"
 
 #include "../child.h"
@@ -24,21 +24,21 @@ enum {
     SECONDS = 120                   /* it takes one; a busy machine, many times that */
 };
 
-static double number(const cJSON *json, const char *name)
+static double number(const json_t *json, const char *name)
 {
-    const cJSON *item = cJSON_GetObjectItemCaseSensitive(json, name);
-    assert_true(cJSON_IsNumber(item));
-    return item->valuedouble;
+    const json_t *item = json_object_get(json, name);
+    assert_true(json_is_number(item));
+    return json_number_value(item);
 }
 
 /* The result of a run that must end with this status; to be deleted. */
-static cJSON *result_of(const char *options, int status)
+static json_t *result_of(const char *options, int status)
 {
     char command_line[600];
     (void)snprintf(command_line, sizeof command_line, "verify --exhaustive --json %s", options);
     outcome done = run(command_line, "");
     assert_int_equal(done.status, status);
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
     forget(&done);
     return json;
@@ -48,45 +48,44 @@ static cJSON *result_of(const char *options, int status)
 static void one_n_is_covered_whole(void **state)
 {
     (void)state;
-    cJSON *json = result_of("--shard 81/1024", 0);
-    const cJSON *circuit =
-        cJSON_GetArrayItem(cJSON_GetObjectItemCaseSensitive(json, "circuits"), 0);
+    json_t *json = result_of("--shard 81/1024", 0);
+    const json_t *circuit = json_array_get(json_object_get(json, "circuits"), 0);
     assert_true(number(json, "n_done") == 1);
     assert_true(number(json, "mismatches") == 0);
     assert_true(number(json, "points") == 2.0 * CODES + number(circuit, "pairs"));
     assert_true(number(json, "comparisons") == 4 * number(json, "points"));
     assert_true(number(circuit, "pairs") > 0);
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 static void every_gate_and_pipeline_is_equal(void **state)
 {
     (void)state;
-    cJSON *json = result_of("--gate all --pipeline all --stride 4093 --seed 1", 0);
+    json_t *json = result_of("--gate all --pipeline all --stride 4093 --seed 1", 0);
     assert_true(number(json, "n_done") == 1024);
     assert_true(number(json, "mismatches") == 0);
     assert_true(number(json, "comparisons") == 4 * number(json, "points"));
-    const cJSON *circuit;
-    cJSON_ArrayForEach(circuit, cJSON_GetObjectItemCaseSensitive(json, "circuits"))
+    const json_t *circuit;
+    glint_json_each(circuit, json_object_get(json, "circuits"))
     {
         assert_true(number(circuit, "points") >= 2.0 * 1024 * (CODES / 4093));
     }
-    assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItemCaseSensitive(json, "circuits")), 6);
-    cJSON_Delete(json);
+    assert_int_equal(json_array_size(json_object_get(json, "circuits")), 6);
+    json_decref(json);
 }
 
 /* Each lane sees all that one of them would. */
 static void every_lane_takes_every_code(void **state)
 {
     (void)state;
-    cJSON *turning = result_of("--shard 81/1024", 0);
-    cJSON *every = result_of("--shard 81/1024 --every-lane", 0);
+    json_t *turning = result_of("--shard 81/1024", 0);
+    json_t *every = result_of("--shard 81/1024 --every-lane", 0);
     assert_true(number(every, "points") == 16 * number(turning, "points"));
     assert_true(number(every, "comparisons") == 4 * number(every, "points"));
-    assert_true(cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(every, "every_lane")));
-    assert_true(cJSON_IsFalse(cJSON_GetObjectItemCaseSensitive(turning, "every_lane")));
-    cJSON_Delete(turning);
-    cJSON_Delete(every);
+    assert_true(json_is_true(json_object_get(every, "every_lane")));
+    assert_true(json_is_false(json_object_get(turning, "every_lane")));
+    json_decref(turning);
+    json_decref(every);
 }
 
 /* "0 mismatches" comes with what was searched and what was not. */
@@ -121,11 +120,11 @@ static void a_result_says_what_it_reaches(void **state)
     outcome help = run("verify --exhaustive --help", "");
     assert_says(help.out, "partly valid lanes, ");
     forget(&help);
-    cJSON *json = result_of("--shard 9/1024 --stride 97 --seed 1", 0);
-    const cJSON *said = cJSON_GetObjectItemCaseSensitive(json, "not_reached");
-    assert_true(cJSON_IsString(said));
-    assert_non_null(strstr(not, said->valuestring));
-    cJSON_Delete(json);
+    json_t *json = result_of("--shard 9/1024 --stride 97 --seed 1", 0);
+    const json_t *said = json_object_get(json, "not_reached");
+    assert_true(json_is_string(said));
+    assert_non_null(strstr(not, json_string_value(said)));
+    json_decref(json);
 }
 
 /* The shards together are the whole. */
@@ -133,27 +132,27 @@ static void shards_make_up_the_domain(void **state)
 {
     (void)state;
     double points = 0, done = 0;
-    cJSON *whole = result_of("--stride 4093 --seed 9", 0);
+    json_t *whole = result_of("--stride 4093 --seed 9", 0);
     for (int shard = 1; shard <= 3; shard++) {
         char options[64];
         (void)snprintf(options, sizeof options, "--stride 4093 --seed 9 --shard %d/3", shard);
-        cJSON *json = result_of(options, 0);
+        json_t *json = result_of(options, 0);
         points += number(json, "points");
         done += number(json, "n_done");
-        cJSON_Delete(json);
+        json_decref(json);
     }
     assert_true(done == number(whole, "n_done"));
     assert_true(points == number(whole, "points"));
-    cJSON_Delete(whole);
+    json_decref(whole);
 }
 
 /* What --from leaves out is what an interrupted run had done. */
 static void a_run_can_be_resumed(void **state)
 {
     (void)state;
-    cJSON *rest = result_of("--from 1000 --stride 4093 --seed 9", 0);
+    json_t *rest = result_of("--from 1000 --stride 4093 --seed 9", 0);
     assert_true(number(rest, "n_done") == 24);
-    cJSON_Delete(rest);
+    json_decref(rest);
 }
 
 /* ---- Ctrl-C -------------------------------------------------------------------------------------
@@ -195,7 +194,7 @@ static void an_interrupted_run_says_how_to_go_on(void **state)
         "--every-lane --gate all --pipeline all --stride 997 --seed 9 --threads 1 --out a$b";
     char shown[4096];
     char resume[512];
-    cJSON *whole = result_of(options, 0);
+    json_t *whole = result_of(options, 0);
     char *part = interrupt_run(options, shown, sizeof shown);
     assert_says(part, " (interrupted)\n");
     const double points = number_before(part, " points,");
@@ -211,11 +210,11 @@ static void an_interrupted_run_says_how_to_go_on(void **state)
     assert_says(resume, " --every-lane ");
     assert_says(resume, " --threads 1 --out 'a$b'");
     *strstr(resume, " --out") = '\0'; /* the quotes are for a shell */
-    cJSON *rest = result_of(resume, 0);
+    json_t *rest = result_of(resume, 0);
     assert_true(points + number(rest, "points") == number(whole, "points"));
     assert_true(n + number(rest, "n_done") == 1024);
-    cJSON_Delete(rest);
-    cJSON_Delete(whole);
+    json_decref(rest);
+    json_decref(whole);
     free(part);
 }
 
@@ -241,11 +240,11 @@ static void progress_tells_rate_and_time_left(void **state)
 static void threads_change_nothing(void **state)
 {
     (void)state;
-    cJSON *one = result_of("--threads 1 --stride 4093 --seed 2", 0);
-    cJSON *five = result_of("--threads 5 --stride 4093 --seed 2", 0);
+    json_t *one = result_of("--threads 1 --stride 4093 --seed 2", 0);
+    json_t *five = result_of("--threads 5 --stride 4093 --seed 2", 0);
     assert_true(number(one, "points") == number(five, "points"));
-    cJSON_Delete(one);
-    cJSON_Delete(five);
+    json_decref(one);
+    json_decref(five);
 }
 
 static void what_makes_no_sense_is_refused(void **state)

@@ -12,10 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 
 #include "../cli/run.h"
 #include "planted.h"
@@ -52,17 +52,17 @@ static int pull_out(void **state)
            unsetenv("GLINT_PLANTED_ANSWER") | unsetenv("GLINT_PLANTED_VALUE");
 }
 
-static double number(const cJSON *json, const char *name)
+static double number(const json_t *json, const char *name)
 {
-    const cJSON *item = cJSON_GetObjectItemCaseSensitive(json, name);
-    assert_true(cJSON_IsNumber(item));
-    return item->valuedouble;
+    const json_t *item = json_object_get(json, name);
+    assert_true(json_is_number(item));
+    return json_number_value(item);
 }
 
 /* ---- A random run -------------------------------------------------------------------------------
  */
 
-static cJSON *verify(int threads, int signal)
+static json_t *verify(int threads, int signal)
 {
     char line[600];
     plant_number("GLINT_PLANTED_SIGNAL", signal);
@@ -71,7 +71,7 @@ static cJSON *verify(int threads, int signal)
                    CLOCKS, threads, scratch_path("packets"));
     outcome done = run(line, "");
     assert_int_equal(done.status, 1);
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
     forget(&done);
     return json;
@@ -84,22 +84,22 @@ static void each_thread_s_mismatches_are_told(void **state)
     static const int threads[] = {1, 2, 5, 64};
     for (size_t t = 0; t < sizeof threads / sizeof threads[0]; t++) {
         const int signal = (int)t;
-        cJSON *json = verify(threads[t], signal);
-        const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "settings");
+        json_t *json = verify(threads[t], signal);
+        const json_t *list = json_object_get(json, "settings");
         double comparisons = 0;
         assert_true(number(json, "mismatches") == settings);
-        assert_int_equal(cJSON_GetArraySize(list), settings);
+        assert_int_equal(json_array_size(list), settings);
         for (int i = 0; i < settings; i++) {
-            const cJSON *entry = cJSON_GetArrayItem(list, i);
-            const cJSON *found = cJSON_GetObjectItemCaseSensitive(entry, "first_mismatches");
+            const json_t *entry = json_array_get(list, (size_t)i);
+            const json_t *found = json_object_get(entry, "first_mismatches");
             assert_true(number(entry, "mismatches") == 1);
-            assert_int_equal(cJSON_GetArraySize(found), 1);
-            assert_true(number(cJSON_GetArrayItem(found, 0), "clock") == PLANTED_AT);
+            assert_int_equal(json_array_size(found), 1);
+            assert_true(number(json_array_get(found, 0), "clock") == PLANTED_AT);
             comparisons += number(entry, "comparisons");
         }
         assert_true(number(json, "comparisons") == comparisons &&
                     comparisons == (double)signals * CLOCKS);
-        cJSON_Delete(json);
+        json_decref(json);
     }
 }
 
@@ -108,14 +108,14 @@ static void each_setting_s_mismatch_leaves_a_packet(void **state)
 {
     (void)state;
     char line[600];
-    cJSON *json = verify(2, 0);
-    const cJSON *entry;
+    json_t *json = verify(2, 0);
+    const json_t *entry;
     int packets = 0;
-    cJSON_ArrayForEach(entry, cJSON_GetObjectItemCaseSensitive(json, "settings"))
+    glint_json_each(entry, json_object_get(json, "settings"))
     {
-        const cJSON *packet = cJSON_GetObjectItemCaseSensitive(entry, "packet");
-        assert_true(cJSON_IsString(packet));
-        (void)snprintf(line, sizeof line, "replay %s", packet->valuestring);
+        const json_t *packet = json_object_get(entry, "packet");
+        assert_true(json_is_string(packet));
+        (void)snprintf(line, sizeof line, "replay %s", json_string_value(packet));
         outcome again = run(line, "");
         assert_int_equal(again.status, 1);
         assert_says(again.out, ": the same mismatch; ");
@@ -123,7 +123,7 @@ static void each_setting_s_mismatch_leaves_a_packet(void **state)
         packets++;
     }
     assert_int_equal(packets, settings);
-    cJSON_Delete(json);
+    json_decref(json);
     (void)snprintf(line, sizeof line, "verify --clocks %d --seed 3 --out %s", CLOCKS,
                    scratch_path("packets"));
     outcome told = run(line, "");
@@ -140,7 +140,7 @@ static void each_setting_s_mismatch_leaves_a_packet(void **state)
 enum { CIRCUITS = 6, POINTS = 272 }; /* of each circuit, with one n and this stride */
 
 /* Answers are numbered through: one thread asks the circuits one after the other. */
-static cJSON *exhaust(long answer, int value)
+static json_t *exhaust(long answer, int value)
 {
     char line[600];
     plant_number("GLINT_PLANTED_ANSWER", answer);
@@ -151,7 +151,7 @@ static cJSON *exhaust(long answer, int value)
                    scratch_path("packets"));
     outcome done = run(line, "");
     assert_int_equal(done.status, 1);
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
     forget(&done);
     return json;
@@ -163,17 +163,17 @@ static void each_circuit_s_mismatch_is_told(void **state)
     (void)state;
     for (int c = 0; c < CIRCUITS; c++) {
         for (int value = 0; value < GLINT_ANSWER_VALUES; value++) {
-            cJSON *json = exhaust((long)c * POINTS + 50, value);
-            const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "circuits");
-            assert_int_equal(cJSON_GetArraySize(list), CIRCUITS);
+            json_t *json = exhaust((long)c * POINTS + 50, value);
+            const json_t *list = json_object_get(json, "circuits");
+            assert_int_equal(json_array_size(list), CIRCUITS);
             for (int i = 0; i < CIRCUITS; i++) {
-                const cJSON *circuit = cJSON_GetArrayItem(list, i);
+                const json_t *circuit = json_array_get(list, (size_t)i);
                 assert_true(number(circuit, "points") == POINTS);
                 assert_true(number(circuit, "mismatches") == (i == c));
             }
             assert_true(number(json, "mismatches") == 1);
             assert_true(number(json, "comparisons") == 4 * CIRCUITS * POINTS);
-            cJSON_Delete(json);
+            json_decref(json);
         }
     }
 }
@@ -183,7 +183,7 @@ static void each_circuit_s_mismatch_is_told(void **state)
 
 /* Highlights and nothing else, with the light where the eye is, so that each is seen and a
  * difference of one shows in its pixel. */
-static cJSON *render(bool planted, long answer, int value)
+static json_t *render(bool planted, long answer, int value)
 {
     char line[600];
     if (planted) {
@@ -200,7 +200,7 @@ static cJSON *render(bool planted, long answer, int value)
         scratch_path("frame.png"));
     outcome done = run(line, "");
     assert_int_equal(done.status, planted);
-    cJSON *json = cJSON_Parse(done.out);
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
     assert_non_null(json);
     forget(&done);
     return json;
@@ -209,19 +209,19 @@ static cJSON *render(bool planted, long answer, int value)
 static void each_value_of_a_frame_is_looked_at(void **state)
 {
     (void)state;
-    cJSON *json = render(false, 0, 0);
+    json_t *json = render(false, 0, 0);
     const long points = (long)number(json, "highlights");
     assert_true(points > 100);
-    cJSON_Delete(json);
+    json_decref(json);
     const long answers[] = {0, 1, points / 2, points - 1};
     for (size_t a = 0; a < sizeof answers / sizeof answers[0]; a++) {
         for (int value = 1; value <= 3; value++) { /* red, green, blue */
             json = render(true, answers[a], value);
-            const cJSON *found = cJSON_GetObjectItemCaseSensitive(json, "comparison");
+            const json_t *found = json_object_get(json, "comparison");
             assert_true(number(found, "pixels") == 1200);
             assert_true(number(found, "differing_pixels") == 1);
             assert_true(number(found, "largest") == 1);
-            cJSON_Delete(json);
+            json_decref(json);
         }
     }
 }

@@ -20,7 +20,7 @@ trap 'rm -f "$json"' EXIT
 status=0
 "$@" --json >"$json" || status=$?
 
-# A number of the outermost object: cJSON indents those by one tab.
+# A number of the outermost object: those are indented by one tab.
 field() {
     sed -n "s/^	\"$1\":	\([0-9.]*\).*/\1/p" "$json"
 }

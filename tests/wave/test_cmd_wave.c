@@ -11,10 +11,10 @@
 #include <stdint.h>
 #include <sys/resource.h>
 
-#include <cjson/cJSON.h>
 #include <cmocka.h>
 
 #include "../scratch.h"
+#include "file/json.h"
 
 #include "../cli/run.h"
 #include "saved.h"
@@ -105,21 +105,19 @@ static void json_names_the_files(void **state)
     (void)state;
     outcome done = run_wave("json", "--json");
     assert_outcome(&done, 0, "");
-    cJSON *json = cJSON_Parse(done.out);
-    const cJSON *files = cJSON_GetObjectItemCaseSensitive(json, "files");
-    assert_int_equal(cJSON_GetArraySize(files), 2);
-    const cJSON *file;
-    cJSON_ArrayForEach(file, files)
+    json_t *json = json_loads(done.out, JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
+    const json_t *files = json_object_get(json, "files");
+    assert_int_equal(json_array_size(files), 2);
+    const json_t *file;
+    glint_json_each(file, files)
     {
-        const char *waveform =
-            cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(file, "waveform"));
-        const char *save_file =
-            cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(file, "save_file"));
+        const char *waveform = json_string_value(json_object_get(file, "waveform"));
+        const char *save_file = json_string_value(json_object_get(file, "save_file"));
         assert_true(waveform != NULL && save_file != NULL);
         assert_int_equal(access(waveform, R_OK), 0);
         assert_int_equal(access(save_file, R_OK), 0);
     }
-    cJSON_Delete(json);
+    json_decref(json);
     forget(&done);
 }
 

@@ -1,6 +1,7 @@
 /* JSON as text: UTF-8, whatever the strings were. */
 #define _XOPEN_SOURCE 700
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,20 +11,20 @@
 
 #include <cmocka.h>
 
-#include "file/json_text.h"
+#include "file/json.h"
 
 #define U "\xef\xbf\xbd" /* U+FFFD */
 
 static void assert_text(const char *string, const char *expected)
 {
     char quoted[256] = "\"";
-    cJSON *json = cJSON_CreateString(string);
+    json_t *json = glint_json_text_of(string);
     char *text = glint_json_text(json);
     strcat(strcat(quoted, expected), "\"");
     assert_non_null(text);
     assert_string_equal(text, quoted);
     free(text);
-    cJSON_Delete(json);
+    json_decref(json);
 }
 
 static void utf_8_stays(void **state)
@@ -65,6 +66,49 @@ static void what_json_quotes_is_quoted(void **state)
     assert_text("a\"b\\\n", "a\\\"b\\\\\\n");
 }
 
+static void assert_number(double number, const char *expected)
+{
+    json_t *json = glint_json_number_of(number);
+    char *text = glint_json_text(json);
+    assert_non_null(text);
+    assert_string_equal(text, expected);
+    free(text);
+    json_decref(json);
+}
+
+/* The fewest digits that read back as the same double; a whole number without a point. */
+static void numbers_are_exact_and_short(void **state)
+{
+    (void)state;
+    assert_number(0.0, "0");
+    assert_number(-5.0, "-5");
+    assert_number(26976780288.0, "26976780288");
+    assert_number(9007199254740992.0, "9007199254740992");
+    assert_number(0.1, "0.1");
+    assert_number(0.1 + 0.2, "0.30000000000000004");
+    assert_number(1e300, "1e+300");
+    assert_number(1.0 / 3.0, "0.3333333333333333");
+    assert_number((double)INFINITY, "null");
+    assert_number((double)NAN, "null");
+}
+
+static void members_stand_on_lines_and_lists_on_one(void **state)
+{
+    (void)state;
+    const double numbers[] = {1, 2.5};
+    json_t *json = json_object();
+    glint_json_add_text(json, "name", "a");
+    json_object_set_new(json, "list", glint_json_numbers_of(numbers, 2));
+    glint_json_add_number(glint_json_add(json, "below", json_object()), "x", 1);
+    json_object_set_new(json, "yes", json_true());
+    json_object_set_new(json, "none", json_array());
+    char *text = glint_json_text(json);
+    assert_string_equal(text, "{\n\t\"name\":\t\"a\",\n\t\"list\":\t[1, 2.5],\n\t\"below\":\t{\n"
+                              "\t\t\"x\":\t1\n\t},\n\t\"yes\":\ttrue,\n\t\"none\":\t[]\n}");
+    free(text);
+    json_decref(json);
+}
+
 static void nothing_is_no_text(void **state)
 {
     (void)state;
@@ -77,6 +121,8 @@ int main(void)
         cmocka_unit_test(utf_8_stays),
         cmocka_unit_test(other_bytes_are_replaced),
         cmocka_unit_test(what_json_quotes_is_quoted),
+        cmocka_unit_test(numbers_are_exact_and_short),
+        cmocka_unit_test(members_stand_on_lines_and_lists_on_one),
         cmocka_unit_test(nothing_is_no_text),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
