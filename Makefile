@@ -397,8 +397,8 @@ help:
 	@echo "make fuzz      20 s of fuzzing (FUZZ_SECONDS=) for each reader of what comes from outside"
 	@echo "make formats   16 to 20 fraction bits of the cosine, by one edit each (docs/formats.md)"
 	@echo "make generate  write the generated Verilog (from cmodel/) and drawings anew"
-	@echo "make install PREFIX=DIR    command, library, headers, Verilog, docs ($(PREFIX))"
-	@echo "make uninstall PREFIX=DIR  remove what make install put there"
+	@echo "make install [PREFIX=$(PREFIX)] [DESTDIR=]  command, library, headers, Verilog, docs"
+	@echo "make uninstall [PREFIX=] [DESTDIR=]  remove what make install put there"
 	@echo "make clean     remove $(BUILD)/"
 	@echo "Variables: BUILD=DIR, CC=, CXX=, JOBS=N, NO_INSTALL=1 (only say which packages are missing)"
 

@@ -47,8 +47,7 @@ glint_status glint_study_method_parse(const char *text, glint_study_method *meth
     } else {
         return glint_fail(
             err, GLINT_BAD_ARGUMENT,
-            "\"%.60s\" is not a method: use c, rtl, real or one that glint models lists",
-            who);
+            "\"%.60s\" is not a method: use c, rtl, real or one that glint models lists", who);
     }
     if (colon != NULL) {
         if (!find(shadings, GLINT_SHADING_COUNT, colon + 1, &index)) {

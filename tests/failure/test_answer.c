@@ -109,7 +109,7 @@ static void assert_reaches_the_answer(const char *output)
     assert_non_null(strstr(report, line));
     assert_int_equal(strstr(report, "\nthe first signal to differ:\n") != NULL,
                      first->clock < failing->clock);
-    (void)snprintf(line, sizeof line, "values of the answer:\n");
+    (void)snprintf(line, sizeof line, "values of the answer after it:\n");
     assert_non_null(strstr(report, line));
     free(report);
 }

@@ -3,9 +3,9 @@
 #include <string.h>
 
 #include "fuzz.h"
+#include "reflectance/vec3.h"
 #include "render/clip.h"
 #include "render/render.h"
-#include "reflectance/vec3.h"
 
 #define WIDTH  40
 #define HEIGHT 30

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Tests style.sh: a small tree in good style passes, and with one fault planted it does not, for each
-# kind of fault: notices.sh
+# Tests style.sh on a small tree: it must pass a clean one and notice a planted fault of each kind:
+# notices.sh
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 tree=$(mktemp -d)
@@ -12,7 +12,8 @@ begin() {
     mkdir -p sim/a
     cp "$here/../../.clang-format" .
     printf '/* What it is for. */\nint a(void)\n{\n    return 0;\n}\n' >sim/a/a.c
-    printf '#ifndef GLINT_SIM_A_A_H\n#define GLINT_SIM_A_A_H\nint a(void);\n#endif\n' >sim/a/glint_a.h
+    printf '#ifndef GLINT_SIM_A_A_H\n#define GLINT_SIM_A_A_H\nint a(void);\n#endif\n' \
+        >sim/a/glint_a.h
     printf '# %098d\n' 0 >rules.mk
     printf '// %s\n' "$(printf '%097d' 0 | sed 's/0/é/g')" >a.v # 100 characters, 197 bytes
     git add -A
@@ -38,10 +39,12 @@ begin
 }
 printf '/* For. */\nint a(void)\n{\n  return 0;\n}\n' >sim/a/a.c
 fault 'two columns of indentation' sim/a/a.c 'a.c:.*clang-format'
-printf '/* For. */\nint a(int b)\n{\n    if (b) {\n        b = 1;\n    }\n    return b;\n}\n' >sim/a/a.c
+printf '/* For. */\nint a(int b)\n{\n    if (b) {\n        b = 1;\n    }\n    return b;\n}\n' \
+    >sim/a/a.c
 fault 'braces around a body of one line' sim/a/a.c 'a.c:.*clang-format'
 sed -i 's/SIM_A_A_H/A_H/' sim/a/glint_a.h
-fault 'a guard that is not the path' sim/a/glint_a.h 'glint_a.h: its include guard is not GLINT_SIM_A_A_H'
+fault 'a guard that is not the path' sim/a/glint_a.h \
+    'glint_a.h: its include guard is not GLINT_SIM_A_A_H'
 sed -i 1d sim/a/a.c
 fault 'a file without its purpose' sim/a/a.c 'a.c:1: does not open'
 printf '// a %098d\n' 0 >a.v
