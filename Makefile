@@ -183,25 +183,25 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/libtest.a $(LIBRARIES) | $(BUILD)/
 	$Q$(CC) $(LDFLAGS) -o $@ $< $(BUILD)/libtest.a $(LIBRARIES) -lcmocka $(LDLIBS)
 
 # Those that take longest start first, so that in the end no processor waits for one of them.
-TESTS_LONG := formal/test_formal formats/test_formats lockstep/test_backends netlist/test_opinions \
-              cli/test_cmd_divide cli/test_wrong_circuit
+TESTS_LONG := $(addprefix $(BUILD)/tests/,lockstep/test_backends formal/test_formal \
+                formats/test_formats circuit/test_own_circuit netlist/test_opinions \
+                cli/test_cmd_divide cli/test_wrong_circuit circuit/test_build \
+                cli/test_cmd_report_whole cli/test_cmd_bench model/test_accuracy)
+long_first  = $(filter $1,$(TESTS_LONG)) $(filter-out $(TESTS_LONG),$1)
 # What runs no C code of ours, but scripts, make, solvers and other simulators, or code that is
-# compiled anew without the sanitizers: not again under these. What C there is in the tests
-# themselves is a list of calls.
-TESTS_OF_TOOLS := coverage/test_coverage_report deps/test_deps formal/test_formal \
-                  formats/test_formats make/test_make portability/test_portability \
-                  verification/test_table verilog/test_icarus
-TESTS_RUN = $(if $(SANITIZE),$(filter-out $(TESTS_OF_TOOLS:%=$(BUILD)/tests/%),$(TEST_PROGRAMS)),\
-                             $(TEST_PROGRAMS))
-TESTS_IN_ORDER = $(filter $(TESTS_RUN),$(TESTS_LONG:%=$(BUILD)/tests/%)) \
-                 $(filter-out $(TESTS_LONG:%=$(BUILD)/tests/%),$(TESTS_RUN))
+# compiled anew without the sanitizers, or (test_blind) no command where one is expected: not again
+# under these. What C there is in the tests themselves is a list of calls.
+TESTS_OF_TOOLS := $(addprefix $(BUILD)/tests/,coverage/test_coverage_report deps/test_deps \
+                    formal/test_formal formats/test_formats harness/test_blind make/test_make \
+                    portability/test_portability verification/test_table verilog/test_icarus)
+TESTS_RUN = $(if $(SANITIZE),$(filter-out $(TESTS_OF_TOOLS),$(TEST_PROGRAMS)),$(TEST_PROGRAMS))
 
 build-tests: $(TESTS_RUN) $(BUILD)/glint $(BUILD)/glint-gen $(WRONG_CIRCUITS)
 .PHONY: build-tests run-tests test-full
 
 run-tests: build-tests
 	GLINT=$(BUILD)/glint GLINT_BUILD=$(BUILD) JOBS=$(JOBS) \
-	    tests/run.sh $(BUILD)/test-logs $(TESTS_IN_ORDER)
+	    tests/run.sh $(BUILD)/test-logs $(call long_first,$(TESTS_RUN))
 
 # For the edit loop: the C model, the descriptions, and one setting of each circuit in lockstep. No
 # GTKWave, clang or valgrind. One test alone: make build/tests/model/test_device &&
@@ -216,7 +216,7 @@ check:
 	    --seed 1 --out $(BUILD)/check
 	@$(BUILD)/glint verify --clocks 20000 --circuit divider --shifts 12 --seed 1 --out $(BUILD)/check
 	@GLINT=$(BUILD)/glint GLINT_BUILD=$(BUILD) JOBS=$(JOBS) \
-	    tests/run.sh $(BUILD)/check-logs $(CHECKS)
+	    tests/run.sh $(BUILD)/check-logs $(call long_first,$(CHECKS))
 
 # The circuits that most tests need are built first, together.
 test:
