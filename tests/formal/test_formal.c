@@ -231,7 +231,7 @@ static void says_what_is_not_installed(void **state)
     assert_int_equal(system(command), 0);
     const char *const argv[] = {"env", path, prove_sh, scratch_path("proof"), "table-6", NULL};
     assert_int_equal(child_run(argv, 10), 2);
-    assert_says("prove.sh: no z3; install the packages yosys and z3");
+    assert_says("prove.sh: z3 not found: install yosys and z3");
 }
 
 int main(void)
