@@ -66,6 +66,15 @@ static const own_circuit circuits[] = {
      "5\n-1\n-16\n", "step,count__33\n5,6\n-1,6\n-16,8589934583\n"},
     {"serial_mul", "--width 6", "serial_mul.v", "busy && left == 5'd1", "busy && left == 5'd2",
      "done", false, false, "5 7\n63 63\n", "a,b,busy,done,product\n5,7,0,1,35\n63,63,0,1,3969\n"},
+    {"wide_fifo", "--depth-log 1", "wide_fifo.v", "= !level[DEPTH_LOG]", "= 1'b1", "s_ready", false,
+     false, "s_data m_ready\n5 0\n0x123456789012345678901234 0\n7 1\n",
+     "s_data,m_ready,level,s_ready,m_valid,m_data\n"
+     "0x000000000000000000000005,0,1,1,1,0x000000000000000000000005\n"
+     "0x123456789012345678901234,0,2,0,1,0x000000000000000000000005\n"
+     "0x000000000000000000000007,1,1,1,1,0x123456789012345678901234\n"},
+    {"gray", "--width 64", "gray.v", "count >> 1", "count >> 2", "code", false, false,
+     "clk mismatch ce_n\n1 0 0\n0 1 0\n1 0 1\n",
+     "ce_n,clk,mismatch,code,wrapped\n0,1,0,6,0\n0,0,1,18446744073709551613,0\n1,1,0,2,0\n"},
 };
 
 enum { CIRCUITS = sizeof circuits / sizeof circuits[0] };
@@ -204,7 +213,7 @@ static void what_is_wrong_is_said(void **state)
          "glint_circuit my_circuit",
          "none of the *.c files defines the circuit, const glint_circuit glint_my_circuit"},
         {"no-title", "rotate_xor", "rotate_xor.c", ".title = \"Turned and mixed\",", "",
-         "circuit rotate_xor: it has no title"},
+         "circuit rotate_xor has no title"},
         {"heading", "clip_lanes", "clip_lanes.c", "{.title = VALID}", "{.title = \"Valid\"}",
          "the circuit has no heading \"Valid bits\""},
         {"submodule", "ring", "ring.c", "\"u_sum.acc\"", "\"u_sum.sum\"",
@@ -215,6 +224,17 @@ static void what_is_wrong_is_said(void **state)
          "clip_lanes has no signal held (line[0].u.held)"},
         {"parameter", "wide_sum", "wide_sum.c", "\"WIDTH\"", "\"SIZE\"",
          "wide_sum has no parameter SIZE"},
+        {"inout", "rotate_xor", "rotate_xor.v", "clk,", "clk, inout wire bus,",
+         "rotate_xor has an inout port bus: only inputs and outputs are supported"},
+        {"module", "rotate_xor", "rotate_xor.v", "module rotate_xor", "module rotate_xors",
+         "rotate_xor.v has no module rotate_xor"},
+        {"narrow-member", "rotate_xor", "rotate_xor.c", "uint64_t state[2], ",
+         "uint64_t state[1], ", "its 100 bits want an array of uint64_t, not 8 bytes"},
+        {"crash", "rotate_xor", "rotate_xor.c", "    settle(s);", "    __builtin_abort();",
+         "the C model crashed: abort()"},
+        {"exit", "free_runner", "free_runner.c",
+         "    s->count +=", "    extern void exit(int);\n    exit(0);\n    s->count +=",
+         "called exit(), so there is no verdict"},
         {"option", "wide_sum", "wide_sum.c", ".name = \"width\"", ".name = \"seed\"",
          "a parameter cannot be named seed"},
     };
@@ -226,6 +246,38 @@ static void what_is_wrong_is_said(void **state)
         outcome done = own_run(directory, "", "verify --clocks 100");
         assert_own_refused(&done, faults[i].words);
         forget(&done);
+    }
+}
+
+/* A packet's waveform has variables of its own, which then have other names. */
+static void pins_may_be_called_as_a_packet_s_variables(void **state)
+{
+    (void)state;
+    char wrong[OWN_PATH], packets[OWN_PATH], packet[OWN_PATH], path[OWN_PATH + 20];
+    own_copy(OWN "gray", "gray-again", wrong);
+    own_edit(wrong, "gray.v", "count >> 1", "count >> 2");
+    (void)snprintf(packets, sizeof packets, "%s/packets-of-names", scratch_directory);
+    outcome done =
+        own_run(OWN "gray", "", "verify --width 5 --clocks 3000 --rtl %s --out %s", wrong, packets);
+    assert_int_equal(done.status, 1);
+    forget(&done);
+    own_only_entry(packets, packet);
+    static const struct {
+        const char *file, *words;
+    } expected[] = {
+        {"wave.vcd", " glint_mismatch $end\n"},
+        {"wave.vcd", " mismatch $end\n"},
+        {"wave.vcd", " glint_clk $end\n"},
+        {"wave.vcd", " clk $end\n"},
+        {"wave.gtkw", "+{glint_clk} TOP.glint_clk\n"},
+        {"wave.gtkw", "+{clk} TOP.clk\n"},
+        {"wave.vcd", " clock [47:0] $end\n"},
+    };
+    for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
+        (void)snprintf(path, sizeof path, "%s/%s", packet, expected[i].file);
+        char *text = scratch_read(path, NULL);
+        assert_says(text, expected[i].words);
+        free(text);
     }
 }
 
@@ -289,7 +341,7 @@ static void a_blank_in_the_name_does_no_harm(void **state)
 int main(void)
 {
     static char names[4 * CIRCUITS][128];
-    struct CMUnitTest tests[4 * CIRCUITS + 5] = {{0}}; /* those without a name are no tests */
+    struct CMUnitTest tests[4 * CIRCUITS + 6] = {{0}}; /* those without a name are no tests */
     static const struct {
         const char *what;
         CMUnitTestFunction run;
@@ -300,6 +352,7 @@ int main(void)
     static const struct CMUnitTest others[] = {
         cmocka_unit_test(every_input_is_tried),
         cmocka_unit_test(what_is_wrong_is_said),
+        cmocka_unit_test(pins_may_be_called_as_a_packet_s_variables),
         cmocka_unit_test(a_directory_without_a_circuit_is_refused),
         cmocka_unit_test(several_files_make_one_circuit),
         cmocka_unit_test(a_blank_in_the_name_does_no_harm),
