@@ -36,7 +36,7 @@ static int parse(int argc, char **argv, draw_options *chosen)
         {.name = "out",
          .placeholder = "FILE",
          .required = true,
-         .help = "where it goes: a name ending in .svg, or in .dot for the input to Graphviz",
+         .help = "output file: a name ending in .svg, or in .dot for the input to Graphviz",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
         GLINT_FORCE_OPTION(&chosen->force),
@@ -45,7 +45,7 @@ static int parse(int argc, char **argv, draw_options *chosen)
         OWN_ROWS + glint_circuit_options_add(&chosen->circuits, options + OWN_ROWS);
     static const glint_example examples[] = {
         {"the specular-colour device", "glint draw --out device.svg"},
-        {"the divider as in the thesis",
+        {"the divider as drawn in the thesis",
          "glint draw --circuit divider --form sequential --out divider.svg"},
         {NULL, NULL},
     };

@@ -60,12 +60,12 @@ static int parse(int argc, char **argv, report_options *chosen)
          .string = &chosen->chapter},
         {.name = "out",
          .placeholder = "DIR",
-         .help = "where the files go; made if missing",
+         .help = "directory for the files; created if missing",
          .kind = GLINT_OPTION_STRING,
          .string = &chosen->out},
         {.name = "threads",
-         .usually = "one a processor",
-         .help = "the files are the same, but for what is timed",
+         .usually = "one per processor",
+         .help = "does not change the files, except for timings",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, GLINT_THREADS_MAX}},
         {.name = "quick",
@@ -74,7 +74,7 @@ static int parse(int argc, char **argv, report_options *chosen)
          .flag = &chosen->quick},
         GLINT_FORCE_OPTION(&chosen->force),
         {.name = "json",
-         .help = "print what index.json holds instead of the summary",
+         .help = "print the content of index.json instead of the summary",
          .kind = GLINT_OPTION_FLAG,
          .flag = &chosen->json},
     };
@@ -96,7 +96,7 @@ static int parse(int argc, char **argv, report_options *chosen)
             "that were ready. --json prints nothing but the JSON, and nothing at all when\n"
             "interrupted. gnuplot is given a minute for each picture; without gnuplot all but\n"
             "the figures are written, and the exit status is 2.",
-        .done = "all written; a claim that does not hold is no failure",
+        .done = "everything was written, whether or not the claims hold",
         .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
@@ -121,10 +121,9 @@ static int check_files(const report_options *chosen)
         const bool there = stat(place.path, &found) == 0 && S_ISREG(found.st_mode);
         numbers = i == 0 ? there : numbers;
         if (there && !numbers)
-            return glint_complain("report", GLINT_EXIT_TROUBLE,
-                                  "%s is there and is of no report: take another directory, or "
-                                  "--force",
-                                  place.path);
+            return glint_complain(
+                "report", GLINT_EXIT_TROUBLE,
+                "%s exists but is not from a report: use another directory or --force", place.path);
     }
     return GLINT_OPTIONS_RUN;
 }
@@ -187,7 +186,7 @@ static int make_report(const report_options *chosen)
         return status;
     return glint_complain(
         "report", GLINT_EXIT_TROUBLE,
-        "there is no gnuplot (package gnuplot-nox), so the figures were not made");
+        "gnuplot (package gnuplot-nox) is not installed, so the figures were not made");
 }
 
 static int64_t online_cores(void)

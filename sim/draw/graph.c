@@ -234,7 +234,7 @@ static glint_status read_rows(making *m)
                      circuit->name);
     const int count = circuit->block_count(setting->values);
     if (count < 1 || count > GLINT_DRAW_NODES_MAX)
-        return WRONG(m, "circuit %s: %d blocks are not 1 to %d", circuit->name, count,
+        return WRONG(m, "circuit %s: it has %d blocks, not from 1 to %d", circuit->name, count,
                      GLINT_DRAW_NODES_MAX);
     for (int i = 0; i < count; i++) {
         const glint_block_info row = circuit->block(setting->values, i);
@@ -245,7 +245,7 @@ static glint_status read_rows(making *m)
             return WRONG(m, "circuit %s: block %d: its name has a blank or one of , \" < > &",
                          circuit->name, i);
         if (find_row(m, row.name, strlen(row.name)) >= 0)
-            return WRONG(m, "circuit %s: two blocks %s", circuit->name, row.name);
+            return WRONG(m, "circuit %s: block %s appears twice", circuit->name, row.name);
         m->row[m->row_count++] = row;
     }
     for (int i = 0; i < count; i++)
@@ -324,7 +324,7 @@ glint_status glint_draw_graph_make(const glint_setting *setting, glint_draw_grap
 {
     making *m = calloc(1, sizeof *m);
     if (m == NULL)
-        return glint_fail(err, GLINT_NO_MEMORY, "no memory for a drawing");
+        return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a drawing");
     memset(graph, 0, sizeof *graph);
     graph->setting = setting;
     m->graph = graph;

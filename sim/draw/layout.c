@@ -89,7 +89,8 @@ static glint_status take_heights(glint_draw_graph *graph, const char *plain, gli
         for (int c = 0; c < graph->columns; c++)
             is_missing |= graph->pass[i][c] == NOWHERE;
         if (is_missing)
-            return glint_fail(err, GLINT_IO_ERROR, "dot gave no place for %s", graph->node[i].name);
+            return glint_fail(err, GLINT_IO_ERROR, "dot returned no position for %s",
+                              graph->node[i].name);
     }
     return GLINT_OK;
 }

@@ -33,10 +33,10 @@ static void read_circuit(reader *r, const json_t *json)
     if (r->extra != NULL && strcmp(r->extra->name, name) == 0)
         circuit = r->extra;
     if (is_elsewhere && (circuit == NULL || circuit != r->extra))
-        glint_json_refuse(&r->json,
-                          "circuit is none of Glint's own: --circuit-dir gives its description");
+        glint_json_refuse(
+            &r->json, "circuit is not one of Glint's own: give its description with --circuit-dir");
     else if (circuit == NULL)
-        glint_json_refuse(&r->json, "circuit is none that there is");
+        glint_json_refuse(&r->json, "circuit is unknown");
     r->failure->setting.circuit = circuit;
 }
 
@@ -95,7 +95,7 @@ static void read_mismatch(reader *r, const json_t *json, glint_mismatch *mismatc
             break;
     }
     if (i == count) {
-        glint_json_refuse(&r->json, "a mismatch is of no signal that the circuit has");
+        glint_json_refuse(&r->json, "a mismatch is of a signal that the circuit does not have");
         return;
     }
     const int width = glint_signal_width(&mismatch->signal);
@@ -213,7 +213,7 @@ static void read_answer(reader *r, const json_t *json)
     if (from == NULL)
         return;
     if (form == NULL) {
-        glint_json_refuse(&r->json, "answer is of no circuit that is asked for any");
+        glint_json_refuse(&r->json, "answer belongs to a circuit without answers");
         return;
     }
     answer->value =
@@ -231,7 +231,7 @@ static void read_corners(reader *r, const json_t *json, glint_failure_frame *fra
         for (int c = 0; c < 3; c++) {
             const json_t *value = json_array_get(json_array_get(corners, (size_t)i), (size_t)c);
             if (!json_is_number(value) || !(fabs(json_number_value(value)) <= 1e30))
-                glint_json_refuse(&r->json, "corners are no coordinates");
+                glint_json_refuse(&r->json, "corners are not coordinates");
             else
                 frame->corner[i][c] = (float)json_number_value(value);
         }
@@ -275,7 +275,7 @@ static void check_clock(reader *r)
         return;
     if (clock < failure->first_clock ||
         (failure->pins != NULL && clock - failure->first_clock >= failure->pin_count))
-        glint_json_refuse(&r->json, "clock %" PRIu64 " is not among those of the pins", clock);
+        glint_json_refuse(&r->json, "the pins do not include clock %" PRIu64", clock);
 }
 
 /* ---- All of it --------------------------------------------------------------------------------
@@ -285,9 +285,9 @@ static void read_all(reader *r, const json_t *json)
 {
     glint_failure *failure = r->failure;
     if (strcmp(glint_json_string(&r->json, json, "format"), GLINT_JSON_FORMAT) != 0)
-        glint_json_refuse(&r->json, "it is no failure packet's");
+        glint_json_refuse(&r->json, "not from a failure packet");
     if (glint_json_integer(&r->json, json, "version", 0, INT32_MAX) != GLINT_JSON_VERSION)
-        glint_json_refuse(&r->json, "it is of another version than %d", GLINT_JSON_VERSION);
+        glint_json_refuse(&r->json, "its version is not %d", GLINT_JSON_VERSION);
     failure->kind = (glint_failure_kind)glint_json_choice(
         &r->json, json, "kind", glint_failure_kind_names, GLINT_FAILURE_KINDS);
     glint_json_printed(&r->json, json, "command", failure->command, sizeof failure->command);
@@ -315,8 +315,8 @@ static glint_status parse(const char *text, json_t **json, glint_error *err)
     if (*json != NULL)
         return GLINT_OK;
     if (json_error_code(&why) == json_error_duplicate_key)
-        return glint_fail(err, GLINT_BAD_INPUT, "a name in line %d is there twice", why.line);
-    return glint_fail(err, GLINT_BAD_INPUT, "it is no whole JSON: line %d", why.line);
+        return glint_fail(err, GLINT_BAD_INPUT, "duplicate name in line %d", why.line);
+    return glint_fail(err, GLINT_BAD_INPUT, "invalid or incomplete JSON: line %d", why.line);
 }
 
 glint_status glint_failure_from_json(const char *text, const glint_circuit *extra,

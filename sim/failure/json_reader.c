@@ -27,7 +27,7 @@ int64_t glint_json_integer_of(glint_json_reader *r, const json_t *item, const ch
 {
     const int64_t value = json_integer_value(item);
     if (!json_is_integer(item) || value < min || value > max) {
-        glint_json_refuse(r, "%s is no whole number from %" PRId64 " to %" PRId64, name, min, max);
+        glint_json_refuse(r, "%s is not an integer from %" PRId64 " to %" PRId64, name, min, max);
         return min;
     }
     return value;
@@ -51,7 +51,7 @@ const char *glint_json_string(glint_json_reader *r, const json_t *json, const ch
 {
     const char *value = json_string_value(json_object_get(json, name));
     if (value == NULL)
-        glint_json_refuse(r, "%s is no text", name);
+        glint_json_refuse(r, "%s is not a string", name);
     return value != NULL ? value : "";
 }
 
@@ -74,7 +74,7 @@ void glint_json_printed(glint_json_reader *r, const json_t *json, const char *na
     const char *value = glint_json_string(r, json, name);
     for (const char *c = value; *c != '\0'; c++)
         if (is_control(c))
-            glint_json_refuse(r, "%s holds what is no printed character", name);
+            glint_json_refuse(r, "%s contains an unprintable character", name);
     (void)snprintf(text, size, "%s", value);
 }
 
@@ -82,7 +82,7 @@ uint64_t glint_json_decimal(glint_json_reader *r, const json_t *json, const char
 {
     const char *value = glint_json_string(r, json, name);
     if (!has_only(value, "0123456789", 19))
-        glint_json_refuse(r, "%s is no number", name);
+        glint_json_refuse(r, "%s is not a number", name);
     return r->failed ? 0 : strtoull(value, NULL, 10);
 }
 
@@ -94,7 +94,7 @@ void glint_json_words(glint_json_reader *r, const json_t *item, const char *name
     if (value == NULL || strncmp(value, "0x", 2) != 0 ||
         !has_only(value + 2, "0123456789abcdef", GLINT_VALUE_TEXT) ||
         !glint_words_parse(value, width, false, words))
-        glint_json_refuse(r, "%s is no number of %d bits", name, width);
+        glint_json_refuse(r, "%s is not a number of %d bits", name, width);
 }
 
 int glint_json_choice(glint_json_reader *r, const json_t *json, const char *name,
@@ -104,7 +104,7 @@ int glint_json_choice(glint_json_reader *r, const json_t *json, const char *name
     for (int i = 0; i < count; i++)
         if (strcmp(names[i], value) == 0)
             return i;
-    glint_json_refuse(r, "%s is none that there is", name);
+    glint_json_refuse(r, "%s is unknown", name);
     return 0;
 }
 
@@ -114,7 +114,7 @@ const json_t *glint_json_array(glint_json_reader *r, const json_t *json, const c
     const json_t *list = json_object_get(json, name);
     const int size = json_is_array(list) ? (int)json_array_size(list) : -1;
     if (size < min || size > max)
-        glint_json_refuse(r, "%s is no list of %d to %d", name, min, max);
+        glint_json_refuse(r, "%s is not a list of %d to %d", name, min, max);
     return r->failed ? NULL : list;
 }
 

@@ -42,5 +42,5 @@ glint_status glint_file_text(const char *path, char **text, size_t *size, glint_
     free(*text);
     *text = NULL;
     return glint_fail(err, status, "%.400s: %s", path,
-                      status == GLINT_NO_MEMORY ? "no memory" : strerror(error));
+                      status == GLINT_NO_MEMORY ? "out of memory" : strerror(error));
 }

@@ -74,7 +74,7 @@ static glint_status put_in_picture(cmark_node *image, const char *directory, gli
                        : ends_with(name, ".svg") ? "image/svg+xml"
                                                  : NULL;
     if (type == NULL)
-        return glint_fail(err, GLINT_BAD_INPUT, "picture %.300s is no .png and no .svg", name);
+        return glint_fail(err, GLINT_BAD_INPUT, "picture %.300s is neither .png nor .svg", name);
     glint_place place;
     char *bytes = NULL;
     size_t size = 0;

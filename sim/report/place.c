@@ -8,6 +8,6 @@ glint_status glint_place_in(const char *directory, const char *name, glint_place
 {
     const int length = snprintf(place->path, sizeof place->path, "%s/%s", directory, name);
     if (length < 0 || (size_t)length >= sizeof place->path)
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "%.200s...: this path is too long", directory);
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "the path is too long: %.200s…", directory);
     return GLINT_OK;
 }

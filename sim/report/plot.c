@@ -150,7 +150,7 @@ static glint_status outcome_of(const drawing *d, bool ended, const char *directo
         return glint_fail(err, GLINT_INTERRUPTED, "interrupted");
     if (!ended)
         return glint_fail(err, GLINT_IO_ERROR,
-                          "gnuplot did not end within %g s; run it in %.300s on %s to see why",
+                          "gnuplot did not finish within %g s; run it in %.300s on %s to see why",
                           d->limits->seconds, directory, script);
     if (!WIFEXITED(d->status) || WEXITSTATUS(d->status) != 0)
         return glint_fail(err, GLINT_IO_ERROR, "gnuplot failed; run it in %.300s on %s to see why",

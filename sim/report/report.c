@@ -199,7 +199,7 @@ glint_status glint_report_make(const glint_report_options *options, glint_report
     const glint_status status =
         r.only == NULL || glint_chapter_find(r.only) != NULL
             ? make(&r, options, err)
-            : glint_fail(err, GLINT_BAD_ARGUMENT, "there is no chapter %.60s", r.only);
+            : glint_fail(err, GLINT_BAD_ARGUMENT, "unknown chapter %.60s", r.only);
     glint_numbers_clear(&r.report.numbers);
     free(r.report.device);
     if (status != GLINT_OK)

@@ -95,7 +95,7 @@ static double number(const json_t *json, const char *name)
 {
     const json_t *value = json_object_get(json, name);
     if (!json_is_number(value))
-        fail_msg("%s is no number", name);
+        fail_msg("%s is not a number", name);
     return json_number_value(value);
 }
 

@@ -227,7 +227,7 @@ static void without_gnuplot_all_but_the_figure_is_made(void **state)
     setenv("PATH", path, 1);
     free(path);
     assert_outcome(&done, 2,
-                   "glint report: there is no gnuplot (package gnuplot-nox), so the figures "
+                   "glint report: gnuplot (package gnuplot-nox) is not installed, so the figures "
                    "were not made\n");
     assert_says(done.out, "/index.html, index.md and index.json\n");
     forget(&done);

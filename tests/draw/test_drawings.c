@@ -283,7 +283,7 @@ static void descriptions_that_make_no_drawing_are_refused(void **state)
     assert_refused((glint_block_info){"reg4", GLINT_SYMBOL_REGISTER, NULL, "g", "g_we", 0},
                    "block reg4: g_we is neither a block of the drawing nor a pin");
     assert_refused((glint_block_info){"reg3", GLINT_SYMBOL_REGISTER, NULL, "g", NULL, 0},
-                   "two blocks reg3");
+                   "block reg3");
     assert_refused((glint_block_info){NULL, GLINT_SYMBOL_REGISTER, NULL, "g", NULL, 0},
                    "block 5 has no name");
     assert_refused((glint_block_info){"reg4", GLINT_SYMBOL_COUNT, NULL, "g", NULL, 0},
@@ -316,8 +316,8 @@ static void a_dot_that_answers_wrongly_is_refused(void **state)
     static const struct {
         const char *script, *words;
     } dots[] = {
-        {"#!/bin/sh\necho graph 1 2 3\n", "dot gave no place for n"},
-        {"#!/bin/sh\necho node n0 1 1\n", "dot gave no place for"},
+        {"#!/bin/sh\necho graph 1 2 3\n", "dot returned no position for n"},
+        {"#!/bin/sh\necho node n0 1 1\n", "dot returned no position for"},
         {"#!/bin/sh\necho it rains; exit 1\n", "failed: it rains"},
         {"#!/bin/sh\nkill -9 $$\n", "dot (package graphviz) failed\n"},
     };

@@ -62,8 +62,7 @@ static bool read_number(const char *token, int64_t min, int64_t max, int64_t *va
     glint_quoted quoted;
     if (glint_parse_integer(token, min, max, value))
         return true;
-    glint_complain(command, GLINT_EXIT_TROUBLE,
-                   "%s is no whole number from %" PRId64 " to %" PRId64,
+    glint_complain(command, GLINT_EXIT_TROUBLE, "%s is not an integer from %" PRId64 " to %" PRId64,
                    glint_quote(token, &quoted), min, max);
     return false;
 }

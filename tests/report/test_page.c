@@ -86,7 +86,7 @@ static void what_is_missing_is_named(void **state)
     (void)state;
     glint_error err;
     assert_refused("![x](nowhere.png)\n", GLINT_IO_ERROR, "nowhere.png: No such file");
-    assert_refused("![x](movie.avi)\n", GLINT_BAD_INPUT, "movie.avi is no .png and no .svg");
+    assert_refused("![x](movie.avi)\n", GLINT_BAD_INPUT, "movie.avi is neither .png nor .svg");
     assert_int_equal(glint_page_make(scratch_directory, "absent", &err), GLINT_IO_ERROR);
     assert_has(err.text, "absent.md: No such file");
 }

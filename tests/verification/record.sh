@@ -32,7 +32,7 @@ case $6 in
 '' | *[!0-9]*) fail "$1: FAILED \"$6\" is no whole number" ;;
 esac
 case $7 in
-'' | *[!0-9.]*) fail "$1: SECONDS \"$7\" is no number" ;;
+'' | *[!0-9.]*) fail "$1: SECONDS \"$7\" is not a number" ;;
 esac
 
 [ -n "${GLINT_RECORDS:-}" ] || exit 0
