@@ -35,7 +35,7 @@ static const char *chapter_names(char *text, size_t room)
     return text;
 }
 
-/* The chapter that is asked for must be there. */
+/* The requested chapter must exist. */
 static int check_chapter(const report_options *chosen)
 {
     char names[256];
@@ -105,8 +105,8 @@ static int parse(int argc, char **argv, report_options *chosen)
     return status == GLINT_OPTIONS_RUN ? check_chapter(chosen) : status;
 }
 
-/* Before the long work: whether the documents may take the place of what is there. A page without
- * the numbers beside it is no report's. */
+/* Before the long work: checks that existing documents may be replaced. A page without the numbers
+ * next to it is not from a report. */
 static int check_files(const report_options *chosen)
 {
     static const char *const names[] = {"index.json", "index.md", "index.html", NULL};
@@ -134,7 +134,7 @@ static void show_chapter(void *context, const char *chapter, int done, int count
     fprintf(stderr, "\r\033[Kglint report: %d of %d: %s", done + 1, count, chapter);
 }
 
-/* The file as it is on the disk, to standard output. */
+/* Copies the file on disk to standard output. */
 static bool print_json_file(const char *directory)
 {
     glint_place place;

@@ -1,4 +1,4 @@
-/* The names in failure.json that both its writer and its reader use. */
+/* The names in failure.json shared by its writer and its reader. */
 #ifndef GLINT_SIM_FAILURE_JSON_NAMES_H
 #define GLINT_SIM_FAILURE_JSON_NAMES_H
 
@@ -12,8 +12,7 @@
 #define GLINT_JSON_CIRCUIT_DIR "circuit_dir"
 #define GLINT_JSON_RTL         "rtl"
 
-/* Of a circuit that is not Glint's own the parameters stand in an object of that name: they may be
- * called anything. */
+/* A user circuit's parameters are in an object of their own, since they may have any name. */
 #define GLINT_JSON_PARAMETERS "parameters"
 static inline bool glint_json_is_own(const glint_circuit *circuit)
 {
@@ -23,7 +22,7 @@ static inline bool glint_json_is_own(const glint_circuit *circuit)
     return glint_circuit_number(i) != NULL;
 }
 
-/* Pins of more bits are texts, "0x1f": a JSON number would lose the low ones. */
+/* Wider pins are strings, "0x1f": a JSON number would lose low bits. */
 #define GLINT_JSON_NUMBER_BITS 53
 
 #endif

@@ -1,4 +1,4 @@
-/* Everything is held against its range: a packet may come from anywhere. */
+/* Every value is range-checked: a packet may come from anywhere. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -15,7 +15,7 @@
 #define CLOCK_MAX INT64_C(1000000000000000) /* a double has every integer up to it */
 #define SIDE_MAX  16384
 
-/* The file as far as it is understood. */
+/* The file, parsed so far. */
 typedef struct reader {
     glint_json_reader json;
     const glint_circuit *extra; /* may be NULL */
@@ -266,7 +266,7 @@ static void read_frame(reader *r, const json_t *json)
     }
 }
 
-/* The clock that differed is to be among those that are played. */
+/* The clock that differed must be among those replayed. */
 static void check_clock(reader *r)
 {
     const glint_failure *failure = r->failure;
@@ -307,7 +307,7 @@ static void read_all(reader *r, const json_t *json)
     check_clock(r);
 }
 
-/* Nothing of the file's own text goes into the message: it may be anything. */
+/* The message quotes nothing from the file, which may contain anything. */
 static glint_status parse(const char *text, json_t **json, glint_error *err)
 {
     json_error_t why;

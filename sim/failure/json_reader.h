@@ -1,7 +1,6 @@
-/* Reads the values of a packet's JSON, each of a kind and a range: a packet may come from anywhere.
+/* Reads the values of a packet's JSON with type and range checks: a packet may come from anywhere.
  *
- * The first thing wrong is told, the rest not looked at: after a refusal every value is 0, "" or
- * NULL. */
+ * Only the first fault is reported: after it, every value reads as 0, "" or NULL. */
 #ifndef GLINT_SIM_FAILURE_JSON_READER_H
 #define GLINT_SIM_FAILURE_JSON_READER_H
 
@@ -29,19 +28,19 @@ int64_t glint_json_integer(glint_json_reader *r, const json_t *json, const char 
 bool glint_json_boolean(glint_json_reader *r, const json_t *json, const char *name);
 const char *glint_json_string(glint_json_reader *r, const json_t *json, const char *name);
 
-/* As glint_json_string(), of what may be printed as it is: nothing in it works on a terminal. */
+/* As glint_json_string(), for printable text: no control characters. */
 void glint_json_printed(glint_json_reader *r, const json_t *json, const char *name, char *text,
                         size_t size);
 
-/* A text of decimal digits and nothing else. */
+/* A string of decimal digits only. */
 uint64_t glint_json_decimal(glint_json_reader *r, const json_t *json, const char *name);
 
-/* A text of hexadecimal digits behind "0x" and nothing else, as a value of so many bits. words:
- * those of GLINT_VALUE_WORDS that it needs. */
+/* A string of "0x" and hexadecimal digits only, as a value of the given width. words: as many as it
+ * needs, at most GLINT_VALUE_WORDS. */
 void glint_json_words(glint_json_reader *r, const json_t *item, const char *name, int width,
                       uint64_t *words);
 
-/* Index of the text among names. */
+/* Index of the string among names. */
 int glint_json_choice(glint_json_reader *r, const json_t *json, const char *name,
                       const char *const *names, int count);
 

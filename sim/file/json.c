@@ -1,5 +1,5 @@
-/* Makes and prints JSON: what jansson's own functions refuse (a text that is not UTF-8) or print at
- * length (reals, lists). */
+/* Builds and prints JSON where jansson's own functions refuse (text that is not UTF-8) or are
+ * verbose (reals, lists). */
 #define _POSIX_C_SOURCE 200809L
 
 #include "file/json.h"
@@ -19,8 +19,8 @@ static bool is_between(unsigned char byte, unsigned char first, unsigned char la
     return byte >= first && byte <= last;
 }
 
-/* The bytes of the character at the beginning of a string; 0 when that is no UTF-8: neither
- * overlong forms nor surrogates nor what is beyond U+10FFFF are (Unicode's table 3-7). */
+/* The length of the character at the start of a string; 0 if it is not valid UTF-8, which excludes
+ * overlong forms, surrogates and anything beyond U+10FFFF (Unicode, table 3-7). */
 static size_t character(const unsigned char *at)
 {
     const unsigned char lead = at[0];

@@ -1,5 +1,5 @@
-/* A chapter of the report measures: it puts its numbers by name, and its pictures into the
- * directory. What is said of them is in text/NAME.md (template.h), what the thesis says in
+/* A chapter of the report takes measurements: it stores its numbers by name and its pictures in the
+ * directory. The text about them is in text/NAME.md (template.h), the thesis's claims in
  * claim_table.c. */
 #ifndef GLINT_SIM_REPORT_CHAPTER_H
 #define GLINT_SIM_REPORT_CHAPTER_H

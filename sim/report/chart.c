@@ -3,7 +3,7 @@
 
 #include "report/plot.h"
 
-/* Told apart in black and white too: each curve has its own dashes. */
+/* Each curve has its own dashes, to be distinguishable in black and white. */
 static const char *const colors[GLINT_CHART_CURVES_MAX] = {
     "#1f618d", "#c0392b", "#1e8449", "#d68910", "#6c3483", "#148f77", "#7b7d7d", "#a04000"};
 

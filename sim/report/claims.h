@@ -1,5 +1,5 @@
-/* What the thesis claims, as one table (claim_table.c), and the verdicts that the measured numbers
- * give. */
+/* The thesis's claims as one table (claim_table.c), and the verdicts on them from the measured
+ * numbers. */
 #ifndef GLINT_SIM_REPORT_CLAIMS_H
 #define GLINT_SIM_REPORT_CLAIMS_H
 
@@ -8,12 +8,12 @@
 #include "report/template.h"
 #include "report/verdict.h"
 
-/* What the stated number is, beside the measured one. */
+/* The stated number's kind, relative to the measured one. */
 typedef enum glint_claim_kind {
     GLINT_PLAIN,
     GLINT_PER_CENT, /* the measured number is a share: times 100 */
     GLINT_CIRCULAR, /* the measured number was computed from it: as in glint_judged */
-    GLINT_NO_NUMBER /* nothing is measured, and nothing can be decided; `measured` says why */
+    GLINT_NO_NUMBER /* not measured and cannot be decided; `measured` says why */
 } glint_claim_kind;
 
 typedef struct glint_claim {
@@ -38,7 +38,7 @@ typedef struct glint_judgement {
     char measured[512];
 } glint_judgement;
 
-/* GLINT_BAD_ARGUMENT when nothing measured what it names. */
+/* GLINT_BAD_ARGUMENT if the number it names was not measured. */
 glint_status glint_claim_judge(const glint_claim *claim, const glint_numbers *numbers,
                                glint_judgement *judgement, glint_error *err);
 
@@ -66,7 +66,7 @@ void glint_claims_write_links(const glint_claims *claims, const char *chapter, F
 void glint_claims_write_table(const glint_claims *claims, const char *(*title_of)(const char *name),
                               FILE *markdown);
 
-/* One line each, as a terminal shows them. */
+/* One line each, for a terminal. */
 void glint_claims_print(const glint_claims *claims, FILE *out);
 
 #endif

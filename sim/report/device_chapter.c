@@ -1,5 +1,5 @@
-/* The specular-colour device: section 3.1, figure 3.1. What its gates do, in pictures and at every
- * cosine code, how late its results are, and how far from the formula. */
+/* The specular-colour device: section 3.1, figure 3.1. The effect of its gates, in pictures and at
+ * every cosine code, its latency, and its deviation from the formula. */
 #include "report/device_errors.h"
 
 #include "render/render.h"

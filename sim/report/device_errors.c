@@ -41,7 +41,7 @@ static void keep(glint_worst *worst, double error, double n, uint32_t code)
 
 static void keep_worse(glint_worst *worst, const glint_worst *other)
 {
-    /* The smaller n where two are alike: the same whatever thread had it. */
+    /* The smaller n if two are equal, so the result does not depend on threads. */
     if (other->error > worst->error || (other->error == worst->error && other->n < worst->n))
         *worst = *other;
 }

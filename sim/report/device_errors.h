@@ -16,7 +16,7 @@ typedef struct glint_device_errors {
     uint64_t sign_differing, drawn_differing;
 } glint_device_errors;
 
-/* Two chapters have numbers of it: it is measured when the first asks. */
+/* Two chapters use it: measured when the first one asks. */
 glint_status glint_device_errors_of(glint_report *report, const glint_device_errors **errors,
                                     glint_error *err);
 

@@ -6,8 +6,8 @@
 #include "report/divider_frames.h"
 #include "report/texts.h"
 
-/* Clocks of an operation on the thesis's processor. The thesis gives none: these are inferred, as
- * the least whole ones with which both of its totals come out. */
+/* Clocks per operation on the thesis's processor. The thesis does not give them: these are inferred
+ * as the smallest integers that yield both of its totals. */
 #define CLOCKS_ADDITION           3
 #define CLOCKS_DIVISION           41
 #define CLOCKS_DIVISION_BY_SHIFTS 20

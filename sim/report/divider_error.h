@@ -1,18 +1,18 @@
-/* How wrong the divider's sum (2.18) is, from exact integers: of the increment, and of the last
- * pixel of a span that it is added along. */
+/* The errors of the divider's sum (2.18), in exact integers: of the increment, and of the last
+ * pixel of the span along which it is added. */
 #ifndef GLINT_SIM_REPORT_DIVIDER_ERROR_H
 #define GLINT_SIM_REPORT_DIVIDER_ERROR_H
 
 #include "glint_divider.h"
 
-/* How the table's bits come from 2ⁿ/k. The circuit rounds. */
+/* How the table's bits are derived from 2ⁿ/k. The circuit rounds. */
 typedef enum glint_bits_rule {
     GLINT_BITS_ROUNDED,
     GLINT_BITS_TRUNCATED,
     GLINT_BITS_RULE_COUNT
 } glint_bits_rule;
 
-/* k = 1 is exact and has no part in any of this. */
+/* k = 1 is exact and is left out here. */
 #define GLINT_ERROR_K_MIN 2
 
 /* Largest magnitudes over k = 2…GLINT_DIVIDER_K_MAX, each with the smallest k that has it. */

@@ -5,11 +5,11 @@
 
 #include "render/pick.h"
 
-/* The thesis's average triangle has 100 pixels; here one of these counts as average. */
+/* The thesis's average triangle has 100 pixels; these count as average here. */
 #define AVERAGE_LEAST 90
 #define AVERAGE_MOST  110
 
-/* For triangles of about so many pixels; the report says how many they have. */
+/* For triangles of about this size; the report states their actual size. */
 #define TEAPOT_AVERAGE 6
 #define SPHERE_AVERAGE 72
 
@@ -78,7 +78,7 @@ static void measure_row(const uint32_t *row, const uint32_t *pixels, uint8_t *lo
     }
 }
 
-/* Of the frame that was rendered last, as far as its triangles are seen. */
+/* For the visible triangles of the last rendered frame. */
 static glint_status measure_rows(const studio *s, uint64_t triangles, glint_divider_rows *rows,
                                  glint_error *err)
 {

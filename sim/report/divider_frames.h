@@ -1,5 +1,5 @@
-/* What the divider's errors come to in whole frames: Gouraud's shading by numbers of shifts against
- * the same frames with exact values along edges and spans. */
+/* The effect of the divider's errors on whole frames: Gouraud shading with various numbers of
+ * shifts, against the same frames with exact values along edges and spans. */
 #ifndef GLINT_SIM_REPORT_DIVIDER_FRAMES_H
 #define GLINT_SIM_REPORT_DIVIDER_FRAMES_H
 
@@ -13,7 +13,7 @@
 #define GLINT_DIVIDER_FRAMES 5
 extern const int glint_divider_frame_shifts[GLINT_DIVIDER_FRAMES];
 
-/* Teapot and sphere, each as fine as it is by default and with larger triangles. */
+/* Teapot and sphere, each at its default density and with larger triangles. */
 #define GLINT_DIVIDER_SCENES 4
 
 typedef struct glint_divider_frame {

@@ -1,4 +1,4 @@
-/* What the chapter on energy is made of. */
+/* The parts of the chapter on energy. */
 #ifndef GLINT_SIM_REPORT_ENERGY_H
 #define GLINT_SIM_REPORT_ENERGY_H
 
@@ -62,7 +62,7 @@ glint_status glint_energy_draw(glint_report *report, const glint_energy_results 
 void glint_energy_put_curve(glint_numbers *numbers, const char *name,
                             const double albedo[GLINT_ENERGY_N_MAX]);
 
-/* What the claims of section 2.5 are judged by. */
+/* The numbers behind the claims of section 2.5. */
 void glint_energy_put(glint_numbers *numbers, const glint_energy_results *results);
 
 #endif

@@ -8,7 +8,7 @@
 
 #define SEED 1
 
-/* White microfacets, Fresnel's F = 1: what is lost is lost between the facets. */
+/* White microfacets, Fresnel's F = 1: any loss occurs between the facets. */
 #define F0 1.0
 
 static const double sphere_n[] = {1, 3, 10, 30, 100, 300, 1000};

@@ -1,9 +1,9 @@
-/* What the claims of section 2.5 are judged by. */
+/* Measures the numbers behind the claims of section 2.5. */
 #include <math.h>
 
 #include "report/energy.h"
 
-/* What the thesis's figure 2.15 shows as not conserving. */
+/* The exponents that the thesis's figure 2.15 shows as not conserving energy. */
 #define CLAIMED_LAST 17
 
 void glint_energy_put_curve(glint_numbers *numbers, const char *name,

@@ -8,7 +8,7 @@
 
 #define CHUNK 65536
 
-/* Reads what is left of the stream behind the *size bytes that are there. */
+/* Appends the rest of the stream to the *size bytes already there. */
 static glint_status read_all(FILE *stream, char **text, size_t *size)
 {
     size_t room = 0, count;

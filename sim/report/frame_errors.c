@@ -1,5 +1,5 @@
-/* See frame_errors.h. Table 3.2's scene is not given in full: what is taken for it stands in
- * glint_frame_scene(), and text/frames.md says so. */
+/* See frame_errors.h. Table 3.2 does not specify its scene fully: glint_frame_scene() has the
+ * assumptions, and text/frames.md states them. */
 #include "report/frame_errors.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Whole frames by each formula against frames by exact cosⁿ: Table 3.2. */
+/* Whole frames with each formula, compared with frames using exact cosⁿ: Table 3.2. */
 #ifndef GLINT_SIM_REPORT_FRAME_ERRORS_H
 #define GLINT_SIM_REPORT_FRAME_ERRORS_H
 
@@ -18,8 +18,8 @@ extern const char *const glint_test_figure_names[GLINT_FIGURE_COUNT];
 
 glint_status glint_frame_mesh(glint_test_figure figure, glint_mesh **mesh, glint_error *err);
 
-/* The scenes of the thesis's program: Ia = 0, light 238,138,32. Table 3.2 does not say of which it
- * is, nor whether the highlight is white, as the listing has it, or of the light's colour. */
+/* The scenes of the thesis's program: Ia = 0, light 238,138,32. Table 3.2 does not say which one it
+ * used, nor whether the highlight is white, as in the listing, or has the light's colour. */
 typedef enum glint_frame_light {
     GLINT_LIGHT_39_WHITE, /* figure 3.9: Kd = Ks = 0.5 */
     GLINT_LIGHT_39_OWN,
@@ -50,7 +50,7 @@ typedef enum glint_frame_method {
     GLINT_FRAME_COUNT
 } glint_frame_method;
 
-/* What stands in for cosⁿ, and what it is compared with: methods of study.h. */
+/* The replacement for cosⁿ, and its reference: methods of study.h. */
 extern const char *const glint_frame_names[GLINT_FRAME_COUNT][2];
 
 typedef struct glint_frame_errors {
@@ -70,7 +70,7 @@ typedef struct glint_worst_frame {
     glint_test_figure figure;
 } glint_worst_frame;
 
-/* The largest over both figures and exponents from n_from to n_to; not a number over none. */
+/* The largest over both figures and exponents from n_from to n_to; NaN if there are none. */
 glint_worst_frame glint_worst_frame_of(const glint_frame_errors *errors, glint_frame_light light,
                                        glint_frame_method method, int n_from, int n_to);
 

@@ -1,5 +1,5 @@
-/* See frame_times.h. What else the machine does only adds to a frame's time: it is the processor's
- * time, on one thread, and the least of many frames, the methods by turns. */
+/* See frame_times.h. Other load can only add to a frame's time, so this is the processor time on
+ * one thread, the least of many frames, with the methods taking turns. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "report/frame_times.h"
@@ -99,7 +99,7 @@ static glint_status time_frames(timing *t, glint_error *err)
 
 /* ---- Numbers and the figure ------------------------------------------------------------------ */
 
-/* Frames a second more than with cosⁿ. */
+/* Gain in frames per second over cosⁿ. */
 static double gain_of(const timing *t, int exponent, int method)
 {
     return t->seconds[exponent][COS_N] / t->seconds[exponent][method] - 1.0;

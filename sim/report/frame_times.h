@@ -1,4 +1,4 @@
-/* How long a frame takes by each formula and by the device: figure 3.13. */
+/* How long a frame takes with each formula and with the device: figure 3.13. */
 #ifndef GLINT_SIM_REPORT_FRAME_TIMES_H
 #define GLINT_SIM_REPORT_FRAME_TIMES_H
 

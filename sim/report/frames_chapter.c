@@ -1,4 +1,4 @@
-/* Section 3.4: what the formulas' errors come to in pictures, and how long the pictures take. */
+/* Section 3.4: the effect of the formulas' errors on pictures, and the time per picture. */
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -11,8 +11,8 @@
 static const char *const light_words[GLINT_LIGHT_COUNT] = {
     "figure 3.9, white", "figure 3.9, light's colour", "listing, white", "listing, light's colour"};
 
-/* A method's worst frame over both figures in the kindest scene and in the harshest: a claim that
- * does not name its scene can be read of any. */
+/* A method's worst frame over both figures in the most and the least favourable scene: a claim that
+ * does not name its scene may refer to either. */
 static void put_worst(glint_numbers *numbers, const glint_frame_errors *errors,
                       glint_frame_method method, int n_from, int n_to, const char *what)
 {
@@ -56,7 +56,7 @@ static void put_row(glint_numbers *numbers, const glint_frame_errors *errors,
     }
 }
 
-/* All the thesis's functions that stand for cosⁿ at once. */
+/* All the thesis's approximations of cosⁿ at once. */
 static void put_all(glint_numbers *numbers, const glint_frame_errors *errors)
 {
     double range[2] = {NAN, NAN};
@@ -89,7 +89,7 @@ static void put_errors(glint_numbers *numbers, const glint_frame_errors *errors)
     glint_number_put(numbers, errors->height, "frames.height");
 }
 
-/* A logarithmic axis has no place for zero: the caption names what is missing. */
+/* A logarithmic axis cannot show zero: the caption names what is missing. */
 static void put_zeros(glint_numbers *numbers, const glint_chart *chart,
                       const glint_frame_errors *errors)
 {

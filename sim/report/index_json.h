@@ -1,5 +1,5 @@
-/* index.json: every claim with the numbers that its verdict follows from, and every number by name.
- * All of the report that knows the JSON library. */
+/* index.json: every claim with the numbers behind its verdict, and every number by name. The only
+ * part of the report that uses the JSON library. */
 #ifndef GLINT_SIM_REPORT_INDEX_JSON_H
 #define GLINT_SIM_REPORT_INDEX_JSON_H
 

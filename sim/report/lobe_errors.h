@@ -1,4 +1,4 @@
-/* How far the lobes are from exact cosⁿ, over many n; and the device, code by code. */
+/* The deviation of the lobes from exact cosⁿ, over many n, and that of the device, code by code. */
 #ifndef GLINT_SIM_REPORT_LOBE_ERRORS_H
 #define GLINT_SIM_REPORT_LOBE_ERRORS_H
 
@@ -7,7 +7,7 @@
 #include "reflectance/accuracy.h"
 #include "report/chapter.h"
 
-/* The exponents of a report: all of 1…1000, or some when it is to be quick. */
+/* The exponents of a report: all of 1…1000, or some with --quick. */
 typedef struct glint_exponents {
     double n[1000];
     int count;
@@ -31,7 +31,7 @@ glint_status glint_lobe_errors(const glint_report *report, glint_reflectance_mod
                                double level, const glint_exponents *exponents, glint_accuracy *by_n,
                                glint_error *err);
 
-/* A largest error over exponents; not a number over none. */
+/* A largest error over exponents; NaN if there are none. */
 typedef struct glint_worst {
     double error, n, cosine;
 } glint_worst;
@@ -43,7 +43,7 @@ typedef struct glint_lobe_worst {
 glint_lobe_worst glint_lobe_worst_of(const glint_exponents *exponents, const glint_accuracy *by_n,
                                      glint_n_range range);
 
-/* true for the lobes of N·H that stand for cosⁿ itself, scaled by nothing. */
+/* true for the unscaled lobes of N·H that approximate cosⁿ itself. */
 bool glint_lobe_is_measured(glint_reflectance_model model);
 
 #endif

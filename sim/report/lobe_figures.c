@@ -1,4 +1,4 @@
-/* Figures 2.2 to 2.7 and 2.10. The thesis does not say its n: each figure says ours. */
+/* Figures 2.2 to 2.7 and 2.10. The thesis does not give its n; each figure states ours. */
 #include <math.h>
 
 #include "report/chart.h"

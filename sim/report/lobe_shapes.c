@@ -1,5 +1,5 @@
-/* What the thesis says of the curves' shapes beside their largest errors: in the zone of decay, and
- * above and below cosⁿ in the epicentre. Sampled evenly in the level of cosⁿ. */
+/* The thesis's statements about the curves' shapes, apart from their largest errors: in the zone of
+ * decay, and above and below cosⁿ in the epicentre. Sampled evenly in the level of cosⁿ. */
 #include <math.h>
 
 #include "report/lobes.h"

@@ -10,12 +10,12 @@ static const glint_n_range n_is_1 = {1.0, 1.0}, from_2 = {2.0, INFINITY};
 /* Figure 2.7's. */
 static const glint_n_range figure_27 = {1.0, 512.0};
 
-/* (2.2) as printed and as it can be read. */
+/* (2.2) as printed and in its possible readings. */
 static const glint_reflectance_model readings[] = {
     GLINT_REFLECTANCE_SCHLICK_MODIFIED, GLINT_REFLECTANCE_SCHLICK_MODIFIED_ANGLE,
     GLINT_REFLECTANCE_SCHLICK_MODIFIED_LINEAR, GLINT_REFLECTANCE_SCHLICK_MODIFIED_SQUARED};
 
-/* What the quadratic may be compared with: every other function that stands for cosⁿ. */
+/* The quadratic's possible rivals: every other approximation of cosⁿ. */
 static const glint_reflectance_model others[] = {GLINT_REFLECTANCE_SCHLICK,
                                                  GLINT_REFLECTANCE_SCHLICK_MODIFIED,
                                                  GLINT_REFLECTANCE_SCHLICK_MODIFIED_ANGLE,

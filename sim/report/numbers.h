@@ -1,5 +1,5 @@
-/* What the report measured, by name: "lobes.schlick.relative". A chapter puts its numbers in; the
- * table of claims (claims.h), the text (template.h) and index.json take them out.
+/* The report's measurements by name: "lobes.schlick.relative". Chapters store them; the table of
+ * claims (claims.h), the text (template.h) and index.json use them.
  *
  *     glint_number_put(numbers, 0.103, "lobes.%s.relative", "schlick");
  *     glint_number_find(numbers, "lobes.schlick.relative")->lowest        → 0.103 */
@@ -19,10 +19,10 @@ typedef struct glint_number {
 typedef struct glint_numbers {
     glint_number *number;
     int count, room;
-    bool incomplete; /* there was no memory for one: the report fails */
+    bool incomplete; /* out of memory for one: the report fails */
 } glint_numbers;
 
-/* To be emptied at the end; begins as {0}. */
+/* Start from {0}; empty it at the end. */
 void glint_numbers_clear(glint_numbers *numbers);
 
 /* The name is printed as printf() does. A name is put once. */

@@ -1,4 +1,4 @@
-/* cmark-gfm parses the Markdown; here its tree is changed so that the page stands alone. */
+/* cmark-gfm parses the Markdown; here its tree is changed to make the page self-contained. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "report/page.h"
@@ -41,7 +41,7 @@ static const char style[] =
     "table{display:table;overflow:visible}figure,tr{break-inside:avoid}}"
     "@page{margin:12mm}";
 
-/* What is written in bold for each verdict, and its class in the style above. */
+/* The bold text of each verdict, and its class in the style above. */
 static const struct {
     const char *text, *class_name;
 } verdicts[] = {{"holds", "holds"}, {"does not hold", "not"}, {"cannot be decided", "open"}};

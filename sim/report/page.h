@@ -1,5 +1,5 @@
-/* A Markdown file as one HTML page that needs nothing else: pictures are inside it, it opens
- * offline, in a light or a dark browser. */
+/* A Markdown file as one self-contained HTML page, with embedded pictures, for offline use in light
+ * or dark browsers. */
 #ifndef GLINT_SIM_REPORT_PAGE_H
 #define GLINT_SIM_REPORT_PAGE_H
 

@@ -283,7 +283,7 @@ static void descriptions_that_make_no_drawing_are_refused(void **state)
     assert_refused((glint_block_info){"reg4", GLINT_SYMBOL_REGISTER, NULL, "g", "g_we", 0},
                    "block reg4: g_we is neither a block of the drawing nor a pin");
     assert_refused((glint_block_info){"reg3", GLINT_SYMBOL_REGISTER, NULL, "g", NULL, 0},
-                   "block reg3");
+                   "block reg3 appears twice");
     assert_refused((glint_block_info){NULL, GLINT_SYMBOL_REGISTER, NULL, "g", NULL, 0},
                    "block 5 has no name");
     assert_refused((glint_block_info){"reg4", GLINT_SYMBOL_COUNT, NULL, "g", NULL, 0},

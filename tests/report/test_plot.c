@@ -149,7 +149,7 @@ static void a_gnuplot_that_takes_too_long_is_a_failure(void **state)
     glint_error err;
     write_gnuplot("exec /bin/sleep 10000\n");
     assert_int_equal(plot(1.0, &err), GLINT_IO_ERROR);
-    assert_memory_equal(err.text, "gnuplot did not finish within 1 s; run it in ", 42);
+    assert_memory_equal(err.text, "gnuplot did not finish within 1 s; run it in ", 45);
     assert_nothing_is_left();
 }
 
