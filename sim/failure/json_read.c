@@ -275,7 +275,7 @@ static void check_clock(reader *r)
         return;
     if (clock < failure->first_clock ||
         (failure->pins != NULL && clock - failure->first_clock >= failure->pin_count))
-        glint_json_refuse(&r->json, "the pins do not include clock %" PRIu64", clock);
+        glint_json_refuse(&r->json, "the pins do not include clock %" PRIu64, clock);
 }
 
 /* ---- All of it --------------------------------------------------------------------------------
