@@ -57,14 +57,4 @@ static inline void glint_bits_end(const glint_bit_writer *writer, void *port, si
         memcpy(writer->to, &bits, left);
 }
 
-/* The width (1…57) bits from bit `at` on of a port of `size` bytes, at least 8. */
-static inline uint64_t glint_bits_get(const void *port, size_t size, size_t at, int width)
-{
-    const size_t last = size - sizeof(uint64_t);
-    const size_t byte = at / 8 < last ? at / 8 : last;
-    uint64_t bits;
-    memcpy(&bits, (const unsigned char *)port + byte, sizeof bits);
-    return (bits >> (at - 8 * byte)) & glint_bits_mask(width);
-}
-
 #endif
