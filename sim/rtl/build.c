@@ -95,13 +95,13 @@ static glint_status check_other_ports(const build *b, const char *said, glint_er
     glint_status status = GLINT_OK;
     while (status == GLINT_OK &&
            (said = glint_diagnose_port(said, p->setting, &p->ports, port)) != NULL) {
+        if (glint_sources_have_inout(&p->sources, port))
+            return glint_fail(err, GLINT_DEVICE_FAULT,
+                              "%s has an inout port %s: only inputs and outputs are supported",
+                              glint_setting_top(p->setting), port);
         bool output;
         status = is_output(b, port, &output, err);
-        if (status == GLINT_OK && !output && glint_sources_have_inout(&p->sources, port))
-            status = glint_fail(err, GLINT_DEVICE_FAULT,
-                                "%s has an inout port %s: only inputs and outputs are supported",
-                                glint_setting_top(p->setting), port);
-        else if (status == GLINT_OK && !output)
+        if (status == GLINT_OK && !output)
             status = glint_fail(err, GLINT_DEVICE_FAULT,
                                 "%s has an input %s that is missing from the description",
                                 glint_setting_top(p->setting), port);
