@@ -163,7 +163,8 @@ static void what_a_packet_names_is_not_opened(void **state)
         free(named);
         json_decref(json);
         done = replay("");
-        assert_refused(&done, "--circuit-dir gives its description", "a circuit of Glint's name");
+        assert_refused(&done, "give its description with --circuit-dir",
+                       "a circuit of Glint's name");
         forget(&done);
     }
 }
@@ -211,7 +212,7 @@ static void what_is_cut_short_is_refused(void **state)
             part[cut] = '\0';
             put_packet(part);
             outcome done = replay("");
-            assert_refused(&done, "packet/failure.json: it is no whole JSON", "cut");
+            assert_refused(&done, "packet/failure.json: invalid or incomplete JSON", "cut");
             refused++;
             forget(&done);
             free(part);
@@ -264,29 +265,29 @@ static char *edited(const edit *edit)
 }
 
 static const edit edits[] = {
-    {RANDOM, "format", "\"a shopping list\"", "no failure packet's"},
+    {RANDOM, "format", "\"a shopping list\"", "not from a failure packet"},
     {RANDOM, "format", NULL, "format is not a string"},
-    {RANDOM, "version", "2", "another version than 1"},
-    {RANDOM, "version", "1.5", "version is no whole number"},
+    {RANDOM, "version", "2", "its version is not 1"},
+    {RANDOM, "version", "1.5", "version is not an integer"},
     {RANDOM, "kind", "\"bad\"", "kind is unknown"},
     {RANDOM, "command", "7", "command is not a string"},
     {RANDOM, "command", "\"\\u001b[2J\"", "command contains an unprintable character"},
-    {RANDOM, "circuit", "\"toaster\"", "circuit is none"},
-    {RANDOM, "gate", "\"open\"", "gate is none"},
+    {RANDOM, "circuit", "\"toaster\"", "circuit is unknown"},
+    {RANDOM, "gate", "\"open\"", "gate is unknown"},
     {RANDOM, "pipeline", "null", "pipeline is not a string"},
     {RANDOM, "circuit_dir", "7", "circuit_dir is not a string"},
     {RANDOM, "rtl", "\"\\u001b[2J\"", "rtl contains an unprintable character"},
     {RANDOM, "rtl", "\"\\u009b2J\"", "rtl contains an unprintable character"},
     {RANDOM, "lanes", "33", "lanes is not an integer from 1 to 32"},
     {RANDOM, "lanes", "3", "names is not a list of 12 to 12"},
-    {RANDOM, "lanes", "1e300", "lanes is no whole number"},
-    {RANDOM, "lanes", "-1", "lanes is no whole number"},
+    {RANDOM, "lanes", "1e300", "lanes is not an integer"},
+    {RANDOM, "lanes", "-1", "lanes is not an integer"},
     {RANDOM, "lanes", "2", "names is not a list of 11 to 11"},
     {RANDOM, "seed", "\"-1\"", "seed is not a number"},
     {RANDOM, "seed", "\"99999999999999999999\"", "seed is not a number"},
     {RANDOM, "seed", NULL, "seed is not a string"},
-    {RANDOM, "pins.first_clock", "0", "first_clock is no whole number"},
-    {RANDOM, "pins.first_clock", "1000000000000", "is not among those of the pins"},
+    {RANDOM, "pins.first_clock", "0", "first_clock is not an integer"},
+    {RANDOM, "pins.first_clock", "1000000000000", "the pins do not include clock"},
     {RANDOM, "pins.names", "[\"a\"]", "names is not a list of 10 to 10"},
     {RANDOM, "pins.names", NULL, "names is not a list of 10 to 10"},
     {RANDOM, "pins.names",
@@ -294,40 +295,40 @@ static const edit edits[] = {
      "pin 1 of names is not reset"},
     {RANDOM, "pins.names.9", "\"cos2\"", "pin 10 of names is not cos"},
     {RANDOM, "pins.names.2", "2", "pin 3 of names is not n_we"},
-    {RANDOM, "pins.clocks", "[]", "clocks is no list"},
-    {RANDOM, "pins.clocks", "{}", "clocks is no list"},
+    {RANDOM, "pins.clocks", "[]", "clocks is not a list"},
+    {RANDOM, "pins.clocks", "{}", "clocks is not a list"},
     {RANDOM, "pins.clocks.0", "[]", "a clock does not have 10 pins"},
     {RANDOM, "pins.clocks.0.3", "1024", "n is not an integer from 0 to 1023"},
-    {RANDOM, "pins.clocks.0.3", "\"0\"", "n is no whole number"},
+    {RANDOM, "pins.clocks.0.3", "\"0\"", "n is not an integer"},
     {RANDOM, "pins.clocks.0.9", "524288", "cos is not an integer from 0 to 524287"},
     {RANDOM, "pins", NULL, ""},
     {RANDOM, "found", NULL, "found is missing"},
-    {RANDOM, "found.clock", "-5", "clock is no whole number"},
-    {RANDOM, "found.clock", "100000", "is not among those of the pins"},
+    {RANDOM, "found.clock", "-5", "clock is not an integer"},
+    {RANDOM, "found.clock", "100000", "the pins do not include clock"},
     {RANDOM, "found.lockstep_differs", "1", "lockstep_differs is neither true nor false"},
-    {RANDOM, "found.mismatches.0.signal", "\"mul99\"", "no signal that the circuit has"},
-    {RANDOM, "found.mismatches.0.lane", "5", "no signal that the circuit has"},
+    {RANDOM, "found.mismatches.0.signal", "\"mul99\"", "a signal that the circuit does not have"},
+    {RANDOM, "found.mismatches.0.lane", "5", "a signal that the circuit does not have"},
     {RANDOM, "found.mismatches.0.model", "\"0xzz\"", "model is not a number"},
     {RANDOM, "found.mismatches.0.model", "\"0x100\"", "model is not a number of 8 bits"},
     {RANDOM, "found.mismatches.0.rtl", "\"ff\"", "rtl is not a number of 8 bits"},
     {RANDOM, "found.mismatches.0", "17", "is not a string"},
     {POINTS, "answer", NULL, "answer is missing"},
-    {POINTS, "answer.cosines", "[]", "cosines is no list"},
-    {POINTS, "answer.cosines.0", "-1", "cosines is no whole number"},
+    {POINTS, "answer.cosines", "[]", "cosines is not a list"},
+    {POINTS, "answer.cosines.0", "-1", "cosines is not an integer"},
     {POINTS, "answer.at", "2", "at is not an integer from 0 to 1"},
-    {POINTS, "answer.n", "1024", "n is no whole number"},
+    {POINTS, "answer.n", "1024", "n is not an integer"},
     {POINTS, "answer.rgb", "[1,2]", "rgb is not a list of 3"},
-    {POINTS, "answer.rgb.1", "256", "rgb is no whole number"},
-    {POINTS, "answer.value", "\"violet\"", "value is none"},
+    {POINTS, "answer.rgb.1", "256", "rgb is not an integer"},
+    {POINTS, "answer.value", "\"violet\"", "value is unknown"},
     {POINTS, "kind", "\"frame\"", "frame is missing"},
     {POINTS, "kind", "\"random\"", "seed is not a string"},
     {DIVISIONS, "shifts", "5", "shifts is not an integer from 6 to 16"},
-    {DIVISIONS, "form", "\"round\"", "form is none"},
-    {DIVISIONS, "answer.divisions.0", "[1,2,3]", "divisions is no whole number"},
-    {DIVISIONS, "answer.divisions.0.0", "256", "divisions is no whole number"},
-    {DIVISIONS, "answer.divisions.0.3", "256", "divisions is no whole number"},
+    {DIVISIONS, "form", "\"round\"", "form is unknown"},
+    {DIVISIONS, "answer.divisions.0", "[1,2,3]", "divisions is not an integer"},
+    {DIVISIONS, "answer.divisions.0.0", "256", "divisions is not an integer"},
+    {DIVISIONS, "answer.divisions.0.3", "256", "divisions is not an integer"},
     {DIVISIONS, "answer.value", "\"W\"", "value is not an output of a divider"},
-    {DIVISIONS, "answer.model", "1e99", "model is no whole number"},
+    {DIVISIONS, "answer.model", "1e99", "model is not an integer"},
 };
 
 static void what_is_out_of_range_is_refused(void **state)
@@ -379,7 +380,7 @@ static void what_is_there_twice_is_refused(void **state)
         put_packet(doubled);
         free(doubled);
         outcome done = replay("");
-        assert_refused(&done, " is there twice", cases[i].added);
+        assert_refused(&done, "duplicate name in line ", cases[i].added);
         forget(&done);
     }
 }
@@ -498,7 +499,7 @@ static void a_circuit_that_is_not_there_is_not_gone(void **state)
     put_packet(text);
     free(text);
     outcome done = replay("");
-    assert_refused(&done, "--circuit-dir gives its", "a circuit of one's own");
+    assert_refused(&done, "give its description with --circuit-dir", "a circuit of one's own");
     forget(&done);
 
     char options[1100];
