@@ -84,11 +84,15 @@ static void eval_has_the_right_numbers(void **state)
                                  "-128,-128,1,0,16396\n"
                                  "-128,-128,1,1,32767\n"
                                  "127,-128,1,0,16511\n";
+    static const char named[] = "a b first\n3 4 1\n5 6 1\n";
+    static const char answered[] = "a,b,first,out_valid,out_saturated,out_sum\n"
+                                   "3,4,1,1,0,12\n"
+                                   "5,6,1,1,0,30\n";
     static const char *const backends[] = {"c", "rtl"};
-    for (size_t i = 0; i < 2; i++) {
-        outcome done = own_run(MAC, input, "eval --backend %s", backends[i]);
+    for (size_t i = 0; i < 4; i++) {
+        outcome done = own_run(MAC, i < 2 ? input : named, "eval --backend %s", backends[i % 2]);
         assert_outcome(&done, 0, "");
-        assert_string_equal(done.out, output);
+        assert_string_equal(done.out, i < 2 ? output : answered);
         assert_page_has(done.out);
         forget(&done);
     }
