@@ -1,4 +1,4 @@
-// gray: counts in Gray code, up or down, from 3 on; the pins are called as other tools' variables are.
+// gray: counts in Gray code, up or down, from 3 on; pins with the names of a packet's variables.
 //
 // Function    clk = 1: one up, else one down; wrapped: past an end
 // Formats     code UWIDTH.0

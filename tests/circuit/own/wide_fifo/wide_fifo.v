@@ -1,6 +1,7 @@
 // wide_fifo: a queue of 96-bit words with ready and valid at both ends; its depth is a parameter.
 //
-// Function    a word is taken where s_valid and s_ready meet, and leaves where m_valid and m_ready do
+// Function    a word is taken where s_valid and s_ready meet, and leaves where m_valid and m_ready
+//             do
 // Formats     words U96.0; level U(DEPTH_LOG+1).0
 // Rounding    none
 // Latency     1 clock. Throughput: a word every clock.
