@@ -431,7 +431,7 @@ static void assert_trace_hides_nothing(const saved *file, int t)
     assert_true(trace->width <= 8 || (trace->flags & SAVED_BINARY) == 0);
     for (int i = 0; i < glint_setting_signal_count(&options.setting); i++) {
         const glint_signal_info signal = glint_setting_signal(&options.setting, i);
-        char side[64];
+        char side[128];
         (void)snprintf(side, sizeof side, "%s_rtl", signal.name);
         if (signal.frac_bits == 0 || strcmp(name, side) != 0)
             continue;
