@@ -1,7 +1,8 @@
 # Definitions changed by one edit each, in copies of the tree (tests/formats/try.sh).
 
 FORMATS_DRIVE := tests/formats/drive.c \
-                 $(wildcard sim/circuit/*.c sim/lockstep/*.c sim/rtl/*.c sim/file/*.c)
+                 $(wildcard sim/circuit/*.c sim/lockstep/*.c sim/rtl/*.c sim/file/*.c \
+                            sim/thread/*.c)
 
 $(BUILD)/tests/formats/drive: $(FORMATS_DRIVE:%.c=$(BUILD)/%.o) $(BUILD)/libglint.a | $(BUILD)/tree
 	$(call say,LD,$@)
