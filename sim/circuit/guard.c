@@ -16,7 +16,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#define THREADS_MAX  64 /* that are watched */
+#define THREADS_MAX  64 /* that are watched at once */
 #define CACHE_LINE   64
 #define MESSAGE      1024
 #define SIGNAL_STACK 16384
@@ -24,7 +24,8 @@
 
 /* Of a thread, in cache lines of its own. */
 typedef struct place {
-    alignas(CACHE_LINE) atomic_uint count;                 /* odd: it is in the model */
+    alignas(CACHE_LINE) atomic_uint count; /* odd: it is in the model */
+    atomic_bool is_taken;
     alignas(CACHE_LINE) unsigned char stack[SIGNAL_STACK]; /* of handlers: the crash may be that of
                                                             * its own */
 } place;
@@ -45,8 +46,8 @@ static const struct {
  * format. */
 static bool watching;
 static atomic_bool over;
-static atomic_uint places_taken;
 static place places[THREADS_MAX];
+static pthread_key_t place_of_thread; /* given back when the thread ends */
 static _Thread_local place *mine;
 static char in_model[CRASHES][MESSAGE], elsewhere[CRASHES][MESSAGE], exited[MESSAGE],
     stuck[MESSAGE];
@@ -148,9 +149,17 @@ static void start_watching(void)
     (void)pthread_sigmask(SIG_SETMASK, &before, NULL);
 }
 
+/* A run starts threads anew for each setting; those that are gone must not keep the places. */
+static void give_back(void *taken)
+{
+    place *const place = taken;
+    (void)sigaltstack(&(stack_t){.ss_flags = SS_DISABLE}, NULL);
+    atomic_store(&place->is_taken, false);
+}
+
 void glint_guard_begin(const char *directory)
 {
-    if (watching)
+    if (watching || pthread_key_create(&place_of_thread, give_back) != 0)
         return;
     write_messages(directory);
     catch_crashes();
@@ -177,12 +186,15 @@ static void unblock_crashes(void)
 static place *take_place(void)
 {
     static place unwatched;
-    const unsigned index = atomic_fetch_add(&places_taken, 1);
+    int index = 0;
     unblock_crashes();
-    if (index >= THREADS_MAX)
+    while (index < THREADS_MAX && atomic_exchange(&places[index].is_taken, true))
+        index++;
+    if (index == THREADS_MAX)
         return &unwatched;
     const stack_t stack = {.ss_sp = places[index].stack, .ss_size = SIGNAL_STACK};
     (void)sigaltstack(&stack, NULL);
+    (void)pthread_setspecific(place_of_thread, &places[index]);
     return &places[index];
 }
 

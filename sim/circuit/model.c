@@ -24,6 +24,8 @@ glint_status glint_model_create(const glint_setting *setting, void **model, glin
     const glint_status status =
         circuit->create != NULL ? circuit->create(setting->values, model) : begin(setting, model);
     glint_guard_leave();
+    if (status != GLINT_OK)
+        *model = NULL; /* create() may leave here what it has freed */
     if (status == GLINT_NO_MEMORY)
         return glint_fail(err, status, "no memory for the C model");
     if (status != GLINT_OK)
@@ -37,10 +39,12 @@ void glint_model_destroy(const glint_setting *setting, void *model)
 {
     if (model == NULL)
         return;
+    glint_guard_enter();
     if (setting->circuit->destroy != NULL)
         setting->circuit->destroy(model);
     else
         free(model);
+    glint_guard_leave();
 }
 
 void glint_model_clock(const glint_setting *setting, void *model, const void *pins)
