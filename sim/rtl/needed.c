@@ -143,7 +143,16 @@ static int file_of(const glint_sources *sources, const char *name, size_t length
     return -1;
 }
 
-/* Whether Verilator does not find all that a file declares by its name: it is to be told the file,
+/* Whether a needed file but this one may use a name. */
+static bool is_used(const search *s, int file, const char *name, size_t length)
+{
+    for (int i = 0; i < s->sources->count; i++)
+        if (i != file && s->needed[i] && (!s->told[i] || has(s->bare[i], name, length)))
+            return true;
+    return false;
+}
+
+/* Whether Verilator does not find by its name what others use of a file: it is to be told the file,
  * unless that is included. */
 static bool is_library(const search *s, int file)
 {
@@ -155,16 +164,51 @@ static bool is_library(const search *s, int file)
         if (s->needed[i] && has(s->bare[i], name, length))
             return false;
     while ((length = next_declared(&text, &name)) != 0)
-        if (file_of(s->sources, name, length) < 0)
+        if (file_of(s->sources, name, length) < 0 && is_used(s, file, name, length))
             return true;
     return false;
+}
+
+static bool declares(const search *s, int file, const char *wanted, size_t wanted_length)
+{
+    const char *text = s->bare[file], *name;
+    size_t length;
+    while ((length = next_declared(&text, &name)) != 0)
+        if (length == wanted_length && strncmp(name, wanted, length) == 0)
+            return true;
+    return false;
+}
+
+/* Verilator reads all of a library, and would take from it what another file is there for. */
+static glint_status check_twice(const search *s, int library, const char *directory,
+                                glint_error *err)
+{
+    const char *text = s->bare[library], *name;
+    size_t length;
+    while ((length = next_declared(&text, &name)) != 0)
+        for (int i = 0; i < s->sources->count; i++)
+            if (i != library && s->needed[i] && declares(s, i, name, length))
+                return glint_fail(err, GLINT_BAD_INPUT, "%s: %.*s is both in %s and in %s",
+                                  directory, (int)length, name, s->sources->file[i].name,
+                                  s->sources->file[library].name);
+    return GLINT_OK;
+}
+
+static glint_status find_libraries(const search *s, const char *directory, glint_error *err)
+{
+    glint_status status = GLINT_OK;
+    for (int i = 0; i < s->sources->count && status == GLINT_OK; i++) {
+        glint_source *file = &s->sources->file[i];
+        file->is_library = s->needed[i] && is_library(s, i);
+        if (file->is_library)
+            status = check_twice(s, i, directory, err);
+    }
+    return status;
 }
 
 static void keep_needed(search *s)
 {
     int kept = 0;
-    for (int i = 0; i < s->sources->count; i++)
-        s->sources->file[i].is_library = s->needed[i] && is_library(s, i);
     for (int i = 0; i < s->sources->count; i++) {
         glint_source *file = &s->sources->file[i];
         if (s->needed[i]) {
@@ -206,8 +250,10 @@ glint_status glint_sources_need(glint_sources *sources, const char *top, const c
     if (status == GLINT_OK) {
         *file = sources->file[s.top].name;
         follow(&s, s.top);
-        keep_needed(&s);
+        status = find_libraries(&s, directory, err);
     }
+    if (status == GLINT_OK)
+        keep_needed(&s);
     for (int i = 0; s.bare != NULL && i < count; i++)
         free(s.bare[i]);
     free(s.bare);

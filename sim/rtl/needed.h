@@ -9,7 +9,8 @@
  * their name (of a module or of an included file) or that of a module in them. Verilator gets what
  * is left and nothing else, so that a file which were missed would be missing, never stale. All are
  * kept where words do not tell, because names are pasted together or escaped.
- * The name of the top's file in *file. GLINT_IO_ERROR when there is none. */
+ * The name of the top's file in *file. GLINT_IO_ERROR when there is none; GLINT_BAD_INPUT when a
+ * library has a module that another file has, too. */
 glint_status glint_sources_need(glint_sources *sources, const char *top, const char *directory,
                                 const char **file, glint_error *err);
 

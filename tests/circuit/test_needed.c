@@ -67,6 +67,11 @@ static const tree trees[] = {
       {"other.v", "module d; endmodule"},
       {"top.v", "module top; b x(); e y(); endmodule\nmodule e; endmodule"}},
      "lib.v! more.sv! top.v "},
+    {"a copy of a module, beside others that nobody uses",
+     {{"a.v", "module a; endmodule"},
+      {"old.v", "module a; b x(); endmodule\nmodule b; endmodule"},
+      {"top.v", "module top; a x(); endmodule"}},
+     "a.v old.v top.v "},
     {"modules in a file that is included",
      {{"parts.v", "module a; endmodule"},
       {"top.v", "`include \"parts.v\"\nmodule top; a x(); endmodule"}},
@@ -172,6 +177,21 @@ static void a_top_that_is_not_there_is_told(void **state)
     glint_sources_free(&sources);
 }
 
+/* Verilator would take the library's, and an edit of the other one would change nothing. */
+static void a_module_in_a_library_too_is_refused(void **state)
+{
+    (void)state;
+    const char *file;
+    glint_sources sources = {0};
+    glint_error err = {""};
+    add(&sources, "a.v", "module a; endmodule");
+    add(&sources, "old.v", "module a; endmodule\nmodule b; endmodule");
+    add(&sources, "top.v", "module top; a x(); b y(); endmodule");
+    assert_int_equal(glint_sources_need(&sources, "top", "here", &file, &err), GLINT_BAD_INPUT);
+    assert_string_equal(err.text, "here: a is both in a.v and in old.v");
+    glint_sources_free(&sources);
+}
+
 /* Of Glint's own an edit of the one circuit leaves the other alone. */
 static void the_dividers_do_not_need_the_device(void **state)
 {
@@ -208,6 +228,7 @@ int main(void)
         cmocka_unit_test(what_is_needed_is_kept),
         cmocka_unit_test(a_byte_that_ends_texts_hides_nothing),
         cmocka_unit_test(a_top_that_is_not_there_is_told),
+        cmocka_unit_test(a_module_in_a_library_too_is_refused),
         cmocka_unit_test(the_dividers_do_not_need_the_device),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
