@@ -25,11 +25,13 @@ reasons() {
          { said = $0 }' "$1"
 }
 
-# Runs one program and stores its counts next to its log: PASSED FAILED SKIPPED SECONDS NAME.
+# Runs one program and stores its counts next to its log: PASSED FAILED SKIPPED SECONDS NAME. Two
+# of the same name, in different directories, must not share these files.
 run() {
     logs=$1 program=$2
     name=${program##*/}
-    log=$logs/$name.log
+    files=$logs/$(printf '%s' "$program" | tr / -)
+    log=$files.log
     begin=$(date +%s)
     "$program" >"$log" 2>&1
     status=$?
@@ -44,7 +46,7 @@ run() {
         said=$(printf 'ok      %-28s %3d tests, %d s\n' "$name" "$good" "$seconds" &&
             reasons "$log")
     fi
-    echo "$good $bad $left $seconds $name" >"$logs/$name.count"
+    echo "$good $bad $left $seconds $name" >"$files.count"
     printf '%s\n' "$said" # at once, so that two do not mix
 }
 

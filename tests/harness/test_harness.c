@@ -148,6 +148,20 @@ static void programs_at_once_are_all_counted(void **state)
     assert_said("child.out", " failed, 0 skipped\n");
 }
 
+/* As tests/model and tests/render may each have a test_specular. */
+static void programs_of_the_same_name_are_told_apart(void **state)
+{
+    (void)state;
+    assert_int_equal(mkdir(scratch_path("one"), 0777), 0);
+    assert_int_equal(mkdir(scratch_path("two"), 0777), 0);
+    write_program("one/program", "[  PASSED  ] 1 test(s).\\n", 0);
+    write_program("two/program", "[  PASSED  ] 2 test(s).\\n", 0);
+    const char *argv[] = {"tests/run.sh", scratch_path("logs"), scratch_path("one/program"),
+                          scratch_path("two/program"), NULL};
+    assert_int_equal(child_run(argv, 60.0), 0);
+    assert_said("child.out", "3 passed, 0 failed, 0 skipped\n");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -157,6 +171,7 @@ int main(void)
         cmocka_unit_test(without_terminals_tests_are_skipped),
         cmocka_unit_test(what_ran_is_counted),
         cmocka_unit_test(programs_at_once_are_all_counted),
+        cmocka_unit_test(programs_of_the_same_name_are_told_apart),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
