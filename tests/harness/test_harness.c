@@ -156,7 +156,9 @@ static void programs_of_the_same_name_are_told_apart(void **state)
     assert_int_equal(mkdir(scratch_path("two"), 0777), 0);
     write_program("one/program", "[  PASSED  ] 1 test(s).\\n", 0);
     write_program("two/program", "[  PASSED  ] 2 test(s).\\n", 0);
-    const char *argv[] = {"tests/run.sh", scratch_path("logs"), scratch_path("one/program"),
+    char logs[1024];
+    (void)snprintf(logs, sizeof logs, "%s", scratch_path("logs"));
+    const char *argv[] = {"tests/run.sh", logs, scratch_path("one/program"),
                           scratch_path("two/program"), NULL};
     assert_int_equal(child_run(argv, 60.0), 0);
     assert_said("child.out", "3 passed, 0 failed, 0 skipped\n");
