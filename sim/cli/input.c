@@ -68,6 +68,12 @@ static int find_column(char *const *name, int width, const char *wanted)
     return -1;
 }
 
+/* Whether a later column has the same name. */
+static bool comes_again(char *const *name, int width, int at)
+{
+    return at >= 0 && find_column(name + at + 1, width - at - 1, name[at]) >= 0;
+}
+
 static glint_line_kind read_header(const glint_line_form *form, char *const *name, int width,
                                    glint_columns *columns, glint_error *err)
 {
@@ -81,6 +87,11 @@ static glint_line_kind read_header(const glint_line_form *form, char *const *nam
             glint_fail(err, GLINT_BAD_INPUT, "this header has no column %s%s%s", column->name,
                        column->other != NULL ? " or " : "",
                        column->other != NULL ? column->other : "");
+            return GLINT_LINE_MALFORMED;
+        }
+        if (comes_again(name, width, columns->at[i])) {
+            glint_fail(err, GLINT_BAD_INPUT, "this header has two columns %s",
+                       name[columns->at[i]]);
             return GLINT_LINE_MALFORMED;
         }
     }

@@ -179,7 +179,7 @@ static void write_notes(const glint_draw_graph *graph, const glint_draw_layout *
     for (int i = 0; i < glint_setting_pin_count(setting); i++) {
         const glint_pin_info pin = glint_setting_pin(setting, i);
         if (pin.role != GLINT_PIN_RESET && pin.role != GLINT_PIN_RESET_LOW &&
-            pin.role != GLINT_PIN_ENABLE)
+            pin.role != GLINT_PIN_ENABLE && pin.role != GLINT_PIN_ENABLE_LOW)
             continue;
         fprintf(out, "%s%s", any ? ", " : "not drawn: ", pin.name);
         any = true;

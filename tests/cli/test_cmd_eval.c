@@ -146,6 +146,7 @@ static void malformed_lines_are_named(void **state)
     static const refusal refusals[] = {
         {"1 1 1 1\n", 0, "line 1: fewer than five values (n cos r g b)"},
         {"1 1 1 1 1 1\n", 0, "line 1: more than five values (n cos r g b)"},
+        {"n,cos,n,r,g,b\n", 0, "line 1: this header has two columns n"},
         {"n,cos,r,g\n", 0, "line 1: this header has no column b"},
         {"n,r,g,b\n", 0, "line 1: this header has no column cos or cos_code"},
         {"\n\nn,cos,r,g,b\nn,cos,r,g,b\n", 0, "line 4: n: \"n\" is not an integer from 0 to 1023"},

@@ -14,6 +14,7 @@
 
 #include "../cli/run.h"
 #include "circuit/circuits.h"
+#include "draw/draw.h"
 #include "draw/layout.h"
 
 enum { DRAWINGS_MAX = 16, PATH = 1024 };
@@ -253,6 +254,34 @@ static void the_figure_is_complete(void **state)
     assert_int_equal(graph.stages, GLINT_LATENCY_PIPELINED);
 }
 
+/* ---- What is not drawn ----------------------------------------------------------------------- */
+
+static glint_pin_info with_enable_low(const int *values, int index)
+{
+    glint_pin_info pin = glint_circuit_specular.pin(values, index);
+    if (pin.role == GLINT_PIN_ENABLE)
+        pin.role = GLINT_PIN_ENABLE_LOW;
+    return pin;
+}
+
+static void an_enable_is_named_whichever_level_it_has(void **state)
+{
+    (void)state;
+    char *svg = NULL;
+    size_t size;
+    glint_error err = {""};
+    glint_circuit circuit = glint_circuit_specular;
+    glint_setting setting = glint_setting_standard(&glint_circuit_specular);
+    FILE *out = open_memstream(&svg, &size);
+    assert_non_null(out);
+    circuit.pin = with_enable_low;
+    setting.circuit = &circuit;
+    assert_int_equal(glint_draw_svg(&setting, out, &err), GLINT_OK);
+    assert_int_equal(fclose(out), 0);
+    assert_non_null(strstr(svg, ">not drawn: clk, reset, en<"));
+    free(svg);
+}
+
 /* ---- Descriptions that make none ------------------------------------------------------------- */
 
 static glint_block_info changed;
@@ -364,6 +393,7 @@ int main(void)
         cmocka_unit_test(committed_pictures_are_the_drawings),
         cmocka_unit_test(nothing_lies_on_anything_else),
         cmocka_unit_test(the_figure_is_complete),
+        cmocka_unit_test(an_enable_is_named_whichever_level_it_has),
         cmocka_unit_test(descriptions_that_make_no_drawing_are_refused),
         cmocka_unit_test(a_circuit_without_blocks_is_refused),
         cmocka_unit_test(a_dot_that_answers_wrongly_is_refused),

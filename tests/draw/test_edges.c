@@ -123,7 +123,7 @@ static bool is_undrawn(const char *name)
         const glint_pin_info pin = glint_setting_pin(e.setting, i);
         if (strcmp(pin.name, name) == 0)
             return pin.role == GLINT_PIN_RESET || pin.role == GLINT_PIN_RESET_LOW ||
-                   pin.role == GLINT_PIN_ENABLE;
+                   pin.role == GLINT_PIN_ENABLE || pin.role == GLINT_PIN_ENABLE_LOW;
     }
     return false;
 }
