@@ -55,6 +55,9 @@ static void become(const char *const *arguments, const char *directory, int word
 {
     static const char text[] = "cannot be started\n";
     const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+    sigset_t none;
+    sigemptyset(&none); /* a crew's thread blocks all, and Ctrl-C and SIGTERM are to end a tool */
+    (void)sigprocmask(SIG_SETMASK, &none, NULL);
     (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent)
         _exit(127);
