@@ -18,6 +18,8 @@ CXX        = g++
 VERILATOR ?= verilator
 PREFIX    ?= /usr/local
 JOBS      ?= $(shell nproc)
+# For the makes that this one runs; `make -j2` counts for them as well.
+PARALLEL   = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 
 # Quiet: `$Q` before a command, `$(call say,WHAT,FILE)` before that.
 Q    := $(if $(V),,@)
@@ -214,7 +216,7 @@ CHECKS := $(filter %/test_description %/test_words %/test_random_pins $(BUILD)/t
 .PHONY: check
 check:
 	@sim/deps.sh check
-	@+$(MAKE) --no-print-directory -j$(JOBS) $(CHECKS) $(BUILD)/glint $(BUILD)/glint-gen
+	@+$(MAKE) --no-print-directory $(PARALLEL) $(CHECKS) $(BUILD)/glint $(BUILD)/glint-gen
 	@$(BUILD)/glint verify --clocks 20000 --lanes 1 --gate cosine --pipeline pipelined \
 	    --seed 1 --out $(BUILD)/check
 	@$(BUILD)/glint verify --clocks 20000 --circuit divider --shifts 12 --seed 1 --out $(BUILD)/check
@@ -224,7 +226,7 @@ check:
 # The circuits that most tests need are built first, together.
 test:
 	sim/deps.sh test
-	+$(MAKE) -j$(JOBS) build-tests
+	+$(MAKE) $(PARALLEL) build-tests
 	$(BUILD)/glint verify --clocks 1000 --seed 1 --out $(BUILD)/test-failure
 	+$(MAKE) run-tests
 
@@ -239,7 +241,7 @@ test-full: test
 sanitize: export GLINT_CACHE := $(abspath $(BUILD))/circuits
 sanitize:
 	sim/deps.sh test
-	+$(MAKE) -j$(JOBS) SANITIZE=1 BUILD=$(BUILD)/sanitize VERILATED=$(VERILATED) build-tests
+	+$(MAKE) $(PARALLEL) SANITIZE=1 BUILD=$(BUILD)/sanitize VERILATED=$(VERILATED) build-tests
 	+$(MAKE) SANITIZE=1 BUILD=$(BUILD)/sanitize VERILATED=$(VERILATED) run-tests
 
 # ---- Lint ----------------------------------------------------------------------------------------
@@ -251,7 +253,7 @@ C_SOURCES  := $(wildcard cmodel/*.c sim/*/*.c tests/*/*.c \
 lint:
 	sim/deps.sh lint
 	+@mode=$$(stat -c %a /dev/null) && \
-	    $(MAKE) -j$(JOBS) lint-verilog lint-c lint-cpp lint-style lint-tidy && \
+	    $(MAKE) $(PARALLEL) lint-verilog lint-c lint-cpp lint-style lint-tidy && \
 	    { [ "$$(stat -c %a /dev/null)" = "$$mode" ] || \
 	        { echo "lint has changed the mode of /dev/null from $$mode" >&2; exit 1; }; }
 
@@ -295,10 +297,10 @@ DEMO := $(BUILD)/demo
 demo:
 	@sim/deps.sh demo
 	@echo "building $(BUILD)/glint"
-	@+$(MAKE) --no-print-directory -j$(JOBS) SILENT=1 $(BUILD)/glint
+	@+$(MAKE) --no-print-directory $(PARALLEL) SILENT=1 $(BUILD)/glint
 	@mkdir -p $(DEMO)
 	@echo "building two circuits from the Verilog: one draws the picture, one shows every register"
-	@+$(MAKE) --no-print-directory -j2 -Otarget demo-picture demo-verdict
+	@+$(MAKE) --no-print-directory $(if $(PARALLEL),-j2) -Otarget demo-picture demo-verdict
 	@$(BUILD)/glint wave --lanes 1 --pipeline pipelined --circuit specular --out $(DEMO)
 	@echo
 	@echo "the picture:   $(DEMO)/teapot.png"
@@ -307,7 +309,7 @@ demo:
 	@command -v gtkwave >/dev/null || \
 	    echo "(GTKWave is not installed; sim/deps.sh gtkwave installs it)"
 	@echo "what it shows: docs/waveforms.md"
-	@echo "every setting: $(BUILD)/glint verify (builds 52 circuits first)"
+	@echo "every setting: $(BUILD)/glint verify (builds the other 51 circuits)"
 	@echo "how to work:   docs/working.md"
 
 demo-picture:
@@ -320,17 +322,17 @@ demo-verdict:
 
 bench:
 	sim/deps.sh bench
-	+$(MAKE) -j$(JOBS) $(BUILD)/glint
+	+$(MAKE) $(PARALLEL) $(BUILD)/glint
 	$(BUILD)/glint bench
 
 wave:
 	sim/deps.sh wave
-	+$(MAKE) -j$(JOBS) $(BUILD)/glint
+	+$(MAKE) $(PARALLEL) $(BUILD)/glint
 	$(BUILD)/glint wave --out $(BUILD)/wave
 
 report:
 	sim/deps.sh report
-	+$(MAKE) -j$(JOBS) $(BUILD)/glint
+	+$(MAKE) $(PARALLEL) $(BUILD)/glint
 	$(BUILD)/glint report --out $(BUILD)/report
 
 # ---- Installing ----------------------------------------------------------------------------------
@@ -371,7 +373,7 @@ build-tests: installable
 install:
 	@$(PLACES) sim/install/install.sh check
 	sim/deps.sh install
-	+$(MAKE) -j$(JOBS) installable
+	+$(MAKE) $(PARALLEL) installable
 	$(PLACES) sim/install/install.sh install $(BUILD) $(VERSION)
 
 uninstall:

@@ -231,9 +231,10 @@ static void choose_verilog(const replay_options *chosen, glint_failure *packet)
     if (chosen->verilog != NULL || glint_failure_rtl(packet)[0] == '\0')
         return;
     glint_shell_append(directory, sizeof directory, packet->rtl);
-    (void)glint_complain(
-        "replay", GLINT_EXIT_OK, "by %s Verilog; the packet was made with another: --rtl %s",
-        chosen->circuit_dir != NULL ? "--circuit-dir's" : "Glint's own", directory);
+    (void)glint_complain("replay", GLINT_EXIT_OK,
+                         "with %s Verilog; the packet was made with other Verilog: --rtl %s",
+                         chosen->circuit_dir != NULL ? "--circuit-dir's" : "Glint's own",
+                         directory);
 }
 
 static int run(const replay_options *chosen, replay *of)

@@ -412,7 +412,7 @@ static void write_command(const verify_options *chosen, const glint_setting *set
 static void report_failure(const verify_options *chosen, task *task, glint_failure_detail detail,
                            FILE *out)
 {
-    char name[GLINT_SETTING_TEXT], directory[FILENAME_MAX];
+    char name[GLINT_SETTING_TEXT], setting[GLINT_SETTING_TEXT], directory[FILENAME_MAX];
     glint_failure *failure;
     if (glint_failure_find("verify", &task->options, &task->result, &failure, &task->err) !=
         GLINT_OK) {
@@ -423,10 +423,11 @@ static void report_failure(const verify_options *chosen, task *task, glint_failu
     glint_failure_name_circuit(failure, chosen->circuits.directory);
     write_command(chosen, &failure->setting, failure->command, sizeof failure->command);
     glint_setting_name(&failure->setting, name);
+    glint_setting_describe(&failure->setting, setting);
     (void)snprintf(directory, sizeof directory, "%s/%s", chosen->out, name);
     if (detail == GLINT_FAILURE_BRIEFLY)
-        fprintf(out, "also %" PRIu64 " mismatches of %" PRIu64 ", ", task->result.mismatches,
-                task->result.comparisons);
+        fprintf(out, "also %s: %" PRIu64 " mismatches of %" PRIu64 ", ", setting,
+                task->result.mismatches, task->result.comparisons);
     if (glint_failure_output("verify", failure, NULL, directory, detail, out))
         memcpy(task->packet, directory, sizeof directory);
     glint_failure_destroy(failure);

@@ -89,8 +89,12 @@ void glint_info_print_setting(const glint_setting *setting)
     glint_setting_describe(setting, text);
     printf("setting    %s; top module %s, clock %s\n", text, glint_setting_top(setting),
            circuit->clock_port != NULL ? circuit->clock_port : "none");
-    printf("latency    %d clocks; accepts input every %d\n", glint_setting_latency(setting),
-           glint_setting_pace(setting));
+    const int latency = glint_setting_latency(setting), pace = glint_setting_pace(setting);
+    printf("latency    %d clock%s; takes an input every ", latency, latency == 1 ? "" : "s");
+    if (pace == 1)
+        printf("clock\n");
+    else
+        printf("%d clocks\n", pace);
     if (domain != NULL)
         printf("domain     %s: %" PRIu64 " points\n", domain->what,
                domain->points(setting->values));

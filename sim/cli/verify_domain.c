@@ -77,8 +77,13 @@ static void write_command(const glint_exhaustive_choice *chosen, const run *run,
     text[0] = '\0';
     glint_shell_append(text, size, glint_failure_program());
     size_t used = strlen(text);
-    (void)snprintf(text + used, size - used, " verify --exhaustive %s --shard %s --from %" PRIu64,
-                   options, chosen->shard, from);
+    (void)snprintf(text + used, size - used, " verify --exhaustive %s", options);
+    used = strlen(text);
+    if (chosen->shard_count != 1)
+        (void)snprintf(text + used, size - used, " --shard %s", chosen->shard);
+    used = strlen(text);
+    if (from != 0)
+        (void)snprintf(text + used, size - used, " --from %" PRIu64, from);
     used = strlen(text);
     if (chosen->stride != 1)
         (void)snprintf(text + used, size - used, " --stride %" PRId64 " --seed %" PRId64,

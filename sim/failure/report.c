@@ -243,9 +243,11 @@ static void print_table(FILE *out, const glint_failure *failure, const glint_cap
     const int first = last + 1 > GLINT_CAPTURE_BEFORE ? last + 1 - GLINT_CAPTURE_BEFORE : 0;
     const int signal = signal_of_table(failure, capture);
     const glint_answer_form *form = glint_answer_form_of(capture->setting.circuit);
-    fprintf(out,
-            "the last %d clocks: the pins at each edge, then both values of the %s after it:\n",
-            last + 1 - first,
+    if (last == first)
+        fprintf(out, "the only clock");
+    else
+        fprintf(out, "the last %d clocks", last + 1 - first);
+    fprintf(out, ": the pins at each edge, then both values of the %s after it:\n",
             signal >= 0 && is_answer(failure, &capture->signals.info[signal])
                 ? "answer"
                 : "first signal to differ");

@@ -140,8 +140,8 @@ static void what_a_packet_names_is_not_opened(void **state)
     (void)snprintf(text, sizeof text, "%s/circuit.c", trap);
     scratch_write(text, "#error compiled\n", 16);
     (void)snprintf(told, sizeof told,
-                   "glint replay: by Glint's own Verilog; the packet was made with another: --rtl "
-                   "'%s'\\'%s'\n",
+                   "glint replay: with Glint's own Verilog; the packet was made with other "
+                   "Verilog: --rtl '%s'\\'%s'\n",
                    scratch_path("it"), "'s a trap");
     for (int i = 0; i < PACKETS; i++) {
         json_t *json = json_loads(packets[i], JSON_REJECT_DUPLICATES | JSON_DECODE_ANY, NULL);
