@@ -14,7 +14,7 @@ coverage: coverage-rtl coverage-c
 
 coverage-rtl:
 	sim/deps.sh coverage
-	+$(MAKE) -j$(JOBS) $(COVERAGE)/drive $(COVERAGE)/circuits
+	+$(MAKE) $(PARALLEL) $(COVERAGE)/drive $(COVERAGE)/circuits
 	GLINT_BUILD=$(BUILD) tests/coverage/rtl.sh $(COVERAGE)/drive $(COVERAGE)
 
 # The tests once more, compiled so that gcov counts, also from several threads; the circuits are
@@ -30,7 +30,7 @@ COVERAGE_TESTS   = $(TEST_SOURCES:%.c=$(COVERAGE)/c/%)
 coverage-c: export GLINT_CACHE := $(abspath $(BUILD))/circuits
 coverage-c:
 	sim/deps.sh coverage
-	+$(COVERAGE_C) -j$(JOBS) build-tests
+	+$(COVERAGE_C) $(PARALLEL) build-tests
 	find $(COVERAGE)/c -name '*.gcda' -delete
 	date +%s >$(COVERAGE)/c/begin
 	+GLINT_RECORDS= GLINT_REFERENCE_STEP=61 $(COVERAGE_C) \

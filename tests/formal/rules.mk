@@ -33,7 +33,8 @@ formal-proofs: $(BUILD)/settings
 formal:
 	sim/deps.sh formal
 	+$(MAKE) $(BUILD)/settings
-	+$(MAKE) -k -j$(JOBS) formal-proofs; made=$$?; tests/formal/report.sh $(FORMAL_DIRS) && exit $$made
+	+$(MAKE) -k $(PARALLEL) formal-proofs; made=$$?; \
+	    tests/formal/report.sh $(FORMAL_DIRS) && exit $$made
 
 # tests/formal/test_formal.c reads it.
 build-tests: $(BUILD)/settings

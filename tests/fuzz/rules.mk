@@ -28,8 +28,8 @@ fuzz-programs: $(FUZZ_TARGETS:%=$(BUILD)/fuzzers/%)
 fuzz: export GLINT_CACHE := $(abspath $(BUILD))/circuits
 fuzz:
 	sim/deps.sh fuzz
-	+$(MAKE) -j$(JOBS) $(BUILD)/glint
+	+$(MAKE) $(PARALLEL) $(BUILD)/glint
 	$(BUILD)/glint verify --clocks 1 --out $(BUILD)/fuzz-failure
 	$(BUILD)/glint bench --seconds 0.01 >/dev/null
-	+$(MAKE) -j$(JOBS) FUZZING=1 CC=clang BUILD=$(BUILD)/fuzz VERILATED=$(VERILATED) fuzz-programs
+	+$(MAKE) $(PARALLEL) FUZZING=1 CC=clang BUILD=$(BUILD)/fuzz VERILATED=$(VERILATED) fuzz-programs
 	tests/fuzz/run.sh $(BUILD)/fuzz $(FUZZ_SECONDS) $(FUZZ_TARGETS)

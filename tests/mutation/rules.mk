@@ -78,7 +78,7 @@ $(MUTATED:%=judge-%): judge-%: $(BUILD)/mutation/%/verdicts.tsv
 .PHONY: mutation $(MUTATED:%=judge-%)
 mutation:
 	sim/deps.sh mutation
-	+$(MAKE) -k -j$(JOBS) $(MUTATED:%=judge-%)
+	+$(MAKE) -k $(PARALLEL) $(MUTATED:%=judge-%)
 	tests/mutation/tables.sh $(BUILD)/mutation $(MUTATED) > $(BUILD)/mutation/tables.md
 
 build-tests: $(MUTATED_SHORT:%=$(BUILD)/mutation/%/bench)

@@ -11,6 +11,6 @@ build-tests: $(BUILD)/netlist/short
 .PHONY: netlist
 netlist:
 	sim/deps.sh netlist
-	+$(MAKE) -j$(JOBS) $(BUILD)/tests/netlist/test_opinions $(BUILD)/netlist/full
+	+$(MAKE) $(PARALLEL) $(BUILD)/tests/netlist/test_opinions $(BUILD)/netlist/full
 	GLINT_OPINIONS=$(BUILD)/netlist/full tests/netlist/run.sh $(BUILD)/tests/netlist/test_opinions \
 	    $(BUILD)/netlist/opinions.log

@@ -3,5 +3,5 @@
 .PHONY: newest
 newest:
 	sim/deps.sh newest
-	+$(MAKE) -j$(JOBS) $(BUILD)/glint $(WRONG_CIRCUITS)
+	+$(MAKE) $(PARALLEL) $(BUILD)/glint $(WRONG_CIRCUITS)
 	tests/newest/newest.sh $(BUILD)

@@ -6,5 +6,5 @@ $(BUILD)/tests/portability/test_portability: LDLIBS += -lgmp
 .PHONY: portability
 portability:
 	sim/deps.sh portability
-	+$(MAKE) -j$(JOBS) $(BUILD)/tests/portability/test_portability
+	+$(MAKE) $(PARALLEL) $(BUILD)/tests/portability/test_portability
 	tests/run.sh $(BUILD)/test-logs $(BUILD)/tests/portability/test_portability

@@ -6,5 +6,5 @@ $(BUILD)/tests/reference/test_reference: LDFLAGS += -Wl,--wrap=glint_specular_ba
 .PHONY: reference
 reference:
 	sim/deps.sh test
-	+$(MAKE) -j$(JOBS) $(BUILD)/tests/reference/test_reference
+	+$(MAKE) $(PARALLEL) $(BUILD)/tests/reference/test_reference
 	tests/reference/run.sh $(BUILD)/tests/reference/test_reference $(BUILD)/reference.log
