@@ -124,7 +124,7 @@ static void a_fault_is_found_looked_at_and_played_again(void **state)
     forget(&done);
     done = own_run(MAC, "", "replay %s", packet);
     assert_int_equal(done.status, 0);
-    assert_says(done.err, "glint replay: by --circuit-dir's Verilog; the packet was made with");
+    assert_says(done.err, "glint replay: with --circuit-dir's Verilog; the packet was made with");
     forget(&done);
 
     done = own_run(MAC, "", "verify --exhaustive --width 4 --rtl %s --out %s", wrong,
