@@ -182,7 +182,7 @@ glint_status glint_frame_times_measure(glint_report *report, glint_error *err)
     for (int figure = 0; figure < GLINT_FIGURE_COUNT && status == GLINT_OK; figure++) {
         timing t;
         status = measure(report, (glint_test_figure)figure, &t, err);
-        for (int i = 0; i < t.count && status == GLINT_OK; i++)
+        for (int i = 0; status == GLINT_OK && i < t.count; i++)
             glint_number_widen(best, gain_of(&t, i, COSINE_QUADRATIC));
     }
     glint_number_put(numbers, best[1], "frames.time.gain");
