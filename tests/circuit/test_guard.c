@@ -36,7 +36,7 @@ static void *visit(void *unused)
 }
 
 /* Until the stack is full: the handler then needs one of its own. */
-static int overflow(volatile int *depth)
+static int overflow(const volatile int *depth)
 {
     volatile int frame[1000];
     frame[0] = *depth + 1;
