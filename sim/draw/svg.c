@@ -164,6 +164,23 @@ static void write_node(const glint_draw_node *node, FILE *out)
 
 /* ---- The whole ------------------------------------------------------------------------------- */
 
+/* Where the setting begins, after the title: long titles average less than 10 a letter, short ones
+ * more. */
+static int setting_left(const glint_draw_graph *graph)
+{
+    const int length = glint_draw_length(graph->setting->circuit->title);
+    return 20 + (length > 20 ? length * 10 : length * 8 + 40);
+}
+
+/* Of the drawing, or of the line above it where that is wider. */
+static int page_width(const glint_draw_graph *graph, const glint_draw_layout *layout)
+{
+    char text[GLINT_SETTING_TEXT];
+    glint_setting_describe(graph->setting, text);
+    const int line = setting_left(graph) + glint_draw_length(text) * 7 + 20;
+    return line > layout->width ? line : layout->width;
+}
+
 /* The clock, resets and enables go everywhere, so they are named, not drawn. */
 static void write_notes(const glint_draw_graph *graph, const glint_draw_layout *layout, FILE *out)
 {
@@ -172,7 +189,7 @@ static void write_notes(const glint_draw_graph *graph, const glint_draw_layout *
     bool any = setting->circuit->clock_port != NULL, stacked = false;
     label(out, "title", 20, 24, setting->circuit->title);
     glint_setting_describe(setting, text);
-    label(out, "note", 20 + glint_draw_length(setting->circuit->title) * 10, 24, text);
+    label(out, "note", setting_left(graph), 24, text);
     fprintf(out, "<text class=\"note\" x=\"20\" y=\"%d\">", layout->height - 8);
     if (any)
         fprintf(out, "not drawn: %s", setting->circuit->clock_port);
@@ -207,10 +224,11 @@ static void write_cuts(const glint_draw_graph *graph, const glint_draw_layout *l
 
 void glint_draw_write_svg(const glint_draw_graph *graph, const glint_draw_layout *layout, FILE *out)
 {
+    const int width = page_width(graph, layout);
     fprintf(out,
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" "
             "viewBox=\"0 0 %d %d\">\n<title>",
-            layout->width, layout->height, layout->width, layout->height);
+            width, layout->height, width, layout->height);
     write_text(out, graph->setting->circuit->title);
     fprintf(out, "</title>\n<style>\n%s</style>\n", style);
     fprintf(out, "<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n");
