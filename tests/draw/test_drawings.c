@@ -282,6 +282,33 @@ static void an_enable_is_named_whichever_level_it_has(void **state)
     free(svg);
 }
 
+/* The page is as wide as the drawing, and wide enough for a title of any length. */
+static void a_long_title_fits(void **state)
+{
+    (void)state;
+    char title[301], *svg = NULL;
+    size_t size;
+    int width = 0, left = 0;
+    glint_error err = {""};
+    glint_circuit circuit = glint_circuit_specular;
+    glint_setting setting = glint_setting_standard(&glint_circuit_specular);
+    FILE *out = open_memstream(&svg, &size);
+    assert_non_null(out);
+    memset(title, 'n', sizeof title - 1);
+    title[sizeof title - 1] = '\0';
+    circuit.title = title;
+    setting.circuit = &circuit;
+    assert_int_equal(glint_draw_svg(&setting, out, &err), GLINT_OK);
+    assert_int_equal(fclose(out), 0);
+    assert_int_equal(sscanf(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\"", &width),
+                     1);
+    const char *note = strstr(svg, "<text class=\"note\"");
+    assert_non_null(note);
+    assert_int_equal(sscanf(note, "<text class=\"note\" x=\"%d\"", &left), 1);
+    assert_true(left >= 3000 && width > left + 200);
+    free(svg);
+}
+
 /* ---- Descriptions that make none ------------------------------------------------------------- */
 
 static glint_block_info changed;
@@ -394,6 +421,7 @@ int main(void)
         cmocka_unit_test(nothing_lies_on_anything_else),
         cmocka_unit_test(the_figure_is_complete),
         cmocka_unit_test(an_enable_is_named_whichever_level_it_has),
+        cmocka_unit_test(a_long_title_fits),
         cmocka_unit_test(descriptions_that_make_no_drawing_are_refused),
         cmocka_unit_test(a_circuit_without_blocks_is_refused),
         cmocka_unit_test(a_dot_that_answers_wrongly_is_refused),
