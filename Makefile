@@ -301,7 +301,8 @@ demo:
 	@mkdir -p $(DEMO)
 	@echo "building two circuits from the Verilog: one draws the picture, one shows every register"
 	@+$(MAKE) --no-print-directory $(if $(PARALLEL),-j2) -Otarget demo-picture demo-verdict
-	@$(BUILD)/glint wave --lanes 1 --pipeline pipelined --circuit specular --out $(DEMO)
+	@$(BUILD)/glint wave --lanes 1 --pipeline pipelined --circuit specular --out $(DEMO) \
+	    >/dev/null
 	@echo
 	@echo "the picture:   $(DEMO)/teapot.png"
 	@echo "the waveform:  gtkwave $(DEMO)/specular_cosine_pipelined.fst" \

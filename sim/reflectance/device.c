@@ -46,7 +46,7 @@ const glint_reflectance_definition glint_reflectance_device = {
     .info = {.title = "the fixed-point device, gate cosine",
              .equation = "(2.15), figure 3.1",
              .formula = "((n+1)/3 (c−1) + 1)², c and every step rounded",
-             .edges = "as cosine-quadratic; n is register 2's",
+             .edges = "as cosine-quadratic, for the whole n that register 2 holds",
              .cosine = GLINT_REFLECTANCE_OF_NH,
              .n_max = GLINT_N_MAX,
              .whole_n = true},
