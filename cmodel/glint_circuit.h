@@ -155,8 +155,9 @@ typedef struct glint_circuit {
     const void *(*signals)(const void *model);
 
     /* The circuit's own random pins, from a state of stimulus_size bytes, at most
-     * GLINT_STIMULUS_SIZE_MAX; NULL: every pin by its role, with data anywhere and at the ends of
-     * its range. The same seed gives the same pins. */
+     * GLINT_STIMULUS_SIZE_MAX, that begins with zeros, as the pins of each clock do; NULL: every
+     * pin by its role, with data anywhere and at the ends of its range. The same seed gives the
+     * same pins. */
     size_t stimulus_size;
     void (*stimulus_begin)(void *stimulus, const int *values, uint64_t seed);
     void (*stimulus_next)(void *stimulus, void *pins);

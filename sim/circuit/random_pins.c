@@ -158,7 +158,6 @@ static void next_by_roles(by_roles *r, const glint_setting *setting, glint_pins 
     bool reset, en;
     if (glint_schedule_next(&r->schedule, &r->random, &reset, &en))
         begin_phase(r);
-    memset(pins->bytes, 0, circuit->pins_size);
     for (int i = 0; i < count; i++) {
         const glint_pin_info pin = circuit->pin(setting->values, i);
         random_pin(r, &pin, reset, en, words);
@@ -170,6 +169,7 @@ void glint_random_pins_begin(glint_random_pins *source, const glint_setting *set
 {
     const glint_circuit *circuit = setting->circuit;
     source->setting = *setting;
+    memset(source->state.bytes, 0, circuit->stimulus_size);
     if (circuit->stimulus_begin != NULL)
         circuit->stimulus_begin(source->state.bytes, setting->values, seed);
     else
@@ -179,6 +179,8 @@ void glint_random_pins_begin(glint_random_pins *source, const glint_setting *set
 void glint_random_pins_next(glint_random_pins *source, glint_pins *pins)
 {
     const glint_circuit *circuit = source->setting.circuit;
+    memset(pins->bytes, 0,
+           circuit->pins_size); /* a replay's are not in the same place as a run's */
     if (circuit->stimulus_begin != NULL)
         circuit->stimulus_next(source->state.bytes, pins);
     else

@@ -126,6 +126,45 @@ static void each_seed_has_its_pins(void **state)
     assert_true(differs);
 }
 
+/* A stimulus that relies on zeros: in a state that it does not set, and in pins that it leaves. */
+static void begin_with_zeros(void *stimulus, const int *values, uint64_t of_seed)
+{
+    (void)stimulus;
+    (void)values;
+    (void)of_seed;
+}
+
+static void next_of_some(void *stimulus, void *pins)
+{
+    uint8_t *clocks = stimulus;
+    pins_of_all *in = pins;
+    if (++*clocks % 2 == 0)
+        in->plain = *clocks;
+}
+
+static void a_stimulus_begins_with_zeros_and_so_do_its_pins(void **state)
+{
+    (void)state;
+    const glint_circuit own = {.name = "own",
+                               GLINT_PINS(pins_of_all, pin),
+                               .stimulus_size = 1,
+                               .stimulus_begin = begin_with_zeros,
+                               .stimulus_next = next_of_some};
+    const glint_setting of_own = {.circuit = &own};
+    glint_random_pins source;
+    glint_pins pins;
+    pins_of_all expected;
+    memset(&source, 0x33, sizeof source);
+    memset(&pins, 0x44, sizeof pins);
+    memset(&expected, 0, sizeof expected);
+    glint_random_pins_begin(&source, &of_own, seed);
+    for (uint8_t clock = 1; clock < 10; clock++) {
+        expected.plain = clock % 2 == 0 ? clock : 0;
+        glint_random_pins_next(&source, &pins);
+        assert_memory_equal(pins.bytes, &expected, sizeof expected);
+    }
+}
+
 /* The longest run of clocks in which it held. */
 typedef struct run {
     int now, longest;
@@ -253,6 +292,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_seed_gives_the_pins_that_it_always_gave),
         cmocka_unit_test(each_seed_has_its_pins),
+        cmocka_unit_test(a_stimulus_begins_with_zeros_and_so_do_its_pins),
         cmocka_unit_test(controls_do_what_they_are_for),
         cmocka_unit_test(every_value_of_a_narrow_pin_comes_up),
         cmocka_unit_test(the_corners_of_a_wide_pin_come_up),
