@@ -6,6 +6,7 @@
 
 #define SETTINGS_MAX 512   /* that are looked at */
 #define UNLISTED_MAX 65536 /* of a parameter without a list `verify` tries all values */
+#define NAME_LENGTH  63    /* of a circuit or parameter at most: names of files, lines of help */
 
 bool glint_is_identifier(const char *name)
 {
@@ -30,6 +31,9 @@ static glint_status check_names(const glint_circuit *circuit, glint_error *err)
     if (!glint_is_identifier(circuit->name))
         return glint_fail(err, GLINT_BAD_INPUT, "circuit \"%s\": its name is not a C identifier",
                           circuit->name);
+    if (strlen(circuit->name) > NAME_LENGTH)
+        return glint_fail(err, GLINT_BAD_INPUT, "circuit %.20s…: its name is longer than %d",
+                          circuit->name, NAME_LENGTH);
     if (!is_text(circuit->title))
         return glint_fail(err, GLINT_BAD_INPUT, "circuit %s has no title", circuit->name);
     if (circuit->clock_port != NULL && !glint_is_identifier(circuit->clock_port))
@@ -163,6 +167,11 @@ static glint_status check_parameter_names(const glint_circuit *circuit, int inde
         return glint_fail(err, GLINT_BAD_INPUT,
                           "circuit %s: parameter %s: \"%s\" is not a Verilog parameter name",
                           circuit->name, parameter->name, parameter->verilog);
+    if (strlen(parameter->name) > NAME_LENGTH ||
+        (parameter->verilog != NULL && strlen(parameter->verilog) > NAME_LENGTH))
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "circuit %s: parameter %.20s…: its name is longer than %d", circuit->name,
+                          parameter->name, NAME_LENGTH);
     if (!is_text(parameter->meaning))
         return glint_fail(err, GLINT_BAD_INPUT, "circuit %s: parameter %s has no meaning",
                           circuit->name, parameter->name);

@@ -171,6 +171,9 @@ static void make_signals(void)
     signal_count_of_toy = SIGNALS;
 }
 
+#define TEN         "abcdefghij"
+#define A_LONG_NAME TEN TEN TEN TEN TEN TEN "abcd"
+
 static void make_toy(void)
 {
     parameters[0] = (glint_parameter){
@@ -257,6 +260,10 @@ static void make_toy(void)
     X(parameters, toy.parameters = NULL, ": parameter_count is 2, but parameters is NULL")         \
     X(parameter_name, parameters[1].name = "a b",                                                  \
       ": the name of parameter 1 may only contain letters, digits, _ and -")                       \
+    X(parameter_length, parameters[1].name = A_LONG_NAME,                                          \
+      ": parameter abcdefghijabcdefghij…: its name is longer than 63")                             \
+    X(parameter_verilog_length, parameters[1].verilog = A_LONG_NAME,                               \
+      ": parameter depth…: its name is longer than 63")                                            \
     X(parameter_verilog, parameters[1].verilog = "",                                               \
       ": parameter depth: \"\" is not a Verilog parameter name")                                   \
     X(parameter_meaning, parameters[0].meaning = NULL, ": parameter kind has no meaning")          \
@@ -412,6 +419,9 @@ static void a_circuit_without_a_usable_name_is_refused(void **state)
     toy.name = "my-mac";
     assert_int_equal(glint_circuit_check(&toy, &err), GLINT_BAD_INPUT);
     assert_string_equal(err.text, "circuit \"my-mac\": its name is not a C identifier");
+    toy.name = A_LONG_NAME;
+    assert_int_equal(glint_circuit_check(&toy, &err), GLINT_BAD_INPUT);
+    assert_string_equal(err.text, "circuit abcdefghijabcdefghij…: its name is longer than 63");
 }
 
 /* A fault may be there in one of the settings alone: with a depth of 70 the pin has three words. */
