@@ -542,7 +542,7 @@ static void lanes_that_are_none_are_refused(void **state)
         glint_exhaustive_options options = options_for(sound);
         options.config[0].lanes = lanes[i];
         assert_int_equal(glint_exhaustive_run(&options, &result, &err), GLINT_BAD_ARGUMENT);
-        assert_non_null(strstr(err.text, "lanes are not 1 to 32"));
+        assert_non_null(strstr(err.text, "is not from 1 to 32"));
     }
 }
 
