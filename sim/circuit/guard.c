@@ -153,7 +153,9 @@ static void start_watching(void)
 static void give_back(void *taken)
 {
     place *const place = taken;
-    (void)sigaltstack(&(stack_t){.ss_flags = SS_DISABLE}, NULL);
+    stack_t present;
+    if (sigaltstack(NULL, &present) == 0 && present.ss_sp == place->stack)
+        (void)sigaltstack(&(stack_t){.ss_flags = SS_DISABLE}, NULL);
     atomic_store(&place->is_taken, false);
 }
 
@@ -183,6 +185,15 @@ static void unblock_crashes(void)
     (void)pthread_sigmask(SIG_UNBLOCK, &all, NULL);
 }
 
+/* A sanitizer's stack stays, as it wants to take it down itself. */
+static void use_stack(place *place)
+{
+    const stack_t stack = {.ss_sp = place->stack, .ss_size = SIGNAL_STACK};
+    stack_t present;
+    if (sigaltstack(NULL, &present) == 0 && (present.ss_flags & SS_DISABLE) != 0)
+        (void)sigaltstack(&stack, NULL);
+}
+
 static place *take_place(void)
 {
     static place unwatched;
@@ -192,8 +203,7 @@ static place *take_place(void)
         index++;
     if (index == THREADS_MAX)
         return &unwatched;
-    const stack_t stack = {.ss_sp = places[index].stack, .ss_size = SIGNAL_STACK};
-    (void)sigaltstack(&stack, NULL);
+    use_stack(&places[index]);
     (void)pthread_setspecific(place_of_thread, &places[index]);
     return &places[index];
 }
