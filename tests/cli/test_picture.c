@@ -240,7 +240,7 @@ static void a_page_of_no_report_is_kept(void **state)
     (void)snprintf(line, sizeof line, "report --quick --out %ssite", in);
     outcome done = run(line, "");
     assert_outcome(&done, 2, NULL);
-    assert_says(done.err, "index.html is there and is of no report");
+    assert_says(done.err, "index.html exists but is not from a report");
     assert_text(scratch_path("site/index.html"), "<!DOCTYPE html>");
     forget(&done);
 }
