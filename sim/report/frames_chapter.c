@@ -99,7 +99,7 @@ static void put_zeros(glint_numbers *numbers, const glint_chart *chart,
         for (int i = 0; i < errors->count && length < sizeof text; i++)
             if (errors->nmse[GLINT_FIGURE_SPHERE][GLINT_LIGHT_39_WHITE][curve][i] == 0.0)
                 length += (size_t)snprintf(text + length, sizeof text - length, "%s%s at n = %d",
-                                           length > 0 ? "; " : " Not in the figure, as NMSE is 0: ",
+                                           length > 0 ? "; " : " Not shown, since the NMSE is 0: ",
                                            chart->curve[curve], errors->n[i]);
     if (length > 0 && length < sizeof text)
         snprintf(text + length, sizeof text - length, ".");
