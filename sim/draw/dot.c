@@ -129,7 +129,8 @@ void glint_draw_dot(glint_draw_graph *graph, FILE *out)
 {
     for (int i = 0; i < graph->count; i++)
         glint_draw_size(&graph->node[i]);
-    fprintf(out, "digraph %s {\n", graph->setting->circuit->name);
+    /* Quoted: a circuit may have the name of a keyword. */
+    fprintf(out, "digraph \"%s\" {\n", graph->setting->circuit->name);
     fprintf(out, "  rankdir=LR; splines=false; nodesep=%g; ranksep=1;\n", 6 / GLINT_DRAW_INCH);
     fprintf(out, "  node [shape=plain, fontsize=1];\n");
     for (int i = 0; i < graph->count; i++)

@@ -264,22 +264,38 @@ static glint_pin_info with_enable_low(const int *values, int index)
     return pin;
 }
 
-static void an_enable_is_named_whichever_level_it_has(void **state)
+static char *drawn(const glint_circuit *circuit)
 {
-    (void)state;
     char *svg = NULL;
     size_t size;
     glint_error err = {""};
-    glint_circuit circuit = glint_circuit_specular;
     glint_setting setting = glint_setting_standard(&glint_circuit_specular);
     FILE *out = open_memstream(&svg, &size);
     assert_non_null(out);
-    circuit.pin = with_enable_low;
-    setting.circuit = &circuit;
-    assert_int_equal(glint_draw_svg(&setting, out, &err), GLINT_OK);
+    setting.circuit = circuit;
+    if (glint_draw_svg(&setting, out, &err) != GLINT_OK)
+        fail_msg("%s", err.text);
     assert_int_equal(fclose(out), 0);
+    return svg;
+}
+
+static void an_enable_is_named_whichever_level_it_has(void **state)
+{
+    (void)state;
+    glint_circuit circuit = glint_circuit_specular;
+    circuit.pin = with_enable_low;
+    char *svg = drawn(&circuit);
     assert_non_null(strstr(svg, ">not drawn: clk, reset, en<"));
     free(svg);
+}
+
+/* As dot's language has them. */
+static void a_circuit_may_have_the_name_of_a_keyword(void **state)
+{
+    (void)state;
+    glint_circuit circuit = glint_circuit_specular;
+    circuit.name = "edge";
+    free(drawn(&circuit));
 }
 
 /* The page is as wide as the drawing, and wide enough for a title of any length. */
@@ -421,6 +437,7 @@ int main(void)
         cmocka_unit_test(nothing_lies_on_anything_else),
         cmocka_unit_test(the_figure_is_complete),
         cmocka_unit_test(an_enable_is_named_whichever_level_it_has),
+        cmocka_unit_test(a_circuit_may_have_the_name_of_a_keyword),
         cmocka_unit_test(a_long_title_fits),
         cmocka_unit_test(descriptions_that_make_no_drawing_are_refused),
         cmocka_unit_test(a_circuit_without_blocks_is_refused),
