@@ -3,6 +3,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include <setjmp.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -27,6 +28,7 @@ static void a_tool_obeys_signals_whoever_starts_it(void **state)
     (void)state;
     glint_status ended[WORKERS] = {GLINT_OK, GLINT_OK};
     glint_error err = {""};
+    (void)signal(SIGINT, SIG_DFL); /* a shell's background job begins with it ignored */
     assert_int_equal(glint_crew_once(WORKERS, run_tool, ended, &err), GLINT_OK);
     for (int i = 0; i < WORKERS; i++)
         assert_int_equal(ended[i], GLINT_INTERRUPTED);

@@ -209,7 +209,8 @@ static void the_summary_says_what_holds(void **state)
     (void)state;
     outcome done = report(" --threads 3");
     assert_says(done.out, "holds              2.4: 8 shifts: the largest absolute error of an ");
-    assert_says(done.out, "does not hold      2.4: The same difference, a line below, is 0.5693; ");
+    assert_says(done.out,
+                "does not hold      2.4: The same error, one line further down, is 0.5693; ");
     assert_says(done.out, "16 hold, 3 do not hold, 3 cannot be decided as stated; ");
     assert_says(done.out, "/index.html, index.md and index.json\n");
     forget(&done);
