@@ -33,8 +33,9 @@ PACKAGE_LIBS   = $(call once,PACKAGE_LIBS,pkg-config --libs $(PACKAGES) 2>/dev/n
 WARNINGS   := -Wall -Wextra -Wpedantic -Wconversion -Werror
 # A loop over points, pixels or clocks is compiled with care; the rest, which is most of it, soon.
 # With the sanitizers -O1 takes more than twice as long to compile as -O0, which sees no less.
-HOT        := cmodel/ $(addprefix sim/,backend/ bench/ color/ energy/ lockstep/ reflectance/ \
-              $(addprefix render/,gouraud paint points raster render setup shade span) \
+HOT        := cmodel/ $(addprefix sim/,backend/ bench/ color/ energy/ lockstep/ reflectance/ thread/ \
+              $(addprefix render/,camera clip detail gouraud mesh paint pick points raster render scene \
+              setup shade span) \
               rtl/specular_batch rtl/divider_batch) tests/reference/
 OPTIMIZE    = $(if $(filter $(addsuffix %,$(HOT)),$<),$(HOT_FLAG),$(COLD_FLAG))
 HOT_FLAG    = $(if $(SANITIZE),-O1,-O3)
