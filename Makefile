@@ -33,10 +33,10 @@ PACKAGE_LIBS   = $(call once,PACKAGE_LIBS,pkg-config --libs $(PACKAGES) 2>/dev/n
 WARNINGS   := -Wall -Wextra -Wpedantic -Wconversion -Werror
 # A loop over points, pixels or clocks is compiled with care; the rest, which is most of it, soon.
 # With the sanitizers -O1 takes more than twice as long to compile as -O0, which sees no less.
-HOT        := cmodel/ $(addprefix sim/,backend/ bench/ color/ energy/ lockstep/ reflectance/ thread/ \
-              $(addprefix render/,camera clip detail gouraud mesh paint pick points raster render scene \
-              setup shade span) \
-              rtl/specular_batch rtl/divider_batch) tests/reference/
+HOT        := cmodel/ $(addprefix sim/,backend/ bench/ color/ energy/ lockstep/ reflectance/ \
+              thread/ rtl/specular_batch rtl/divider_batch \
+              $(addprefix render/,camera clip detail gouraud mesh paint pick points raster render \
+              scene setup shade span)) tests/reference/
 OPTIMIZE    = $(if $(filter $(addsuffix %,$(HOT)),$<),$(HOT_FLAG),$(COLD_FLAG))
 HOT_FLAG    = $(if $(SANITIZE),-O1,-O3)
 COLD_FLAG   = $(if $(SANITIZE),-O0,-O1)
