@@ -8,18 +8,27 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The names that a file declares for others, in its text. */
+typedef struct declared {
+    const char *name;
+    size_t length;
+} declared;
+
 /* The files on the way: of each its text without comments, and whether it is needed. */
 typedef struct search {
     glint_sources *sources;
     int top;
     char **bare;
-    bool *told; /* what it needs, by words; else it needs all files */
+    declared **names; /* found once, as a ROM is a long text; a length of 0 ends each list */
+    bool *told;       /* what it needs, by words; else it needs all files */
     bool *needed;
 } search;
 
-static bool is_of_word(char c)
+/* Every circuit that is opened is looked at by this, character by character. */
+static inline bool is_of_word(char c)
 {
-    return isalnum((unsigned char)c) || c == '_' || c == '$';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '$';
 }
 
 /* Behind a string or a comment that begins here; NULL: none does. */
@@ -76,7 +85,7 @@ static size_t next_word(const char **text, const char **word)
 
 static bool is_word(const char *word, size_t length, const char *text)
 {
-    return strlen(text) == length && strncmp(word, text, length) == 0;
+    return word[0] == text[0] && strlen(text) == length && strncmp(word, text, length) == 0;
 }
 
 /* The next name that a text declares for other files; its length, 0: there is none. */
@@ -92,6 +101,26 @@ static size_t next_declared(const char **text, const char **name)
                 return is_word(*name, length, "automatic") ? next_word(text, name) : length;
             }
     return 0;
+}
+
+/* All of them; NULL: not enough memory. */
+static declared *list_declared(const char *text)
+{
+    size_t count = 0, room = 8;
+    declared *list = malloc(room * sizeof *list);
+    while (list != NULL) {
+        list[count].length = next_declared(&text, &list[count].name);
+        if (list[count].length == 0)
+            break;
+        if (++count < room)
+            continue;
+        declared *longer = realloc(list, 2 * room * sizeof *list);
+        if (longer == NULL)
+            free(list);
+        list = longer;
+        room *= 2;
+    }
+    return list;
 }
 
 /* Whether these characters stand in a text, and not within a longer word. */
@@ -112,12 +141,12 @@ static size_t stem_length(const char *name)
 /* Whether file `by` has the name of the other one, or of what that declares. */
 static bool reaches(const search *s, int by, int other)
 {
-    const char *name = s->sources->file[other].name, *text = s->bare[other];
-    size_t length = stem_length(name);
-    do {
-        if (has(s->bare[by], name, length))
+    const char *name = s->sources->file[other].name;
+    if (has(s->bare[by], name, stem_length(name)))
+        return true;
+    for (const declared *d = s->names[other]; d->length != 0; d++)
+        if (has(s->bare[by], d->name, d->length))
             return true;
-    } while ((length = next_declared(&text, &name)) != 0);
     return false;
 }
 
@@ -156,25 +185,23 @@ static bool is_used(const search *s, int file, const char *name, size_t length)
  * unless that is included. */
 static bool is_library(const search *s, int file)
 {
-    const char *text = s->bare[file], *name = s->sources->file[file].name;
-    size_t length = strlen(name);
+    const char *name = s->sources->file[file].name;
+    const size_t length = strlen(name);
     if (file == s->top || name[length - 1] != 'v') /* a header */
         return false;
     for (int i = 0; i < s->sources->count; i++)
         if (s->needed[i] && has(s->bare[i], name, length))
             return false;
-    while ((length = next_declared(&text, &name)) != 0)
-        if (file_of(s->sources, name, length) < 0 && is_used(s, file, name, length))
+    for (const declared *d = s->names[file]; d->length != 0; d++)
+        if (file_of(s->sources, d->name, d->length) < 0 && is_used(s, file, d->name, d->length))
             return true;
     return false;
 }
 
 static bool declares(const search *s, int file, const char *wanted, size_t wanted_length)
 {
-    const char *text = s->bare[file], *name;
-    size_t length;
-    while ((length = next_declared(&text, &name)) != 0)
-        if (length == wanted_length && strncmp(name, wanted, length) == 0)
+    for (const declared *d = s->names[file]; d->length != 0; d++)
+        if (d->length == wanted_length && strncmp(d->name, wanted, wanted_length) == 0)
             return true;
     return false;
 }
@@ -183,13 +210,11 @@ static bool declares(const search *s, int file, const char *wanted, size_t wante
 static glint_status check_twice(const search *s, int library, const char *directory,
                                 glint_error *err)
 {
-    const char *text = s->bare[library], *name;
-    size_t length;
-    while ((length = next_declared(&text, &name)) != 0)
+    for (const declared *d = s->names[library]; d->length != 0; d++)
         for (int i = 0; i < s->sources->count; i++)
-            if (i != library && s->needed[i] && declares(s, i, name, length))
+            if (i != library && s->needed[i] && declares(s, i, d->name, d->length))
                 return glint_fail(err, GLINT_BAD_INPUT, "%s: %.*s is both in %s and in %s",
-                                  directory, (int)length, name, s->sources->file[i].name,
+                                  directory, (int)d->length, d->name, s->sources->file[i].name,
                                   s->sources->file[library].name);
     return GLINT_OK;
 }
@@ -227,12 +252,15 @@ static bool read_words(search *s)
     s->bare = calloc(count + 1, sizeof *s->bare);
     s->told = calloc(count + 1, sizeof *s->told);
     s->needed = calloc(count + 1, sizeof *s->needed);
-    const bool good = s->bare != NULL && s->told != NULL && s->needed != NULL;
+    s->names = calloc(count + 1, sizeof *s->names);
+    const bool good = s->bare != NULL && s->told != NULL && s->needed != NULL && s->names != NULL;
     for (size_t i = 0; good && i < count; i++) {
         const glint_source *file = &s->sources->file[i];
         if ((s->bare[i] = strdup(file->text)) == NULL)
             return false;
         s->told[i] = make_bare(s->bare[i]) && strlen(file->text) == file->size;
+        if ((s->names[i] = list_declared(s->bare[i])) == NULL)
+            return false;
     }
     return good;
 }
@@ -256,7 +284,10 @@ glint_status glint_sources_need(glint_sources *sources, const char *top, const c
         keep_needed(&s);
     for (int i = 0; s.bare != NULL && i < count; i++)
         free(s.bare[i]);
+    for (int i = 0; s.names != NULL && i < count; i++)
+        free(s.names[i]);
     free(s.bare);
+    free(s.names);
     free(s.told);
     free(s.needed);
     return status;
