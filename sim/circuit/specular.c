@@ -193,52 +193,56 @@ static int latency(const int *values)
 /* ---- Drawing --------------------------------------------------------------------------------- */
 
 /* A stage's register, or the wire in its place. */
+static glint_symbol stage_symbol(const int *values)
+{
+    return values[GLINT_SPECULAR_PIPELINE] == GLINT_PIPELINE_PIPELINED ? GLINT_SYMBOL_REGISTER
+                                                                       : GLINT_SYMBOL_WIRE;
+}
+
 #define STAGE(called, from)                                                                        \
     {                                                                                              \
-        .name = called, .inputs = from,                                                            \
-        .symbol = values[GLINT_SPECULAR_PIPELINE] == GLINT_PIPELINE_PIPELINED                      \
-                      ? GLINT_SYMBOL_REGISTER                                                      \
-                      : GLINT_SYMBOL_WIRE                                                          \
+        .name = called, .inputs = from, .symbol = stage_symbol(values)                             \
     }
-#define BY_GATE(cosine, sign, drawn)                                                               \
-    (values[GLINT_SPECULAR_GATE] == GLINT_GATE_COSINE ? (cosine)                                   \
-     : values[GLINT_SPECULAR_GATE] == GLINT_GATE_SIGN ? (sign)                                     \
-                                                      : (drawn))
+
+/* Of a type, one value for each gate. */
+#define BY_GATE(type, ...)                                                                         \
+    (((type const[GLINT_GATE_COUNT]){__VA_ARGS__})[values[GLINT_SPECULAR_GATE]])
+#define TEXT_BY_GATE(...) BY_GATE(const char *, __VA_ARGS__)
+_Static_assert(GLINT_GATE_COSINE == 0 && GLINT_GATE_SIGN == 1 && GLINT_GATE_DRAWN == 2,
+               "the order below");
 
 /* Registers 2 to 5 and the ROMs first, as they are at the top of the figure. */
-GLINT_BLOCK_TABLE(block, GLINT_BLOCK("n", PIN, "17", NULL, NULL),
-                  GLINT_BLOCK("cos", PIN, "32", NULL, NULL),
-                  GLINT_BLOCK("reg2", REGISTER, "n", "n", "n_we"),
-                  GLINT_BLOCK("reg1", REGISTER, "cos \u03b3", "cos", "in_valid"),
-                  GLINT_BLOCK("reg3", REGISTER, "R", "r", "rgb_we"),
-                  GLINT_BLOCK("reg4", REGISTER, "G", "g", "rgb_we"),
-                  GLINT_BLOCK("reg5", REGISTER, "B", "b", "rgb_we"),
-                  GLINT_BLOCK("s1_valid", REGISTER, NULL, "in_valid", NULL),
-                  GLINT_BLOCK("rom33", ROM, "\u03c3", "reg2", NULL),
-                  GLINT_BLOCK("rom9", ROM, "limit", BY_GATE("reg2", NULL, NULL), NULL),
-                  GLINT_BLOCK("adder6", ADDER, "\u2212 1", "reg1", NULL),
-                  GLINT_BLOCK("mul7", MULTIPLIER, NULL, "rom33 adder6", NULL),
-                  GLINT_BLOCK("adder8", ADDER, "+ 1", "mul7", NULL), STAGE("s2_adder8", "adder8"),
-                  STAGE("s2_rom9", "rom9"),
-                  GLINT_BLOCK("mul10", MULTIPLIER, "x\u00b2", "s2_adder8", NULL),
-                  {.name = "sat10",
-                   .symbol = BY_GATE(GLINT_SYMBOL_WIRE, GLINT_SYMBOL_WIRE, GLINT_SYMBOL_LOGIC),
-                   .text = "\u2264 1",
-                   .inputs = "mul10"},
-                  GLINT_BLOCK("cmp11", COMPARATOR, BY_GATE(NULL, "\u2265 0", NULL),
-                              BY_GATE("rom9 reg1", "adder8", "s2_rom9 mul10"), NULL),
-                  STAGE("s2_cmp11", "cmp11"),
-                  GLINT_BLOCK("keys12", KEYS, NULL,
-                              BY_GATE("s2_cmp11 sat10", "s2_cmp11 sat10", "cmp11 sat10"), NULL),
-                  STAGE("s2_reg3", "reg3"), STAGE("s2_reg4", "reg4"), STAGE("s2_reg5", "reg5"),
-                  STAGE("s2_valid", "s1_valid"), STAGE("s3_keys12", "keys12"),
-                  STAGE("s3_reg3", "s2_reg3"), STAGE("s3_reg4", "s2_reg4"),
-                  STAGE("s3_reg5", "s2_reg5"), STAGE("s3_valid", "s2_valid"),
-                  GLINT_BLOCK("mul13", MULTIPLIER, NULL, "s3_keys12 s3_reg3", NULL),
-                  GLINT_BLOCK("mul14", MULTIPLIER, NULL, "s3_keys12 s3_reg4", NULL),
-                  GLINT_BLOCK("mul15", MULTIPLIER, NULL, "s3_keys12 s3_reg5", NULL),
-                  STAGE("out_w", "s3_keys12"), STAGE("out_r", "mul13"), STAGE("out_g", "mul14"),
-                  STAGE("out_b", "mul15"), STAGE("out_valid", "s3_valid"))
+GLINT_BLOCK_TABLE(
+    block, GLINT_BLOCK("n", PIN, "17", NULL, NULL), GLINT_BLOCK("cos", PIN, "32", NULL, NULL),
+    GLINT_BLOCK("reg2", REGISTER, "n", "n", "n_we"),
+    GLINT_BLOCK("reg1", REGISTER, "cos \u03b3", "cos", "in_valid"),
+    GLINT_BLOCK("reg3", REGISTER, "R", "r", "rgb_we"),
+    GLINT_BLOCK("reg4", REGISTER, "G", "g", "rgb_we"),
+    GLINT_BLOCK("reg5", REGISTER, "B", "b", "rgb_we"),
+    GLINT_BLOCK("s1_valid", REGISTER, NULL, "in_valid", NULL),
+    GLINT_BLOCK("rom33", ROM, "\u03c3", "reg2", NULL),
+    GLINT_BLOCK("rom9", ROM, "limit", TEXT_BY_GATE("reg2", NULL, NULL), NULL),
+    GLINT_BLOCK("adder6", ADDER, "\u2212 1", "reg1", NULL),
+    GLINT_BLOCK("mul7", MULTIPLIER, NULL, "rom33 adder6", NULL),
+    GLINT_BLOCK("adder8", ADDER, "+ 1", "mul7", NULL), STAGE("s2_adder8", "adder8"),
+    STAGE("s2_rom9", "rom9"), GLINT_BLOCK("mul10", MULTIPLIER, "x\u00b2", "s2_adder8", NULL),
+    {.name = "sat10",
+     .symbol = BY_GATE(glint_symbol, GLINT_SYMBOL_WIRE, GLINT_SYMBOL_WIRE, GLINT_SYMBOL_LOGIC),
+     .text = "\u2264 1",
+     .inputs = "mul10"},
+    GLINT_BLOCK("cmp11", COMPARATOR, TEXT_BY_GATE(NULL, "\u2265 0", NULL),
+                TEXT_BY_GATE("rom9 reg1", "adder8", "s2_rom9 mul10"), NULL),
+    STAGE("s2_cmp11", "cmp11"),
+    GLINT_BLOCK("keys12", KEYS, NULL,
+                TEXT_BY_GATE("s2_cmp11 sat10", "s2_cmp11 sat10", "cmp11 sat10"), NULL),
+    STAGE("s2_reg3", "reg3"), STAGE("s2_reg4", "reg4"), STAGE("s2_reg5", "reg5"),
+    STAGE("s2_valid", "s1_valid"), STAGE("s3_keys12", "keys12"), STAGE("s3_reg3", "s2_reg3"),
+    STAGE("s3_reg4", "s2_reg4"), STAGE("s3_reg5", "s2_reg5"), STAGE("s3_valid", "s2_valid"),
+    GLINT_BLOCK("mul13", MULTIPLIER, NULL, "s3_keys12 s3_reg3", NULL),
+    GLINT_BLOCK("mul14", MULTIPLIER, NULL, "s3_keys12 s3_reg4", NULL),
+    GLINT_BLOCK("mul15", MULTIPLIER, NULL, "s3_keys12 s3_reg5", NULL), STAGE("out_w", "s3_keys12"),
+    STAGE("out_r", "mul13"), STAGE("out_g", "mul14"), STAGE("out_b", "mul15"),
+    STAGE("out_valid", "s3_valid"))
 
 /* ---- C model and stimulus -------------------------------------------------------------------- */
 

@@ -14,7 +14,7 @@
 static void print_value(double value, const char *format, char *text, size_t room)
 {
     const int decimals = format != NULL ? atoi(format + 1) : 12;
-    const char kind = format != NULL ? format[strlen(format) - 1] : 'g';
+    const int kind = format != NULL ? format[strlen(format) - 1] : 'g';
     if (isnan(value))
         snprintf(text, room, "–");
     else if (kind == '%')
