@@ -139,7 +139,9 @@ $(BUILD)/glint: $(CLI_OBJECTS) $(LIBRARIES) | $(BUILD)/tree
 	$Q$(CC) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 # Not what lies among the built circuits: a runtime of theirs is a directory NAME.d.
--include $(filter-out $(BUILD)/circuits/%,$(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d))
+# Caches of circuits hold directories of that ending.
+-include $(foreach d,$(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d),\
+             $(if $(findstring /circuits/runtime-,$d),,$d))
 
 # ---- Tests ---------------------------------------------------------------------------------------
 
