@@ -191,7 +191,8 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/libtest.a $(LIBRARIES) | $(BUILD)/
 	$Q$(CC) $(LDFLAGS) -o $@ $< $(BUILD)/libtest.a $(LIBRARIES) -lcmocka $(LDLIBS)
 
 # Those that take longest start first, so that in the end no processor waits for one of them.
-TESTS_LONG := $(addprefix $(BUILD)/tests/,lockstep/test_backends formats/test_formats \
+TESTS_LONG := $(addprefix $(BUILD)/tests/,planted/test_planted_signals formats/test_formats \
+                lockstep/test_backends \
                 circuit/test_own_circuit netlist/test_opinions cli/test_cmd_divide \
                 cli/test_wrong_circuit circuit/test_build cli/test_cmd_report_whole \
                 cli/test_cmd_bench formal/test_formal model/test_accuracy)
