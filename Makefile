@@ -84,7 +84,8 @@ $(BUILD)/glint-gen: $(BUILD)/cmodel/gen.o $(BUILD)/libglint.a
 # Generated files are committed; `make generate` regenerates them, and a test compares. A file that
 # stays the same is not touched.
 GENERATED := rtl/glint_formats.vh:formats rtl/sigma_rom.v:sigma-rom rtl/limit_rom.v:limit-rom \
-             rtl/reciprocal_rom.v:reciprocal-rom
+             rtl/reciprocal_rom.v:reciprocal-rom rtl/power_log_rom.v:power-log-rom \
+             rtl/power_exp_rom.v:power-exp-rom cmodel/power_tables.h:power-tables
 
 .PHONY: generate-verilog
 generate: generate-verilog drawings

@@ -2,13 +2,16 @@
  *
  *     glint-gen FILE KIND
  *
- * KIND: formats (rtl/glint_formats.vh), sigma-rom, limit-rom, reciprocal-rom (rtl/…_rom.v). FILE is
- * written beside, then renamed. */
+ * KIND: formats (rtl/glint_formats.vh), sigma-rom, limit-rom, reciprocal-rom, power-log-rom,
+ * power-exp-rom (rtl/…_rom.v), power-tables (cmodel/power_tables.h). FILE is written beside, then
+ * renamed. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "glint_divider_device.h"
+#include "glint_power.h"
 #include "glint_specular_device.h"
 
 typedef void writer(FILE *out);
@@ -49,6 +52,12 @@ static void write_formats(FILE *out)
     WRITE_CONSTANT(out, GLINT_DIVIDER_K_MAX);
     WRITE_CONSTANT(out, GLINT_DIVIDER_DIFFERENCE_BITS);
     WRITE_CONSTANT(out, GLINT_DIVIDER_LEFT_BITS);
+    WRITE_CONSTANT(out, GLINT_POWER_X_BITS);
+    WRITE_CONSTANT(out, GLINT_POWER_P_BITS);
+    WRITE_CONSTANT(out, GLINT_POWER_Q_FRAC_BITS);
+    WRITE_CONSTANT(out, GLINT_POWER_Q_BITS);
+    WRITE_CONSTANT(out, GLINT_POWER_L_INT_BITS);
+    WRITE_CONSTANT(out, GLINT_POWER_V_INT_BITS);
     fprintf(out, "\n`endif\n");
 }
 
@@ -149,6 +158,106 @@ static void write_reciprocal_rom(FILE *out)
     fprintf(out, "        end\n    endgenerate\nendmodule\n\n`default_nettype wire\n");
 }
 
+/* ---- The tables of the power device ---------------------------------------------------------- */
+
+/* The two tables: ROM 9 and ROM 33 for an accuracy, by the formulas in glint_power.h. A tie never
+ * comes near (tests/model/test_power.c), so that every libm gives the same. */
+static uint32_t log_entry(glint_power_accuracy accuracy, uint32_t address)
+{
+    const int bits = GLINT_POWER_TABLE_BITS(accuracy);
+    const double x = (address + 0.5) / (1u << bits);
+    return (uint32_t)floor(-log2(1 - x) / x * (1u << bits) + 0.5);
+}
+
+static uint32_t exp_entry(glint_power_accuracy accuracy, uint32_t address)
+{
+    const double f = (double)address / (1u << GLINT_POWER_TABLE_BITS(accuracy));
+    return (uint32_t)floor(exp2(-f) * (1u << GLINT_POWER_W_FRAC_BITS(accuracy)) + 0.5);
+}
+
+typedef uint32_t entry_of(glint_power_accuracy accuracy, uint32_t address);
+
+static void write_c_table(FILE *out, const char *name, entry_of *entry)
+{
+    const int longest = 1 << GLINT_POWER_TABLE_BITS(GLINT_POWER_QUARTER);
+    fprintf(out, "\nstatic const uint32_t %s[GLINT_POWER_ACCURACY_COUNT][%d] = {\n", name, longest);
+    for (int a = 0; a < GLINT_POWER_ACCURACY_COUNT; a++) {
+        const glint_power_accuracy accuracy = (glint_power_accuracy)a;
+        fprintf(out, "    {");
+        for (uint32_t i = 0; i < 1u << GLINT_POWER_TABLE_BITS(accuracy); i++)
+            fprintf(out, "%s%u,", i % 12 == 0 ? "\n        " : " ", entry(accuracy, i));
+        fprintf(out, "\n    },\n");
+    }
+    fprintf(out, "};\n");
+}
+
+static void write_power_tables(FILE *out)
+{
+    fprintf(out, "/* ROM 9 and ROM 33 of the power device, by accuracy and address.\n *\n"
+                 " * Made by glint-gen; `make generate` makes it anew. */\n"
+                 "/* clang-format off */\n"
+                 "#ifndef GLINT_CMODEL_POWER_TABLES_H\n#define GLINT_CMODEL_POWER_TABLES_H\n\n"
+                 "#include <stdint.h>\n\n#include \"glint_power.h\"\n");
+    write_c_table(out, "glint_power_table9", log_entry);
+    write_c_table(out, "glint_power_table33", exp_entry);
+    fprintf(out, "\n#endif\n");
+}
+
+static void write_power_case(FILE *out, const char *output, int width,
+                             glint_power_accuracy accuracy, entry_of *entry)
+{
+    const int bits = GLINT_POWER_TABLE_BITS(accuracy);
+    fprintf(out, "        %sif (TABLE_BITS == %d) begin : g_table\n",
+            accuracy == GLINT_POWER_HALF ? "" : "end else ", bits);
+    fprintf(out, "            always @*\n                case (address)\n");
+    for (uint32_t i = 0; i < 1u << bits; i++)
+        fprintf(out, "                    %d'd%-3u: %s = %d'd%u;\n", bits, i, output, width,
+                entry(accuracy, i));
+    fprintf(out, "                endcase\n");
+}
+
+static void write_power_rom(FILE *out, const char *module, const char *what, const char *output,
+                            const char *width, const int *widths, entry_of *entry)
+{
+    write_header(out, what);
+    fprintf(out,
+            "`default_nettype none\n`include \"glint_formats.vh\"\n\n"
+            "module %s #(\n    parameter integer TABLE_BITS = 8\n) (\n"
+            "    input  wire [TABLE_BITS-1:0] address,\n"
+            "    output reg  [%s-1:0] %s\n);\n    generate\n",
+            module, width, output);
+    for (int a = 0; a < GLINT_POWER_ACCURACY_COUNT; a++)
+        write_power_case(out, output, widths[a], (glint_power_accuracy)a, entry);
+    fprintf(out,
+            "        end else begin : g_table\n"
+            "            // There is no such module: elaboration stops here.\n"
+            "            TABLE_BITS_must_be_%d_or_%d error();\n"
+            "        end\n    endgenerate\nendmodule\n\n`default_nettype wire\n",
+            GLINT_POWER_TABLE_BITS(GLINT_POWER_HALF), GLINT_POWER_TABLE_BITS(GLINT_POWER_QUARTER));
+}
+
+static void write_power_log_rom(FILE *out)
+{
+    static const int widths[] = {GLINT_POWER_L_INT_BITS + GLINT_POWER_TABLE_BITS(GLINT_POWER_HALF),
+                                 GLINT_POWER_L_INT_BITS +
+                                     GLINT_POWER_TABLE_BITS(GLINT_POWER_QUARTER)};
+    write_power_rom(out, "power_log_rom",
+                    "power_log_rom: ROM 9 of the power device, the high bits of x -> g = "
+                    "-log2(1 - x)/x in the\n// middle of their interval, U4.TABLE_BITS, rounded "
+                    "half up; combinational.",
+                    "g", "`GLINT_POWER_L_INT_BITS+TABLE_BITS", widths, log_entry);
+}
+
+static void write_power_exp_rom(FILE *out)
+{
+    static const int widths[] = {1 + GLINT_POWER_W_FRAC_BITS(GLINT_POWER_HALF),
+                                 1 + GLINT_POWER_W_FRAC_BITS(GLINT_POWER_QUARTER)};
+    write_power_rom(out, "power_exp_rom",
+                    "power_exp_rom: ROM 33 of the power device, f U0.TABLE_BITS -> 2^(-f), U1.12 "
+                    "with\n// TABLE_BITS = 8, U1.14 with 9, rounded half up; combinational.",
+                    "power", "2*TABLE_BITS-3", widths, exp_entry);
+}
+
 static writer *find_writer(const char *kind)
 {
     static const struct {
@@ -159,6 +268,9 @@ static writer *find_writer(const char *kind)
         {"sigma-rom", write_sigma_rom},
         {"limit-rom", write_limit_rom},
         {"reciprocal-rom", write_reciprocal_rom},
+        {"power-log-rom", write_power_log_rom},
+        {"power-exp-rom", write_power_exp_rom},
+        {"power-tables", write_power_tables},
     };
     for (size_t i = 0; i < sizeof writers / sizeof writers[0]; i++)
         if (strcmp(writers[i].kind, kind) == 0)
@@ -190,7 +302,8 @@ int main(int argc, char **argv)
     writer *write = argc == 3 ? find_writer(argv[2]) : NULL;
     if (write == NULL) {
         fprintf(stderr, "usage: glint-gen FILE "
-                        "formats|sigma-rom|limit-rom|reciprocal-rom\n");
+                        "formats|sigma-rom|limit-rom|reciprocal-rom|power-log-rom|power-exp-rom|"
+                        "power-tables\n");
         return 2;
     }
     if (write_file(argv[1], write) != 0) {

@@ -3,6 +3,8 @@
  *   glint_formats.h           widths, binary points, latencies of the specular device
  *   glint_specular.h          the specular device as a pure function, one point or many
  *   glint_specular_device.h   the same clock by clock, every register visible
+ *   glint_power.h             the power device, accurate against the power, as a pure function
+ *   glint_power_device.h      the same clock by clock
  *   glint_divider.h           the shift-accumulate divider as a pure function
  *   glint_divider_device.h    the same clock by clock, in its two forms
  *   glint_signal.h a signal, described for comparison and waveforms
@@ -13,6 +15,8 @@
 #include "glint_divider.h"
 #include "glint_divider_device.h"
 #include "glint_formats.h"
+#include "glint_power.h"
+#include "glint_power_device.h"
 #include "glint_signal.h"
 #include "glint_specular.h"
 #include "glint_specular_device.h"

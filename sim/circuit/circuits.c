@@ -6,6 +6,7 @@
 /* One line per circuit: its description is glint_circuit_NAME, in its own file. */
 #define CIRCUITS(X)                                                                                \
     X(specular)                                                                                    \
+    X(power)                                                                                       \
     X(divider)                                                                                     \
     /* no more */
 

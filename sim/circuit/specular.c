@@ -3,15 +3,12 @@
 #include <string.h>
 
 #include "circuit/circuits.h"
+#include "circuit/highlight.h"
 #include "circuit/stimulus.h"
 #include "glint_describe.h"
 
 static const char *const gates[] = {"cosine", "sign", "drawn"};
-static const char *const pipelines[] = {"combinational", "pipelined"};
-static const int lane_counts[] = {1, 2, 4, 8, 16};
 _Static_assert(sizeof gates / sizeof gates[0] == GLINT_GATE_COUNT, "a name for each gate");
-_Static_assert(sizeof pipelines / sizeof pipelines[0] == GLINT_PIPELINE_COUNT,
-               "a name for each pipeline");
 
 static const glint_parameter parameters[] = {
     [GLINT_SPECULAR_GATE] = {.name = "gate",
@@ -20,20 +17,8 @@ static const glint_parameter parameters[] = {
                              .choices = gates,
                              .max = GLINT_GATE_COUNT - 1,
                              .standard = GLINT_GATE_COSINE},
-    [GLINT_SPECULAR_PIPELINE] = {.name = "pipeline",
-                                 .verilog = "PIPELINED",
-                                 .meaning = "registers or wires between the stages",
-                                 .choices = pipelines,
-                                 .max = GLINT_PIPELINE_COUNT - 1,
-                                 .standard = GLINT_PIPELINE_PIPELINED},
-    [GLINT_SPECULAR_LANES] = {.name = "lanes",
-                              .verilog = "LANES",
-                              .meaning = "cosines per clock",
-                              .min = 1,
-                              .max = GLINT_LANES_MAX,
-                              .standard = 1,
-                              .listed = lane_counts,
-                              .listed_count = sizeof lane_counts / sizeof lane_counts[0]},
+    [GLINT_SPECULAR_PIPELINE] = GLINT_HIGHLIGHT_PIPELINE,
+    [GLINT_SPECULAR_LANES] = GLINT_HIGHLIGHT_LANES,
 };
 
 glint_setting glint_setting_specular(const glint_specular_config *config)
@@ -60,46 +45,14 @@ static void describe(const int *values, char *text, size_t size)
 
 GLINT_ALWAYS(const char *, top, "specular_device")
 
-/* ---- Pins ------------------------------------------------------------------------------------ */
-
-#define PIN(pin, role, bits, meaning)                                                              \
-    GLINT_PIN(glint_specular_inputs, pin, role, bits, 0, 0, meaning)
-
-static const glint_pin_info shared_pins[] = {
-    PIN(reset, RESET, 1, "clears every register"),
-    PIN(en, ENABLE, 1, "0 freezes the device"),
-    PIN(n_we, STROBE, 1, "writes n"),
-    PIN(n, DATA, GLINT_N_BITS, "exponent"),
-    PIN(rgb_we, STROBE, 1, "writes r, g, b"),
-    PIN(r, DATA, GLINT_COLOR_BITS, "R times Ks"),
-    PIN(g, DATA, GLINT_COLOR_BITS, "G times Ks"),
-    PIN(b, DATA, GLINT_COLOR_BITS, "B times Ks"),
-    PIN(in_valid, VALID, GLINT_LANES_WIDTH, "the lane's cosine is valid"),
-};
-enum { SHARED_PINS = sizeof shared_pins / sizeof shared_pins[0] };
-
 static int pin_count(const int *values)
 {
-    return SHARED_PINS + values[GLINT_SPECULAR_LANES];
+    return glint_highlight_pin_count(values[GLINT_SPECULAR_LANES]);
 }
 
 static glint_pin_info pin(const int *values, int index)
 {
-    const int lane = index - SHARED_PINS;
-    if (lane >= 0)
-        return (glint_pin_info){.name = "cos",
-                                .role = GLINT_PIN_DATA,
-                                .int_bits = GLINT_COS_BITS - GLINT_COS_FRAC_BITS,
-                                .frac_bits = GLINT_COS_FRAC_BITS,
-                                .lane = lane,
-                                .offset = offsetof(glint_specular_inputs, cos) +
-                                          (size_t)lane * sizeof(uint32_t),
-                                .size = sizeof(uint32_t),
-                                .meaning = "cos gamma, a code"};
-    glint_pin_info info = shared_pins[index];
-    if (info.int_bits == GLINT_LANES_WIDTH)
-        info.int_bits = values[GLINT_SPECULAR_LANES];
-    return info;
+    return glint_highlight_pin(values[GLINT_SPECULAR_LANES], index);
 }
 
 /* ---- Signals --------------------------------------------------------------------------------- */

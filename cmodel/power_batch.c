@@ -1,0 +1,68 @@
+/* Long runs of points through the power device: its blocks in loops that a compiler vectorises, one
+ * for each accuracy. */
+#include "glint_power.h"
+#include "multiversion.h"
+#include "power_blocks.h"
+#include "power_tables.h"
+
+typedef struct run {
+    uint32_t n;
+    uint8_t r, g, b;
+} run;
+
+/* W of one point; inlined with a constant accuracy. */
+static inline __attribute__((always_inline)) uint32_t shade_w(glint_power_accuracy accuracy,
+                                                              uint32_t n, uint32_t cos_code)
+{
+    const int table = GLINT_POWER_TABLE_BITS(accuracy);
+    const uint32_t x = glint_power_block_x(cos_code);
+    const uint32_t p = glint_power_block_mul7(n, x);
+    const uint32_t g = glint_power_table9[accuracy][glint_power_block_address9(table, x)];
+    const uint32_t v = glint_power_block_mul10(glint_power_block_q(p), g);
+    const uint32_t pass = glint_power_block_cmp11(table, glint_power_block_over7(p), v);
+    const uint32_t power = glint_power_table33[accuracy][glint_power_block_address33(table, v)];
+    return glint_power_block_keys12(table, pass, power, v);
+}
+
+#define SHADE(name, accuracy)                                                                      \
+    GLINT_MULTIVERSION                                                                             \
+    static void colors_##name(const run *run, const uint32_t *restrict cos_code, size_t count,     \
+                              uint8_t *restrict r, uint8_t *restrict g, uint8_t *restrict b)       \
+    {                                                                                              \
+        for (size_t i = 0; i < count; i++) {                                                       \
+            const uint32_t w = shade_w(accuracy, run->n, cos_code[i]);                             \
+            r[i] = glint_power_block_mul_color(GLINT_POWER_W_FRAC_BITS(accuracy), w, run->r);      \
+            g[i] = glint_power_block_mul_color(GLINT_POWER_W_FRAC_BITS(accuracy), w, run->g);      \
+            b[i] = glint_power_block_mul_color(GLINT_POWER_W_FRAC_BITS(accuracy), w, run->b);      \
+        }                                                                                          \
+    }                                                                                              \
+    GLINT_MULTIVERSION                                                                             \
+    static void ws_##name(const run *run, const uint32_t *restrict cos_code, size_t count,         \
+                          uint32_t *restrict w_code)                                               \
+    {                                                                                              \
+        for (size_t i = 0; i < count; i++)                                                         \
+            w_code[i] = shade_w(accuracy, run->n, cos_code[i]);                                    \
+    }
+
+SHADE(half, GLINT_POWER_HALF)
+SHADE(quarter, GLINT_POWER_QUARTER)
+
+glint_status glint_power_batch(glint_power_accuracy accuracy, const glint_material *material,
+                               const uint32_t *restrict cos_code, size_t count,
+                               uint32_t *restrict w_code, uint8_t *restrict r, uint8_t *restrict g,
+                               uint8_t *restrict b)
+{
+    if ((unsigned)accuracy >= GLINT_POWER_ACCURACY_COUNT || material->n > GLINT_N_MAX)
+        return GLINT_BAD_ARGUMENT;
+    const run run = {material->n, material->r, material->g, material->b};
+    if (accuracy == GLINT_POWER_HALF) {
+        colors_half(&run, cos_code, count, r, g, b);
+        if (w_code != NULL)
+            ws_half(&run, cos_code, count, w_code);
+        return GLINT_OK;
+    }
+    colors_quarter(&run, cos_code, count, r, g, b);
+    if (w_code != NULL)
+        ws_quarter(&run, cos_code, count, w_code);
+    return GLINT_OK;
+}

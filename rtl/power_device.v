@@ -1,0 +1,119 @@
+// power_device: a highlight unit that is accurate against Blinn's cos^n, of the specular device's
+// inventory (docs/power.md).
+//
+// Function    out = W times (R, G, B),  W = cos^n = 2^(-n x g(x)), x = 1 - cos, g = -log2(1 - x)/x,
+//             for LANES cosines a clock with one material (n, R, G, B).
+// Blocks      registers 2 to 5 here; the others once a lane in power_lane. Signals carry the number
+//             of the block of figure 3.1 whose place they take: reg2, lane[0].u.mul7 ...
+//             A prefix s2_, s3_, s4_ names the pipeline stage that a delayed copy belongs to.
+// Formats     cos U1.18 (codes above 1.0 saturate), n U10.0, r, g, b U8.0 (already times Ks),
+//             out_w U1.12 (ACCURACY 0) or U1.14 (1), out_r, out_g, out_b U8.0; lane i in bits
+//             [i*width +: width]
+// Rounding    see power_lane; W is within 0.4981/255 (ACCURACY 0) or 0.2491/255 (1) of cos^n for
+//             every cosine and n, each colour within half a step more
+// Latency     PIPELINED = 1: 5 clocks; 0: 1 clock, registers 1-5 and then combinational.
+//             Counted from the edge that takes the cosine to the edge after which its result is out,
+//             both included. Throughput: LANES cosines a clock, every clock.
+// Reset       synchronous, active high; clears every register, whatever en says.
+// Handshake   in_valid[i] = 1 at an enabled edge: lane i takes its cosine; out_valid[i] marks its
+//             result. There is no back pressure; en = 0 freezes the whole device instead.
+//             n_we and rgb_we write the material with or without a cosine; a material written at
+//             the same edge as a cosine applies to it and to later ones, never to earlier ones.
+// Parameters  ACCURACY  0 (default): half an 8-bit step, tables of 256; 1: a quarter, tables of 512
+//             PIPELINED 1 (default) or 0
+//             LANES     1 or more; tried are 1 to 32
+`default_nettype none
+`include "glint_formats.vh"
+
+module power_device #(
+    parameter integer ACCURACY  = 0,
+    parameter integer PIPELINED = 1,
+    parameter integer LANES     = 1
+) (
+    input  wire                                  clk,
+    input  wire                                  reset,
+    input  wire                                  en,
+    input  wire                                  n_we,
+    input  wire [`GLINT_N_BITS-1:0]              n,
+    input  wire                                  rgb_we,
+    input  wire [`GLINT_COLOR_BITS-1:0]          r,
+    input  wire [`GLINT_COLOR_BITS-1:0]          g,
+    input  wire [`GLINT_COLOR_BITS-1:0]          b,
+    input  wire [LANES-1:0]                      in_valid,
+    input  wire [LANES*`GLINT_COS_BITS-1:0]      cos,
+    output wire [LANES-1:0]                      out_valid,
+    output wire [LANES*(13 + 2 * ACCURACY)-1:0]  out_w,
+    output wire [LANES*`GLINT_COLOR_BITS-1:0]    out_r,
+    output wire [LANES*`GLINT_COLOR_BITS-1:0]    out_g,
+    output wire [LANES*`GLINT_COLOR_BITS-1:0]    out_b
+);
+    localparam TABLE_BITS = 8 + ACCURACY;
+    localparam W_BITS     = 2 * TABLE_BITS - 3;
+    localparam RGB_BITS   = 3 * `GLINT_COLOR_BITS;
+
+    // Stage 1: registers 2 to 5.
+    wire [`GLINT_N_BITS-1:0]     reg2;
+    wire [`GLINT_COLOR_BITS-1:0] reg3;
+    wire [`GLINT_COLOR_BITS-1:0] reg4;
+    wire [`GLINT_COLOR_BITS-1:0] reg5;
+
+    stage_register #(.WIDTH(`GLINT_N_BITS)) u_reg2 (
+        .clk(clk), .reset(reset), .en(en && n_we), .d(n), .q(reg2));
+    stage_register #(.WIDTH(RGB_BITS)) u_reg345 (
+        .clk(clk), .reset(reset), .en(en && rgb_we), .d({r, g, b}), .q({reg3, reg4, reg5}));
+
+    // The valid bits and the material travel beside the lanes, stage by stage.
+    wire [LANES-1:0]             s1_valid;
+    wire [LANES-1:0]             s2_valid;
+    wire [LANES-1:0]             s3_valid;
+    wire [LANES-1:0]             s4_valid;
+    wire [`GLINT_COLOR_BITS-1:0] s2_reg3;
+    wire [`GLINT_COLOR_BITS-1:0] s2_reg4;
+    wire [`GLINT_COLOR_BITS-1:0] s2_reg5;
+    wire [`GLINT_COLOR_BITS-1:0] s3_reg3;
+    wire [`GLINT_COLOR_BITS-1:0] s3_reg4;
+    wire [`GLINT_COLOR_BITS-1:0] s3_reg5;
+    wire [`GLINT_COLOR_BITS-1:0] s4_reg3;
+    wire [`GLINT_COLOR_BITS-1:0] s4_reg4;
+    wire [`GLINT_COLOR_BITS-1:0] s4_reg5;
+
+    stage_register #(.WIDTH(LANES)) u_s1_valid (
+        .clk(clk), .reset(reset), .en(en), .d(in_valid), .q(s1_valid));
+
+    stage_register #(.WIDTH(LANES), .CLOCKED(PIPELINED)) u_s2_valid (
+        .clk(clk), .reset(reset), .en(en), .d(s1_valid), .q(s2_valid));
+    stage_register #(.WIDTH(RGB_BITS), .CLOCKED(PIPELINED)) u_s2_rgb (
+        .clk(clk), .reset(reset), .en(en), .d({reg3, reg4, reg5}), .q({s2_reg3, s2_reg4, s2_reg5}));
+
+    stage_register #(.WIDTH(LANES), .CLOCKED(PIPELINED)) u_s3_valid (
+        .clk(clk), .reset(reset), .en(en), .d(s2_valid), .q(s3_valid));
+    stage_register #(.WIDTH(RGB_BITS), .CLOCKED(PIPELINED)) u_s3_rgb (
+        .clk(clk), .reset(reset), .en(en),
+        .d({s2_reg3, s2_reg4, s2_reg5}), .q({s3_reg3, s3_reg4, s3_reg5}));
+
+    stage_register #(.WIDTH(LANES), .CLOCKED(PIPELINED)) u_s4_valid (
+        .clk(clk), .reset(reset), .en(en), .d(s3_valid), .q(s4_valid));
+    stage_register #(.WIDTH(RGB_BITS), .CLOCKED(PIPELINED)) u_s4_rgb (
+        .clk(clk), .reset(reset), .en(en),
+        .d({s3_reg3, s3_reg4, s3_reg5}), .q({s4_reg3, s4_reg4, s4_reg5}));
+
+    stage_register #(.WIDTH(LANES), .CLOCKED(PIPELINED)) u_out_valid (
+        .clk(clk), .reset(reset), .en(en), .d(s4_valid), .q(out_valid));
+
+    genvar i;
+    generate
+        for (i = 0; i < LANES; i = i + 1) begin : lane
+            power_lane #(.PIPELINED(PIPELINED), .TABLE_BITS(TABLE_BITS)) u (
+                .clk(clk), .reset(reset), .en(en),
+                .in_valid(in_valid[i]),
+                .cos(cos[i*`GLINT_COS_BITS +: `GLINT_COS_BITS]),
+                .reg2(reg2), .s4_reg3(s4_reg3), .s4_reg4(s4_reg4), .s4_reg5(s4_reg5),
+                .out_w(out_w[i*W_BITS +: W_BITS]),
+                .out_r(out_r[i*`GLINT_COLOR_BITS +: `GLINT_COLOR_BITS]),
+                .out_g(out_g[i*`GLINT_COLOR_BITS +: `GLINT_COLOR_BITS]),
+                .out_b(out_b[i*`GLINT_COLOR_BITS +: `GLINT_COLOR_BITS]));
+        end
+    endgenerate
+endmodule
+
+`default_nettype wire
