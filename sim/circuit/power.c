@@ -146,6 +146,40 @@ static void stimulus_next(void *stimulus, void *pins)
     glint_stimulus_next(stimulus, pins);
 }
 
+/* ---- Domain: a clock takes one n, in colours that n chooses, and a cosine code in every lane - */
+
+static uint64_t clocks_of_n(const int *values)
+{
+    const uint64_t lanes = (uint64_t)values[LANES];
+    return ((uint64_t)GLINT_COS_CODE_MAX + lanes) / lanes;
+}
+
+static uint64_t points(const int *values)
+{
+    return GLINT_N_COUNT * clocks_of_n(values);
+}
+
+static void put(const int *values, uint64_t point, void *pins)
+{
+    glint_specular_inputs *in = pins;
+    const uint64_t clocks = clocks_of_n(values), lanes = (uint64_t)values[LANES];
+    const uint64_t n = point / clocks, first = point % clocks * lanes;
+    in->n_we = in->rgb_we = 1;
+    in->n = (uint16_t)n;
+    in->r = (uint8_t)(GLINT_COLOR_MAX - n);
+    in->g = (uint8_t)(37 * n + first);
+    in->b = GLINT_COLOR_MAX;
+    in->in_valid = (uint32_t)((UINT64_C(1) << lanes) - 1);
+    for (uint64_t i = 0; i < lanes; i++)
+        in->cos[i] = (uint32_t)(first + i) & GLINT_COS_CODE_MAX;
+}
+
+static const glint_domain domain = {
+    .what = "every n with every code of the cosine",
+    .points = points,
+    .put = put,
+};
+
 const glint_circuit glint_circuit_power = {
     .name = "power",
     .title = "Power device",
@@ -171,4 +205,5 @@ const glint_circuit glint_circuit_power = {
     .stimulus_size = sizeof(glint_stimulus),
     .stimulus_begin = stimulus_begin,
     .stimulus_next = stimulus_next,
+    .domain = &domain,
 };
