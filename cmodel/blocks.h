@@ -122,6 +122,12 @@ static inline uint8_t glint_block_mul_color(uint32_t keys12, uint8_t color)
     return (uint8_t)GLINT_HALF_UP(uint32_t, keys12 * color, GLINT_W_FRAC_BITS);
 }
 
+/* The same for a W of other fraction bits, of a highlight unit. */
+static inline uint8_t glint_block_mul_by(int w_frac_bits, uint32_t keys12, uint8_t color)
+{
+    return (uint8_t)GLINT_HALF_UP(uint32_t, keys12 * color, w_frac_bits);
+}
+
 /* The widths that the arithmetic above relies on. */
 _Static_assert(GLINT_SIGMA_BITS + GLINT_COS_BITS < 64, "multiplier 7 has 64 bits");
 _Static_assert(GLINT_T_BITS <= 32, "t is an int32_t");

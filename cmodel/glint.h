@@ -4,7 +4,7 @@
  *   glint_specular.h          the specular device as a pure function, one point or many
  *   glint_specular_device.h   the same clock by clock, every register visible
  *   glint_power.h             the power device, accurate against the power, as a pure function
- *   glint_power_device.h      the same clock by clock
+ *   glint_unit.h              highlight units clock by clock, the power device among them
  *   glint_divider.h           the shift-accumulate divider as a pure function
  *   glint_divider_device.h    the same clock by clock, in its two forms
  *   glint_signal.h a signal, described for comparison and waveforms
@@ -16,10 +16,10 @@
 #include "glint_divider_device.h"
 #include "glint_formats.h"
 #include "glint_power.h"
-#include "glint_power_device.h"
 #include "glint_signal.h"
 #include "glint_specular.h"
 #include "glint_specular_device.h"
 #include "glint_status.h"
+#include "glint_unit.h"
 
 #endif

@@ -11,8 +11,8 @@
  * Two accuracies, by the size of the two tables: over every cosine code and n = 0…1023 W is within
  * 0.4981 or 0.2491 of 1/255 of cosⁿ, W(1) = 1, and W never falls as the cosine grows.
  *
- * Blocks are numbered by the inventory of figure 3.1: what a number does here is in
- * glint_power_device.h, which is the same clock by clock. */
+ * Blocks are numbered by the inventory of figure 3.1; the same clock by clock is a highlight unit
+ * (glint_unit.h), the twin of rtl/power_device.v. */
 #ifndef GLINT_CMODEL_POWER_H
 #define GLINT_CMODEL_POWER_H
 
@@ -20,6 +20,7 @@
 #include <stdint.h>
 
 #include "glint_specular.h"
+#include "glint_unit.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -50,8 +51,7 @@ typedef enum glint_power_accuracy {
 #define GLINT_POWER_V_INT_BITS            (2 * GLINT_POWER_L_INT_BITS)
 
 /* Clocks from the edge that takes a cosine to its result, that edge included. */
-#define GLINT_POWER_LATENCY_COMBINATIONAL 1
-#define GLINT_POWER_LATENCY_PIPELINED     5
+#define GLINT_POWER_LATENCY_PIPELINED 5
 
 /* Every block's value for one point. */
 typedef struct glint_power_values {
@@ -86,6 +86,9 @@ glint_status glint_power_batch(glint_power_accuracy accuracy, const glint_materi
 
 /* What it approximates: cosⁿγ of the quantised cosine, 0…1; 0⁰ is 1. */
 double glint_power_real(uint32_t n, uint32_t cos_code);
+
+/* The same clock by clock, for glint_unit_device_create(); its variant is the accuracy. */
+extern const glint_unit glint_unit_power;
 
 /* "half", "quarter"; NULL when out of range. */
 const char *glint_power_accuracy_name(glint_power_accuracy accuracy);

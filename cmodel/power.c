@@ -35,9 +35,9 @@ glint_status glint_power_eval(glint_power_accuracy accuracy, const glint_materia
     v.cmp11 = glint_power_block_cmp11(table, glint_power_block_over7(v.mul7), v.mul10);
     v.rom33 = glint_power_rom33(accuracy, glint_power_block_address33(table, v.mul10));
     v.keys12 = glint_power_block_keys12(table, v.cmp11, v.rom33, v.mul10);
-    v.mul13 = glint_power_block_mul_color(w_frac, v.keys12, material->r);
-    v.mul14 = glint_power_block_mul_color(w_frac, v.keys12, material->g);
-    v.mul15 = glint_power_block_mul_color(w_frac, v.keys12, material->b);
+    v.mul13 = glint_block_mul_by(w_frac, v.keys12, material->r);
+    v.mul14 = glint_block_mul_by(w_frac, v.keys12, material->g);
+    v.mul15 = glint_block_mul_by(w_frac, v.keys12, material->b);
     *values = v;
     return GLINT_OK;
 }

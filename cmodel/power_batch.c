@@ -31,9 +31,9 @@ static inline __attribute__((always_inline)) uint32_t shade_w(glint_power_accura
     {                                                                                              \
         for (size_t i = 0; i < count; i++) {                                                       \
             const uint32_t w = shade_w(accuracy, run->n, cos_code[i]);                             \
-            r[i] = glint_power_block_mul_color(GLINT_POWER_W_FRAC_BITS(accuracy), w, run->r);      \
-            g[i] = glint_power_block_mul_color(GLINT_POWER_W_FRAC_BITS(accuracy), w, run->g);      \
-            b[i] = glint_power_block_mul_color(GLINT_POWER_W_FRAC_BITS(accuracy), w, run->b);      \
+            r[i] = glint_block_mul_by(GLINT_POWER_W_FRAC_BITS(accuracy), w, run->r);               \
+            g[i] = glint_block_mul_by(GLINT_POWER_W_FRAC_BITS(accuracy), w, run->g);               \
+            b[i] = glint_block_mul_by(GLINT_POWER_W_FRAC_BITS(accuracy), w, run->b);               \
         }                                                                                          \
     }                                                                                              \
     GLINT_MULTIVERSION                                                                             \

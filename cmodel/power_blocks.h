@@ -64,12 +64,6 @@ static inline uint32_t glint_power_block_keys12(int table_bits, uint32_t cmp11, 
     return cmp11 != 0 ? rom33 >> shift : 0u;
 }
 
-/* Multipliers 13, 14, 15. */
-static inline uint8_t glint_power_block_mul_color(int w_frac_bits, uint32_t keys12, uint8_t color)
-{
-    return (uint8_t)GLINT_HALF_UP(uint32_t, keys12 * color, w_frac_bits);
-}
-
 _Static_assert(GLINT_POWER_P_BITS <= 32, "n x has 32 bits");
 _Static_assert(GLINT_POWER_X_BITS > GLINT_POWER_Q_FRAC_BITS, "q is a part of n x");
 _Static_assert(GLINT_POWER_X_BITS >= GLINT_POWER_TABLE_BITS(GLINT_POWER_QUARTER),

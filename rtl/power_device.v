@@ -3,9 +3,9 @@
 //
 // Function    out = W times (R, G, B),  W = cos^n = 2^(-n x g(x)), x = 1 - cos, g = -log2(1 - x)/x,
 //             for LANES cosines a clock with one material (n, R, G, B).
-// Blocks      registers 2 to 5 here; the others once a lane in power_lane. Signals carry the number
-//             of the block of figure 3.1 whose place they take: reg2, lane[0].u.mul7 ...
-//             A prefix s2_, s3_, s4_ names the pipeline stage that a delayed copy belongs to.
+// Blocks      registers 2 to 5 in material_path; the others once a lane in power_lane. Signals carry
+//             the number of the block of figure 3.1 whose place they take: path.reg2,
+//             lane[0].u.mul7 ... A prefix s2_, s3_ names the pipeline stage of a delayed copy.
 // Formats     cos U1.18 (codes above 1.0 saturate), n U10.0, r, g, b U8.0 (already times Ks),
 //             out_w U1.12 (ACCURACY 0) or U1.14 (1), out_r, out_g, out_b U8.0; lane i in bits
 //             [i*width +: width]
@@ -49,56 +49,15 @@ module power_device #(
 );
     localparam TABLE_BITS = 8 + ACCURACY;
     localparam W_BITS     = 2 * TABLE_BITS - 3;
-    localparam RGB_BITS   = 3 * `GLINT_COLOR_BITS;
 
-    // Stage 1: registers 2 to 5.
-    wire [`GLINT_N_BITS-1:0]     reg2;
-    wire [`GLINT_COLOR_BITS-1:0] reg3;
-    wire [`GLINT_COLOR_BITS-1:0] reg4;
-    wire [`GLINT_COLOR_BITS-1:0] reg5;
-
-    stage_register #(.WIDTH(`GLINT_N_BITS)) u_reg2 (
-        .clk(clk), .reset(reset), .en(en && n_we), .d(n), .q(reg2));
-    stage_register #(.WIDTH(RGB_BITS)) u_reg345 (
-        .clk(clk), .reset(reset), .en(en && rgb_we), .d({r, g, b}), .q({reg3, reg4, reg5}));
-
-    // The valid bits and the material travel beside the lanes, stage by stage.
-    wire [LANES-1:0]             s1_valid;
-    wire [LANES-1:0]             s2_valid;
-    wire [LANES-1:0]             s3_valid;
-    wire [LANES-1:0]             s4_valid;
-    wire [`GLINT_COLOR_BITS-1:0] s2_reg3;
-    wire [`GLINT_COLOR_BITS-1:0] s2_reg4;
-    wire [`GLINT_COLOR_BITS-1:0] s2_reg5;
-    wire [`GLINT_COLOR_BITS-1:0] s3_reg3;
-    wire [`GLINT_COLOR_BITS-1:0] s3_reg4;
-    wire [`GLINT_COLOR_BITS-1:0] s3_reg5;
-    wire [`GLINT_COLOR_BITS-1:0] s4_reg3;
-    wire [`GLINT_COLOR_BITS-1:0] s4_reg4;
-    wire [`GLINT_COLOR_BITS-1:0] s4_reg5;
-
-    stage_register #(.WIDTH(LANES)) u_s1_valid (
-        .clk(clk), .reset(reset), .en(en), .d(in_valid), .q(s1_valid));
-
-    stage_register #(.WIDTH(LANES), .CLOCKED(PIPELINED)) u_s2_valid (
-        .clk(clk), .reset(reset), .en(en), .d(s1_valid), .q(s2_valid));
-    stage_register #(.WIDTH(RGB_BITS), .CLOCKED(PIPELINED)) u_s2_rgb (
-        .clk(clk), .reset(reset), .en(en), .d({reg3, reg4, reg5}), .q({s2_reg3, s2_reg4, s2_reg5}));
-
-    stage_register #(.WIDTH(LANES), .CLOCKED(PIPELINED)) u_s3_valid (
-        .clk(clk), .reset(reset), .en(en), .d(s2_valid), .q(s3_valid));
-    stage_register #(.WIDTH(RGB_BITS), .CLOCKED(PIPELINED)) u_s3_rgb (
-        .clk(clk), .reset(reset), .en(en),
-        .d({s2_reg3, s2_reg4, s2_reg5}), .q({s3_reg3, s3_reg4, s3_reg5}));
-
-    stage_register #(.WIDTH(LANES), .CLOCKED(PIPELINED)) u_s4_valid (
-        .clk(clk), .reset(reset), .en(en), .d(s3_valid), .q(s4_valid));
-    stage_register #(.WIDTH(RGB_BITS), .CLOCKED(PIPELINED)) u_s4_rgb (
-        .clk(clk), .reset(reset), .en(en),
-        .d({s3_reg3, s3_reg4, s3_reg5}), .q({s4_reg3, s4_reg4, s4_reg5}));
-
-    stage_register #(.WIDTH(LANES), .CLOCKED(PIPELINED)) u_out_valid (
-        .clk(clk), .reset(reset), .en(en), .d(s4_valid), .q(out_valid));
+    wire [`GLINT_N_BITS-1:0]     last_n;
+    wire [`GLINT_COLOR_BITS-1:0] last_r;
+    wire [`GLINT_COLOR_BITS-1:0] last_g;
+    wire [`GLINT_COLOR_BITS-1:0] last_b;
+    material_path #(.STAGES(4), .N_STAGES(1), .PIPELINED(PIPELINED), .LANES(LANES)) path (
+        .clk(clk), .reset(reset), .en(en), .n_we(n_we), .n(n), .rgb_we(rgb_we), .r(r), .g(g), .b(b),
+        .in_valid(in_valid), .last_n(last_n), .last_r(last_r), .last_g(last_g), .last_b(last_b),
+        .out_valid(out_valid));
 
     genvar i;
     generate
@@ -107,7 +66,7 @@ module power_device #(
                 .clk(clk), .reset(reset), .en(en),
                 .in_valid(in_valid[i]),
                 .cos(cos[i*`GLINT_COS_BITS +: `GLINT_COS_BITS]),
-                .reg2(reg2), .s4_reg3(s4_reg3), .s4_reg4(s4_reg4), .s4_reg5(s4_reg5),
+                .n(last_n), .last_r(last_r), .last_g(last_g), .last_b(last_b),
                 .out_w(out_w[i*W_BITS +: W_BITS]),
                 .out_r(out_r[i*`GLINT_COLOR_BITS +: `GLINT_COLOR_BITS]),
                 .out_g(out_g[i*`GLINT_COLOR_BITS +: `GLINT_COLOR_BITS]),

@@ -27,11 +27,11 @@ module power_lane #(
     input  wire                         in_valid, // register 1 loads
     input  wire [`GLINT_COS_BITS-1:0]   cos,
 
-    // Material, delayed by the device to the stage that reads it.
-    input  wire [`GLINT_N_BITS-1:0]     reg2,
-    input  wire [`GLINT_COLOR_BITS-1:0] s4_reg3,
-    input  wire [`GLINT_COLOR_BITS-1:0] s4_reg4,
-    input  wire [`GLINT_COLOR_BITS-1:0] s4_reg5,
+    // Material, as the stage that reads it has it: 1 and 4.
+    input  wire [`GLINT_N_BITS-1:0]     n,
+    input  wire [`GLINT_COLOR_BITS-1:0] last_r,
+    input  wire [`GLINT_COLOR_BITS-1:0] last_g,
+    input  wire [`GLINT_COLOR_BITS-1:0] last_b,
 
     output wire [2*TABLE_BITS-4:0]      out_w,
     output wire [`GLINT_COLOR_BITS-1:0] out_r,
@@ -42,7 +42,6 @@ module power_lane #(
     localparam W_BITS      = 1 + W_FRAC_BITS;
     localparam G_BITS      = `GLINT_POWER_L_INT_BITS + TABLE_BITS;
     localparam V_BITS      = `GLINT_POWER_V_INT_BITS + TABLE_BITS;
-    localparam RGB_BITS    = 3 * `GLINT_COLOR_BITS;
 
     // Stage 1: register 1 takes 1 - cos; multiplier 7; ROM 9.
     wire [`GLINT_COS_FRAC_BITS-1:0] fraction = cos[`GLINT_COS_FRAC_BITS-1:0];
@@ -54,7 +53,7 @@ module power_lane #(
     stage_register #(.WIDTH(`GLINT_POWER_X_BITS)) u_reg1 (
         .clk(clk), .reset(reset), .en(en && in_valid), .d(x), .q(reg1));
 
-    wire [`GLINT_POWER_P_BITS-1:0] mul7  = reg2 * reg1;
+    wire [`GLINT_POWER_P_BITS-1:0] mul7  = n * reg1;
     wire                           over7 = |mul7[`GLINT_POWER_P_BITS-1 -: `GLINT_POWER_P_BITS -
                                                  `GLINT_POWER_L_INT_BITS - `GLINT_POWER_X_BITS];
     // Multiplier 10 takes the middle of it.
@@ -102,25 +101,10 @@ module power_lane #(
     wire [W_BITS-1:0] keys12 = s3_cmp11 ? rom33 >> s3_mul10[G_BITS-1:TABLE_BITS]
                                         : {W_BITS{1'b0}};
 
-    // Stage 4: multipliers 13, 14, 15.
-    wire [W_BITS-1:0]            s4_keys12;
-    wire [`GLINT_COLOR_BITS-1:0] mul13;
-    wire [`GLINT_COLOR_BITS-1:0] mul14;
-    wire [`GLINT_COLOR_BITS-1:0] mul15;
-    stage_register #(.WIDTH(W_BITS), .CLOCKED(PIPELINED)) u_s4_keys12 (
-        .clk(clk), .reset(reset), .en(en), .d(keys12), .q(s4_keys12));
-    color_multiplier #(.W_FRAC_BITS(W_FRAC_BITS)) u_mul13 (
-        .w(s4_keys12), .color(s4_reg3), .product(mul13));
-    color_multiplier #(.W_FRAC_BITS(W_FRAC_BITS)) u_mul14 (
-        .w(s4_keys12), .color(s4_reg4), .product(mul14));
-    color_multiplier #(.W_FRAC_BITS(W_FRAC_BITS)) u_mul15 (
-        .w(s4_keys12), .color(s4_reg5), .product(mul15));
-
-    // Stage 5: the outputs.
-    stage_register #(.WIDTH(W_BITS), .CLOCKED(PIPELINED)) u_out_w (
-        .clk(clk), .reset(reset), .en(en), .d(s4_keys12), .q(out_w));
-    stage_register #(.WIDTH(RGB_BITS), .CLOCKED(PIPELINED)) u_out_rgb (
-        .clk(clk), .reset(reset), .en(en), .d({mul13, mul14, mul15}), .q({out_r, out_g, out_b}));
+    // Stage 4 and the outputs.
+    color_stage #(.W_FRAC_BITS(W_FRAC_BITS), .PIPELINED(PIPELINED)) colors (
+        .clk(clk), .reset(reset), .en(en), .keys12(keys12), .r(last_r), .g(last_g), .b(last_b),
+        .out_w(out_w), .out_r(out_r), .out_g(out_g), .out_b(out_b));
 endmodule
 
 `default_nettype wire

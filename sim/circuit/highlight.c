@@ -18,7 +18,7 @@ static const glint_pin_info shared_pins[] = {
     PIN(r, DATA, GLINT_COLOR_BITS, "R times Ks"),
     PIN(g, DATA, GLINT_COLOR_BITS, "G times Ks"),
     PIN(b, DATA, GLINT_COLOR_BITS, "B times Ks"),
-    PIN(in_valid, VALID, GLINT_LANES_WIDTH, "the lane takes its cosine"),
+    PIN(in_valid, VALID, GLINT_LANES_WIDTH, "the lane's cosine is valid"),
 };
 enum { SHARED_PINS = sizeof shared_pins / sizeof shared_pins[0] };
 

@@ -9,13 +9,13 @@
 /* Initialisers of parameters: they stand in the description's own table. */
 #define GLINT_HIGHLIGHT_PIPELINE                                                                   \
     {                                                                                              \
-        .name = "pipeline", .verilog = "PIPELINED", .meaning = "what stands between the stages",   \
+        .name = "pipeline", .verilog = "PIPELINED", .meaning = "registers or wires between the stages",   \
         .choices = glint_highlight_pipelines, .max = GLINT_PIPELINE_COUNT - 1,                     \
         .standard = GLINT_PIPELINE_PIPELINED                                                       \
     }
 #define GLINT_HIGHLIGHT_LANES                                                                      \
     {                                                                                              \
-        .name = "lanes", .verilog = "LANES", .meaning = "cosines a clock", .min = 1,               \
+        .name = "lanes", .verilog = "LANES", .meaning = "cosines per clock", .min = 1,               \
         .max = GLINT_LANES_MAX, .standard = 1, .listed = glint_highlight_lane_counts,              \
         .listed_count = GLINT_HIGHLIGHT_LANE_COUNTS                                                \
     }
