@@ -12,6 +12,7 @@
 
 #include "glint_divider_device.h"
 #include "glint_power.h"
+#include "glint_rivals.h"
 #include "glint_specular_device.h"
 
 typedef void writer(FILE *out);
@@ -58,6 +59,9 @@ static void write_formats(FILE *out)
     WRITE_CONSTANT(out, GLINT_POWER_Q_BITS);
     WRITE_CONSTANT(out, GLINT_POWER_L_INT_BITS);
     WRITE_CONSTANT(out, GLINT_POWER_V_INT_BITS);
+    WRITE_CONSTANT(out, GLINT_LYON_FRAC_BITS);
+    WRITE_CONSTANT(out, GLINT_SCHLICK_FRAC_BITS);
+    WRITE_CONSTANT(out, GLINT_SCHLICK_DEN_BITS);
     fprintf(out, "\n`endif\n");
 }
 

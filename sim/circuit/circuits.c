@@ -8,6 +8,8 @@
     X(specular)                                                                                    \
     X(power)                                                                                       \
     X(divider)                                                                                     \
+    X(lyon)                                                                                    \
+    X(schlick)                                                                                 \
     /* no more */
 
 #define DECLARE(name) extern const glint_circuit glint_circuit_##name;
