@@ -85,7 +85,10 @@ $(BUILD)/glint-gen: $(BUILD)/cmodel/gen.o $(BUILD)/libglint.a
 # stays the same is not touched.
 GENERATED := rtl/glint_formats.vh:formats rtl/sigma_rom.v:sigma-rom rtl/limit_rom.v:limit-rom \
              rtl/reciprocal_rom.v:reciprocal-rom rtl/power_log_rom.v:power-log-rom \
-             rtl/power_exp_rom.v:power-exp-rom cmodel/power_tables.h:power-tables
+             rtl/power_exp_rom.v:power-exp-rom cmodel/power_tables.h:power-tables \
+             rtl/newton_rom.v:newton-rom rtl/log2_base_rom.v:log2-base-rom \
+             rtl/log2_slope_rom.v:log2-slope-rom rtl/quadratic_rom.v:quadratic-rom \
+             cmodel/rival_tables.h:rival-tables
 
 .PHONY: generate-verilog
 generate: generate-verilog drawings

@@ -2,9 +2,8 @@
  *
  *     glint-gen FILE KIND
  *
- * KIND: formats (rtl/glint_formats.vh), sigma-rom, limit-rom, reciprocal-rom, power-log-rom,
- * power-exp-rom (rtl/…_rom.v), power-tables (cmodel/power_tables.h). FILE is written beside, then
- * renamed. */
+ * KIND: formats (rtl/glint_formats.vh), NAME-rom (rtl/NAME_rom.v), power-tables, rival-tables
+ * (cmodel/…_tables.h); find_writer() has all of them. FILE is written beside, then renamed. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -62,6 +61,17 @@ static void write_formats(FILE *out)
     WRITE_CONSTANT(out, GLINT_LYON_FRAC_BITS);
     WRITE_CONSTANT(out, GLINT_SCHLICK_FRAC_BITS);
     WRITE_CONSTANT(out, GLINT_SCHLICK_DEN_BITS);
+    WRITE_CONSTANT(out, GLINT_NEWTON_FRAC_BITS);
+    WRITE_CONSTANT(out, GLINT_NEWTON_TABLE_BITS);
+    WRITE_CONSTANT(out, GLINT_NEWTON_SEED_BITS);
+    WRITE_CONSTANT(out, GLINT_NEWTON_M_BITS);
+    WRITE_CONSTANT(out, GLINT_LOG2_FRAC_BITS);
+    WRITE_CONSTANT(out, GLINT_LOG2_TABLE_BITS);
+    WRITE_CONSTANT(out, GLINT_LOG2_SLOPE_FRAC);
+    WRITE_CONSTANT(out, GLINT_LOG2_SLOPE_BITS);
+    WRITE_CONSTANT(out, GLINT_LOG2_L_INT_BITS);
+    WRITE_CONSTANT(out, GLINT_QUADRATIC_A_FRAC_BITS);
+    WRITE_CONSTANT(out, GLINT_QUADRATIC_A_BITS);
     fprintf(out, "\n`endif\n");
 }
 
@@ -262,6 +272,132 @@ static void write_power_exp_rom(FILE *out)
                     "power", "2*TABLE_BITS-3", widths, exp_entry);
 }
 
+/* ---- The tables of the rivals ---------------------------------------------------------------- */
+
+static uint32_t half_up(double value)
+{
+    return (uint32_t)floor(value + 0.5);
+}
+
+static uint32_t newton_seed(uint32_t address)
+{
+    const double m = 1 + (address + 0.5) / (1 << GLINT_NEWTON_TABLE_BITS);
+    return half_up((1 << GLINT_NEWTON_SEED_BITS) / m);
+}
+
+/* How far log2 is above its chord over interval `address`, at most. */
+static double above_chord(double begin, double end)
+{
+    const double slope = (log2(end) - log2(begin)) / (end - begin);
+    const double highest = 1 / (slope * log(2)); /* where log2 has that slope */
+    return log2(highest) - (log2(begin) + slope * (highest - begin));
+}
+
+static uint32_t log2_base(uint32_t address)
+{
+    const uint32_t count = 1u << GLINT_LOG2_TABLE_BITS;
+    const double begin = 1 + (double)address / count, end = 1 + (address + 1.0) / count;
+    const double raised = address == count - 1 ? 0 : above_chord(begin, end) / 2;
+    return half_up((log2(begin) + raised) * (1 << GLINT_LOG2_FRAC_BITS));
+}
+
+static uint32_t log2_slope(uint32_t address)
+{
+    const uint32_t count = 1u << GLINT_LOG2_TABLE_BITS;
+    const double begin = 1 + (double)address / count, end = 1 + (address + 1.0) / count;
+    return half_up((log2(end) - log2(begin)) * (1 << GLINT_LOG2_SLOPE_FRAC));
+}
+
+/* (2.4) and (2.7), without their cancellation. */
+static uint32_t quadratic_a(uint32_t n)
+{
+    if (n <= 1)
+        return 0;
+    const double t = sqrt((n - 1.0) / n);
+    const double a = -expm1(0.5 * (n - 1.0) * log1p(-1.0 / n)) * n * (1.0 + t);
+    return half_up(a * (1 << GLINT_QUADRATIC_A_FRAC_BITS));
+}
+
+typedef struct table {
+    const char *module, *what, *address, *output; /* of the Verilog */
+    const char *c_name;
+    int address_bits, bits;
+    uint32_t (*entry)(uint32_t address);
+} table;
+
+static const table rival_tables[] = {
+    {"newton_rom",
+     "newton_rom: the seed of 1/m for the unit of Schlick's by Newton's step, m's "
+     "first 7\n// fraction bits -> 1/m in the middle, U0.10, rounded half up; "
+     "combinational.",
+     "m", "seed", "newton_seeds", GLINT_NEWTON_TABLE_BITS, GLINT_NEWTON_SEED_BITS, newton_seed},
+    {"log2_base_rom",
+     "log2_base_rom: where the lines of log2 begin, m's first 7 fraction bits -> "
+     "U1.22;\n// combinational.",
+     "m", "base", "log2_bases", GLINT_LOG2_TABLE_BITS, 1 + GLINT_LOG2_FRAC_BITS, log2_base},
+    {"log2_slope_rom",
+     "log2_slope_rom: how far the lines of log2 rise over their interval, m's "
+     "first 7\n// fraction bits -> U0.20; combinational.",
+     "m", "slope", "log2_slopes", GLINT_LOG2_TABLE_BITS, GLINT_LOG2_SLOPE_BITS, log2_slope},
+    {"quadratic_rom",
+     "quadratic_rom: ROM 33 of the quadratic's unit, n -> a of (2.7), U10.13, "
+     "rounded half up;\n// combinational.",
+     "n", "a", "quadratic_as", GLINT_N_BITS, GLINT_QUADRATIC_A_BITS, quadratic_a},
+};
+enum { RIVAL_TABLES = sizeof rival_tables / sizeof rival_tables[0] };
+
+static void write_table(FILE *out, const table *table)
+{
+    write_header(out, table->what);
+    fprintf(out,
+            "`default_nettype none\n\nmodule %s (\n    input  wire [%d:0] %s,\n"
+            "    output reg  [%d:0] %s\n);\n    always @*\n        case (%s)\n",
+            table->module, table->address_bits - 1, table->address, table->bits - 1, table->output,
+            table->address);
+    for (uint32_t i = 0; i < 1u << table->address_bits; i++)
+        fprintf(out, "            %d'd%-4u: %s = %d'd%u;\n", table->address_bits, i, table->output,
+                table->bits, table->entry(i));
+    fprintf(out, "        endcase\nendmodule\n\n`default_nettype wire\n");
+}
+
+static void write_newton_rom(FILE *out)
+{
+    write_table(out, &rival_tables[0]);
+}
+
+static void write_log2_base_rom(FILE *out)
+{
+    write_table(out, &rival_tables[1]);
+}
+
+static void write_log2_slope_rom(FILE *out)
+{
+    write_table(out, &rival_tables[2]);
+}
+
+static void write_quadratic_rom(FILE *out)
+{
+    write_table(out, &rival_tables[3]);
+}
+
+static void write_rival_tables(FILE *out)
+{
+    fprintf(out, "/* The tables of the rivals' circuits, by address.\n *\n"
+                 " * Made by glint-gen; `make generate` makes it anew. */\n"
+                 "/* clang-format off */\n"
+                 "#ifndef GLINT_CMODEL_RIVAL_TABLES_H\n#define GLINT_CMODEL_RIVAL_TABLES_H\n\n"
+                 "#include <stdint.h>\n");
+    for (int t = 0; t < RIVAL_TABLES; t++) {
+        const table *table = &rival_tables[t];
+        fprintf(out, "\nstatic const uint32_t %s[%u] = {", table->c_name,
+                1u << table->address_bits);
+        for (uint32_t i = 0; i < 1u << table->address_bits; i++)
+            fprintf(out, "%s%u,", i % 10 == 0 ? "\n    " : " ", table->entry(i));
+        fprintf(out, "\n};\n");
+    }
+    fprintf(out, "\n#endif\n");
+}
+
 static writer *find_writer(const char *kind)
 {
     static const struct {
@@ -275,6 +411,11 @@ static writer *find_writer(const char *kind)
         {"power-log-rom", write_power_log_rom},
         {"power-exp-rom", write_power_exp_rom},
         {"power-tables", write_power_tables},
+        {"newton-rom", write_newton_rom},
+        {"log2-base-rom", write_log2_base_rom},
+        {"log2-slope-rom", write_log2_slope_rom},
+        {"quadratic-rom", write_quadratic_rom},
+        {"rival-tables", write_rival_tables},
     };
     for (size_t i = 0; i < sizeof writers / sizeof writers[0]; i++)
         if (strcmp(writers[i].kind, kind) == 0)
@@ -305,9 +446,7 @@ int main(int argc, char **argv)
 {
     writer *write = argc == 3 ? find_writer(argv[2]) : NULL;
     if (write == NULL) {
-        fprintf(stderr, "usage: glint-gen FILE "
-                        "formats|sigma-rom|limit-rom|reciprocal-rom|power-log-rom|power-exp-rom|"
-                        "power-tables\n");
+        fprintf(stderr, "usage: glint-gen FILE KIND (the kinds: GENERATED in the Makefile)\n");
         return 2;
     }
     if (write_file(argv[1], write) != 0) {

@@ -25,6 +25,42 @@ extern const glint_unit glint_unit_lyon;
 #define GLINT_SCHLICK_DEN_BITS  (GLINT_N_BITS + GLINT_COS_FRAC_BITS)
 extern const glint_unit glint_unit_schlick;
 
+/* The same by the reciprocal of the denominator: normalised, 1/m from a table of 128, one step of
+ * Newton's, and a shift back; U1.12, rounded half up, at most 1. */
+#define GLINT_NEWTON_FRAC_BITS  12
+#define GLINT_NEWTON_TABLE_BITS 7
+#define GLINT_NEWTON_SEED_BITS  10 /* of the table: U0.10 */
+#define GLINT_NEWTON_M_BITS     17 /* fraction bits of m, of 2 − m·y and of the second y */
+extern const glint_unit glint_unit_newton;
+
+/* The table: 1/m in the middle of its interval, rounded half up; address: 0…127. */
+uint32_t glint_newton_seed(uint32_t address);
+
+/* The power by its definition, cosⁿ = 2^(n·log2 cos): the cosine is normalised, its logarithm comes
+ * from a table of 128 lines, the power from ROM 33 of the power device (accuracy half) and a shift;
+ * U1.12. */
+#define GLINT_LOG2_FRAC_BITS  22 /* of the logarithm */
+#define GLINT_LOG2_TABLE_BITS 7
+#define GLINT_LOG2_SLOPE_FRAC 20 /* the slope is that of a whole interval */
+#define GLINT_LOG2_SLOPE_BITS 14
+#define GLINT_LOG2_L_INT_BITS 5
+extern const glint_unit glint_unit_log2;
+
+/* The line of interval `address`, 0…127: where it begins, U1.22, and how far it rises, U0.20. The
+ * chord of the logarithm, raised by half of what the logarithm is above it; the last one is not. */
+uint32_t glint_log2_base(uint32_t address);
+uint32_t glint_log2_slope(uint32_t address);
+
+/* The thesis's quadratic, ac² + (1−a)c = c·(1 − a·(1−c)) (2.3), where the line is not negative; a
+ * of n from a ROM, U10.13; W U1.18, rounded half up. n = 0 has the a of n = 1, which is 0. */
+#define GLINT_QUADRATIC_A_INT_BITS  10
+#define GLINT_QUADRATIC_A_FRAC_BITS 13
+#define GLINT_QUADRATIC_A_BITS      (GLINT_QUADRATIC_A_INT_BITS + GLINT_QUADRATIC_A_FRAC_BITS)
+extern const glint_unit glint_unit_quadratic;
+
+/* ROM 33: a(n) by (2.4) and (2.7), rounded half up. */
+uint32_t glint_quadratic_rom33(uint32_t n);
+
 #ifdef __cplusplus
 }
 #endif

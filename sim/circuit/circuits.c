@@ -10,6 +10,9 @@
     X(divider)                                                                                     \
     X(lyon)                                                                                    \
     X(schlick)                                                                                 \
+    X(newton)                                                                                  \
+    X(log2)                                                                                    \
+    X(quadratic)                                                                               \
     /* no more */
 
 #define DECLARE(name) extern const glint_circuit glint_circuit_##name;
