@@ -109,6 +109,9 @@ typedef struct glint_circuit {
     const char *name;       /* used in --circuit, file names and JSON: a C identifier */
     const char *title;      /* for people: "Specular-colour device" */
     const char *clock_port; /* the clock's port, rising edge; NULL: a circuit without one */
+    /* Of one built in: 1: taken only if it is named, if all are, or if it alone has an option that
+     * is given. */
+    int on_request;
     /* The top module, in the Verilog file of the same name; NULL: `name`. */
     const char *(*top)(const int *values);
 

@@ -3,16 +3,17 @@
 
 #include <string.h>
 
-/* One line per circuit: its description is glint_circuit_NAME, in its own file. */
+/* One line per circuit: its description is glint_circuit_NAME, in its own file. The thesis's first,
+ * then those on request. */
 #define CIRCUITS(X)                                                                                \
     X(specular)                                                                                    \
-    X(power)                                                                                       \
     X(divider)                                                                                     \
-    X(lyon)                                                                                    \
-    X(schlick)                                                                                 \
-    X(newton)                                                                                  \
-    X(log2)                                                                                    \
-    X(quadratic)                                                                               \
+    X(power)                                                                                       \
+    X(log2)                                                                                        \
+    X(schlick)                                                                                     \
+    X(newton)                                                                                      \
+    X(lyon)                                                                                        \
+    X(quadratic)                                                                                   \
     /* no more */
 
 #define DECLARE(name) extern const glint_circuit glint_circuit_##name;

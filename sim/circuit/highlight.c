@@ -1,10 +1,7 @@
 /* The pins and parameters that every highlight unit has. */
 #include "circuit/highlight.h"
 
-#include "glint_describe.h"
-
 const char *const glint_highlight_pipelines[GLINT_PIPELINE_COUNT] = {"combinational", "pipelined"};
-const int glint_highlight_lane_counts[GLINT_HIGHLIGHT_LANE_COUNTS] = {1, 2, 4, 8, 16};
 
 #define PIN(pin, role, bits, meaning)                                                              \
     GLINT_PIN(glint_specular_inputs, pin, role, bits, 0, 0, meaning)

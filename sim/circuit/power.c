@@ -1,6 +1,5 @@
 /* The power device, described. */
 #include "circuit/unit.h"
-#include "glint_describe.h"
 #include "glint_power.h"
 
 static const char *const accuracies[] = {"half", "quarter"};
@@ -18,20 +17,11 @@ static const glint_parameter parameters[] = {
     GLINT_HIGHLIGHT_LANES,
 };
 
-static const char *const variants[] = {"accuracy half", "accuracy quarter"};
+#define HEADINGS(X)                                                                                \
+    X("Register 1: x", 1)                                                                          \
+    X("Multiplier 7: n x", 7)                                                                      \
+    X("ROM 9: g(x)", 9)                                                                            \
+    X("Blocks 10, 11: v", 10, 11)                                                                  \
+    X("ROM 33: 2^-f", 33)
 
-static const glint_unit_heading lane_headings[] = {
-    {"Register 1: x", {1}},         {"Multiplier 7: n x", {7}}, {"ROM 9: g(x)", {9}},
-    {"Blocks 10, 11: v", {10, 11}}, {"ROM 33: 2^-f", {33}},
-};
-static const glint_unit_circuit own = {
-    .unit = &glint_unit_power,
-    .variants = variants,
-    .headings = lane_headings,
-    .heading_count = sizeof lane_headings / sizeof lane_headings[0],
-};
-static const glint_heading headings[] = {GLINT_UNIT_HEADINGS(
-    {.title = "Register 1: x"}, {.title = "Multiplier 7: n x"}, {.title = "ROM 9: g(x)"},
-    {.title = "Blocks 10, 11: v"}, {.title = "ROM 33: 2^-f"})};
-
-GLINT_UNIT_DESCRIPTION(power, "Power device", "power_device")
+GLINT_UNIT_DESCRIPTION(power, "Power device", HEADINGS)

@@ -5,7 +5,6 @@
 #include "circuit/circuits.h"
 #include "circuit/highlight.h"
 #include "circuit/stimulus.h"
-#include "glint_describe.h"
 
 static const char *const gates[] = {"cosine", "sign", "drawn"};
 _Static_assert(sizeof gates / sizeof gates[0] == GLINT_GATE_COUNT, "a name for each gate");

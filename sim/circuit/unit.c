@@ -1,7 +1,6 @@
 /* What the descriptions of all highlight units do alike. */
 #include "circuit/unit.h"
 
-#include <stdio.h>
 #include <string.h>
 
 glint_unit_config glint_unit_config_of(const glint_unit *unit, const int *values)
@@ -11,14 +10,6 @@ glint_unit_config glint_unit_config_of(const glint_unit *unit, const int *values
                                .variant = has_variant ? values[0] : 0,
                                .pipeline = (glint_pipeline)values[has_variant],
                                .lanes = values[has_variant + 1]};
-}
-
-void glint_unit_describe(const glint_unit_circuit *of, const int *values, char *text, size_t size)
-{
-    const glint_unit_config config = glint_unit_config_of(of->unit, values);
-    const char *variant = of->variants != NULL ? of->variants[config.variant] : "";
-    (void)snprintf(text, size, "%s%spipeline %s, lanes %d", variant, variant[0] != '\0' ? ", " : "",
-                   glint_pipeline_name(config.pipeline), config.lanes);
 }
 
 static const char *heading_of(const glint_unit_circuit *of, const glint_signal_info *signal)

@@ -6,17 +6,21 @@
  *         GLINT_HIGHLIGHT_PIPELINE,
  *         GLINT_HIGHLIGHT_LANES,
  *     };
- *     static const glint_unit_heading headings[] = {{"n x", 7}, …};
- *     GLINT_UNIT_DESCRIPTION(power, "Power device", "power_device", glint_unit_power)
+ *     #define HEADINGS(X)              a title, and the lane's blocks below it
+ *         X("Multiplier 7: n x", 7)
+ *         X("Blocks 10, 11: v", 10, 11)
+ *     GLINT_UNIT_DESCRIPTION(power, "Power device", HEADINGS)
  *
- * defines glint_circuit_power. Pins and random pins are the specular device's; the domain is every
- * n with every code of the cosine, a clock for as many codes as there are lanes. */
+ * defines glint_circuit_power, of glint_unit_power and the top power_device. Pins and random pins
+ * are the specular device's; the domain is every n with every code of the cosine, a clock for as
+ * many codes as there are lanes. */
 #ifndef GLINT_SIM_CIRCUIT_UNIT_H
 #define GLINT_SIM_CIRCUIT_UNIT_H
 
 #include "circuit/circuits.h"
 #include "circuit/highlight.h"
 #include "circuit/stimulus.h"
+#include "glint_describe.h"
 #include "glint_unit.h"
 
 /* The blocks of a lane that stand together in a waveform, as the data flows. */
@@ -28,7 +32,6 @@ typedef struct glint_unit_heading {
 /* A unit with the tables of its description. */
 typedef struct glint_unit_circuit {
     const glint_unit *unit;
-    const char *const *variants; /* their names; NULL: there is one alone */
     const glint_unit_heading *headings;
     int heading_count;
 } glint_unit_circuit;
@@ -37,7 +40,6 @@ typedef struct glint_unit_circuit {
 glint_unit_config glint_unit_config_of(const glint_unit *unit, const int *values);
 
 /* What the functions of the description do. */
-void glint_unit_describe(const glint_unit_circuit *of, const int *values, char *text, size_t size);
 glint_signal_info glint_unit_signal(const glint_unit_circuit *of, const int *values, int index);
 glint_status glint_unit_create(const glint_unit *unit, const int *values, void **model);
 void glint_unit_destroy(void *model);
@@ -56,27 +58,31 @@ void glint_unit_put(int lanes, uint64_t point, void *pins);
 #define GLINT_UNIT_HEADING_VALID   "Valid bits"
 #define GLINT_UNIT_HEADING_DELAYED "n, R, G, B delayed"
 
-/* The headings of the circuit: {{.title = "…"}, …} of the unit's stand in the middle. */
-#define GLINT_UNIT_HEADINGS(...)                                                                   \
-    {.title = GLINT_UNIT_HEADING_OUTPUTS}, {.title = GLINT_UNIT_HEADING_N}, __VA_ARGS__,           \
-        {.title = GLINT_UNIT_HEADING_W}, {.title = GLINT_UNIT_HEADING_COLORS},                     \
-        {.title = GLINT_UNIT_HEADING_MUL}, {.title = GLINT_UNIT_HEADING_VALID},                    \
-    {                                                                                              \
-        .title = GLINT_UNIT_HEADING_DELAYED, .folded = 1                                           \
-    }
+#define GLINT_UNIT_LANE_HEADING(title_, ...) {title_, {__VA_ARGS__}},
+#define GLINT_UNIT_HEADING(title_, ...)      {.title = title_},
 
-/* Of `parameters`, `own` (glint_unit_circuit) and `headings` (glint_heading), which the file has.
- */
-#define GLINT_UNIT_DESCRIPTION(name_, title_, top_)                                                \
+/* Of `parameters`, which the file has, and its list of headings. */
+#define GLINT_UNIT_DESCRIPTION(name_, title_, HEADINGS)                                            \
+    static const glint_unit_heading lane_headings[] = {HEADINGS(GLINT_UNIT_LANE_HEADING)};         \
+    static const glint_unit_circuit own = {                                                        \
+        .unit = &glint_unit_##name_,                                                               \
+        .headings = lane_headings,                                                                 \
+        .heading_count = sizeof lane_headings / sizeof lane_headings[0],                           \
+    };                                                                                             \
+    static const glint_heading headings[] = {                                                      \
+        {.title = GLINT_UNIT_HEADING_OUTPUTS},                                                     \
+        {.title = GLINT_UNIT_HEADING_N},                                                           \
+        HEADINGS(GLINT_UNIT_HEADING){.title = GLINT_UNIT_HEADING_W},                               \
+        {.title = GLINT_UNIT_HEADING_COLORS},                                                      \
+        {.title = GLINT_UNIT_HEADING_MUL},                                                         \
+        {.title = GLINT_UNIT_HEADING_VALID},                                                       \
+        {.title = GLINT_UNIT_HEADING_DELAYED, .folded = 1},                                        \
+    };                                                                                             \
     static int lanes_of(const int *values)                                                         \
     {                                                                                              \
         return glint_unit_config_of(own.unit, values).lanes;                                       \
     }                                                                                              \
-    static void describe(const int *values, char *text, size_t size)                               \
-    {                                                                                              \
-        glint_unit_describe(&own, values, text, size);                                             \
-    }                                                                                              \
-    GLINT_ALWAYS(const char *, top, top_)                                                          \
+    GLINT_ALWAYS(const char *, top, #name_ "_device")                                              \
     static int pin_count(const int *values)                                                        \
     {                                                                                              \
         return glint_highlight_pin_count(lanes_of(values));                                        \
@@ -120,20 +126,15 @@ void glint_unit_put(int lanes, uint64_t point, void *pins);
     const glint_circuit glint_circuit_##name_ = {                                                  \
         .name = #name_,                                                                            \
         .title = title_,                                                                           \
+        .on_request = 1,                                                                           \
         .clock_port = "clk",                                                                       \
         .top = top,                                                                                \
-        .parameters = parameters,                                                                  \
-        .parameter_count = sizeof parameters / sizeof parameters[0],                               \
-        .describe = describe,                                                                      \
-        .pin_count = pin_count,                                                                    \
-        .pin = pin,                                                                                \
-        .pins_size = sizeof(glint_specular_inputs),                                                \
-        .signal_count = signal_count,                                                              \
-        .signal = signal,                                                                          \
+        GLINT_PARAMETERS(parameters),                                                              \
+        GLINT_PINS(glint_specular_inputs, pin),                                                    \
+        GLINT_SIGNALS(signal),                                                                     \
         .lane_name = "lane",                                                                       \
         .lane_scope = "lane[%d].u",                                                                \
-        .headings = headings,                                                                      \
-        .heading_count = sizeof headings / sizeof headings[0],                                     \
+        GLINT_HEADINGS(headings),                                                                  \
         .latency = latency,                                                                        \
         .create = create,                                                                          \
         .destroy = glint_unit_destroy,                                                             \

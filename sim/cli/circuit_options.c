@@ -108,22 +108,48 @@ static void describe_usual(const glint_circuit_options *options, const glint_par
         (void)snprintf(row->usual, sizeof row->usual, "default: the circuit's");
 }
 
-static void describe_parameter(const glint_circuit_options *options, const glint_circuit *circuit,
+static bool is_alike(const glint_parameter *a, const glint_parameter *b)
+{
+    return a->choices == b->choices && a->min == b->min && a->max == b->max && a->meaning != NULL &&
+           b->meaning != NULL && strcmp(a->meaning, b->meaning) == 0;
+}
+
+/* The circuits from…to−1 that have this parameter. */
+static bool append_owners(const glint_circuit_options *options, const glint_parameter *parameter,
+                          int from, int to, char *text, size_t size)
+{
+    bool any = false;
+    for (int c = from; c < to; c++) {
+        int index;
+        const glint_parameter *own = parameter_of(options->circuit[c], parameter->name, &index);
+        if (own != parameter && (own == NULL || !is_alike(own, parameter)))
+            continue;
+        append_choice(text, size, ", ", options->circuit[c]->name);
+        any = true;
+    }
+    return any;
+}
+
+/* Said once, by the first of the circuits that have it alike. */
+static void describe_parameter(const glint_circuit_options *options, int number,
                                const glint_parameter *parameter, glint_parameter_option *row)
 {
-    char range[64] = "", text[256];
+    char range[64] = "", owners[192] = "", text[512];
     const bool is_first = row->help[0] == '\0';
+    describe_usual(options, parameter, row);
+    if (append_owners(options, parameter, 0, number, owners, sizeof owners))
+        return;
+    (void)append_owners(options, parameter, number, options->circuit_count, owners, sizeof owners);
     if (parameter->choices != NULL && is_first)
         append_values(parameter, "|", row->placeholder, sizeof row->placeholder);
     if (parameter->choices == NULL)
         append_values(parameter, "", range, sizeof range);
     (void)snprintf(text, sizeof text, "%s%s of %s: %s%s%s", is_first ? "" : "; ", parameter->name,
-                   circuit->name, parameter->meaning != NULL ? parameter->meaning : "a parameter",
+                   owners, parameter->meaning != NULL ? parameter->meaning : "a parameter",
                    range[0] != '\0' ? ", " : "", range);
     const char *shown = strchr(text, ':') + 2;
     append_text(row->help, sizeof row->help,
                 is_first && options->circuit_count == 1 ? shown : text);
-    describe_usual(options, parameter, row);
 }
 
 static glint_parameter_option *row_of(glint_circuit_options *options, const char *name)
@@ -168,7 +194,7 @@ static void describe_all(glint_circuit_options *options)
             const glint_parameter *parameter = &options->circuit[c]->parameters[i];
             glint_parameter_option *row = row_of(options, parameter->name);
             if (row != NULL)
-                describe_parameter(options, options->circuit[c], parameter, row);
+                describe_parameter(options, c, parameter, row);
         }
     for (int i = 0; i < options->parameter_count && options->use.takes_all; i++)
         if (options->parameter[i].placeholder[0] != '\0')
@@ -238,13 +264,31 @@ size_t glint_circuit_options_add(glint_circuit_options *options, glint_option *r
 /* ---- What was chosen ---------------------------------------------------------------------------
  */
 
+/* Whether a circuit on request is meant: it is named, or an option is given that is not one of the
+ * others. */
+static bool is_requested(const glint_circuit_options *options, int number)
+{
+    const glint_circuit *circuit = options->circuit[number];
+    if (options->is_named && options->named == number)
+        return true;
+    for (int i = 0; i < circuit->parameter_count; i++) {
+        bool is_usual = false;
+        for (int c = 0; c < options->circuit_count; c++)
+            is_usual |= !options->circuit[c]->on_request &&
+                        has_parameter(options->circuit[c], circuit->parameters[i].name);
+        if (!is_usual && glint_circuit_options_given(options, circuit->parameters[i].name))
+            return true;
+    }
+    return false;
+}
+
 /* "--gate, --lanes are for specular, --form for divider". */
 static int refuse_together(const glint_circuit_options *options)
 {
     char text[900] = "";
     for (int c = 0; c < options->circuit_count; c++) {
         const glint_circuit *circuit = options->circuit[c];
-        if (circuit->parameter_count == 0)
+        if (circuit->parameter_count == 0 || (circuit->on_request && !is_requested(options, c)))
             continue;
         append_text(text, sizeof text, text[0] != '\0' ? ", " : "");
         for (int i = 0; i < circuit->parameter_count; i++) {
@@ -334,7 +378,15 @@ static bool any_takes_values(const glint_circuit_options *options)
     return any;
 }
 
-/* By name, or those that have every option given: the usual one if it has. */
+static void choose_fitting(glint_circuit_options *options, bool on_request)
+{
+    for (int c = 0; c < options->circuit_count; c++)
+        if (fits(options, options->circuit[c]) && (on_request || !options->circuit[c]->on_request))
+            options->chosen[options->chosen_count++] = options->circuit[c];
+}
+
+/* By name, or those that have every option given: the usual one if it has; those on request if they
+ * are named by "all", or no other has. */
 static void choose_circuits(glint_circuit_options *options)
 {
     const bool is_one = options->named < options->circuit_count;
@@ -343,11 +395,30 @@ static void choose_circuits(glint_circuit_options *options)
         options->chosen[0] = options->circuit[options->named];
         return;
     }
-    for (int c = 0; c < options->circuit_count; c++)
-        if (fits(options, options->circuit[c]))
-            options->chosen[options->chosen_count++] = options->circuit[c];
+    choose_fitting(options, options->is_named);
+    if (options->chosen_count == 0)
+        choose_fitting(options, true);
     if (any_takes_values(options))
         leave_out_of_range(options);
+}
+
+static bool is_chosen(const glint_circuit_options *options, const glint_circuit *circuit)
+{
+    for (int c = 0; c < options->chosen_count; c++)
+        if (options->chosen[c] == circuit)
+            return true;
+    return false;
+}
+
+const glint_circuit *glint_circuit_options_left(const glint_circuit_options *options, int index)
+{
+    for (int c = 0; !options->is_named && c < options->circuit_count; c++) {
+        const glint_circuit *circuit = options->circuit[c];
+        if (circuit->on_request && !is_chosen(options, circuit) && fits(options, circuit) &&
+            takes_values(options, circuit) && index-- == 0)
+            return circuit;
+    }
+    return NULL;
 }
 
 static int refuse_value(const glint_circuit_options *options, const glint_circuit *circuit,

@@ -83,6 +83,10 @@ bool glint_circuit_options_setting(const glint_circuit_options *options, int ind
 /* The standard setting of a chosen circuit but for the values that were given alone. */
 glint_setting glint_circuit_options_first(const glint_circuit_options *options, int chosen);
 
+/* The index-th circuit that has every option given but is taken on request only, and was not
+ * (glint_circuit.h); NULL past the last. */
+const glint_circuit *glint_circuit_options_left(const glint_circuit_options *options, int index);
+
 /* Whether this parameter was given for any circuit. */
 bool glint_circuit_options_given(const glint_circuit_options *options, const char *parameter);
 

@@ -501,6 +501,14 @@ static void add_failure(json_t *entry, const task *task)
     }
 }
 
+static void add_not_tried(json_t *json, const verify_options *chosen)
+{
+    const glint_circuit *circuit;
+    json_t *list = glint_json_add(json, "not_tried", json_array());
+    for (int i = 0; (circuit = glint_circuit_options_left(&chosen->circuits, i)) != NULL; i++)
+        json_array_append_new(list, glint_json_text_of(circuit->name));
+}
+
 static bool print_json(const verify_options *chosen, const verification *all, const sums *sums,
                        double seconds)
 {
@@ -514,6 +522,7 @@ static bool print_json(const verify_options *chosen, const verification *all, co
     json_object_set_new(json, "interrupted", json_boolean(sums->interrupted));
     glint_json_add_number(json, "seconds", seconds);
     glint_reach_sum_json(json, &sums->reach);
+    add_not_tried(json, chosen);
     json_t *list = glint_json_add(json, "settings", json_array());
     for (int i = 0; i < all->count; i++) {
         const task *task = &all->tasks[i];
@@ -530,7 +539,6 @@ static bool print_json(const verify_options *chosen, const verification *all, co
     return glint_output_json(json);
 }
 
-/* Prints nothing if no circuit could be built, which was already reported: there is no verdict. */
 /* Of a circuit whose first setting did not build, the others. */
 static void print_left_out(const verify_options *chosen, const verification *all)
 {
@@ -543,6 +551,17 @@ static void print_left_out(const verify_options *chosen, const verification *all
             printf("skipped: %d setting%s of %s, after its first one failed\n", count,
                    count == 1 ? "" : "s", circuit->name);
     }
+}
+
+/* Circuits that this command line would have verified, were they not on request only. */
+static void print_not_tried(const verify_options *chosen)
+{
+    const glint_circuit *circuit;
+    int count = 0;
+    for (; (circuit = glint_circuit_options_left(&chosen->circuits, count)) != NULL; count++)
+        printf("%s%s", count == 0 ? "not tried: " : ", ", circuit->name);
+    if (count != 0)
+        puts(" (--circuit all)");
 }
 
 static void print_text(const verify_options *chosen, const sums *sums, double seconds)
@@ -570,6 +589,7 @@ static int verify(const verify_options *chosen)
     if (!chosen->json && (sums.comparisons != 0 || sums.interrupted)) {
         print_text(chosen, &sums, seconds);
         print_left_out(chosen, all);
+        print_not_tried(chosen);
     } else if (chosen->json && !print_json(chosen, all, &sums, seconds))
         status = glint_complain("verify", GLINT_EXIT_TROUBLE, "out of memory");
     if (sums.mismatches == 0 && (sums.interrupted || sums.comparisons == 0))

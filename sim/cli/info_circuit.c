@@ -20,7 +20,7 @@ static const char *const kinds[] = {
     [GLINT_SIGNAL_OUTPUT] = "output",
 };
 
-/* Settings that `verify` tries unasked; as many as the limit when there are more. */
+/* Settings that `verify` tries, of a circuit; as many as the limit when there are more. */
 static int listed_count(const glint_circuit *circuit)
 {
     glint_setting setting;
@@ -45,8 +45,8 @@ static void print_parameter(const glint_parameter *parameter)
 void glint_info_print_circuit(const glint_circuit *circuit)
 {
     const int settings = listed_count(circuit);
-    printf("circuit    %s: %s; verify tries %d setting%s\n", circuit->name, circuit->title,
-           settings, settings == 1 ? "" : "s");
+    printf("circuit    %s: %s; verify tries %d setting%s%s\n", circuit->name, circuit->title,
+           settings, settings == 1 ? "" : "s", circuit->on_request ? ", on request" : "");
     for (int i = 0; i < circuit->parameter_count; i++)
         print_parameter(&circuit->parameters[i]);
 }

@@ -33,19 +33,23 @@ typedef struct planted {
 
 extern planted plant; /* nothing to begin with; a program of one thread */
 
-/* Every listed setting of every circuit, as `glint verify` tries them; and those of the thesis's
- * circuits, so that none of them gets lost. */
+/* Every listed setting that `glint verify` tries when no circuit is named, and where
+ * `with_requested` is given the standard setting of each other circuit; and how many the thesis's
+ * circuits have, so that none of them gets lost. */
 #define PLANTED_SETTINGS_MAX 512
 enum { THESIS_SETTINGS = 52, THESIS_SIGNALS = 5222 };
 
 /* Their number; −1: more than fit. */
-static inline int planted_settings(glint_setting settings[PLANTED_SETTINGS_MAX])
+static inline int planted_settings(bool with_requested,
+                                   glint_setting settings[PLANTED_SETTINGS_MAX])
 {
     const glint_circuit *circuit;
     int count = 0;
     for (int c = 0; (circuit = glint_circuit_number(c)) != NULL; c++) {
-        glint_setting setting;
-        for (int i = 0; glint_setting_listed(circuit, i, &setting); i++) {
+        glint_setting setting = glint_setting_standard(circuit);
+        if (circuit->on_request && with_requested && count < PLANTED_SETTINGS_MAX)
+            settings[count++] = setting;
+        for (int i = 0; !circuit->on_request && glint_setting_listed(circuit, i, &setting); i++) {
             if (count == PLANTED_SETTINGS_MAX)
                 return -1;
             settings[count++] = setting;

@@ -29,7 +29,7 @@ static long signals; /* of all of them */
 static int choose_command(void **state)
 {
     static glint_setting each[PLANTED_SETTINGS_MAX];
-    settings = planted_settings(each);
+    settings = planted_settings(false, each);
     for (int i = 0; i < settings; i++)
         signals += each[i].circuit->signal_count(each[i].values);
     const char *build = getenv("GLINT_BUILD");
