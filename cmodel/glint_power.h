@@ -6,7 +6,7 @@
  *
  * g is between 1.44 and about 10 and smooth, so a table of few bits has it; n·x keeps the relative
  * accuracy of L where the cosine is near 1, without a normaliser; and a relative error of L by one
- * part in a hundred moves W by at most 1/(100·e). docs/power.md has the figure and the error.
+ * part in a hundred moves W by at most 1/(100·e). docs/highlight-units.md has the error.
  *
  * Two accuracies, by the size of the two tables: over every cosine code and n = 0…1023 W is within
  * 0.4981 or 0.2491 of 1/255 of cosⁿ, W(1) = 1, and W never falls as the cosine grows.

@@ -1,8 +1,8 @@
 // material_path: registers 2 to 5 of a highlight unit, and the material and valid bits that travel
 // beside its lanes, stage by stage.
 //
-// Function    stage 1 holds n, R, G, B as they were last written and which lanes took a cosine; each
-//             later stage what the stage before it held a clock ago.
+// Function    stage 1 holds n, R, G, B as they were last written and which lanes took a cosine;
+//             each later stage what the stage before it held a clock ago.
 // Blocks      reg2, reg3, reg4, reg5 and valid of stage 1; stage[i].s_reg3 ... of the others
 // Formats     n U10.0, r, g, b U8.0
 // Latency     reg2 to reg5: 1 clock; last_n: N_STAGES; last_r, last_g, last_b: STAGES; out_valid:

@@ -1,8 +1,9 @@
 // newton_lane: the blocks of Schlick's unit, by a reciprocal, that every cosine needs.
 //
-// Function    W = cos / (n (1 - cos) + cos): the denominator is normalised to m, y = 1/m read from a
-//             table, made better by y (2 - m y), multiplied by cos and shifted back
-// Blocks      register 1, multiplier 7, adder 8, ROM 33 (the table), multipliers of the step and of cos
+// Function    W = cos / (n (1 - cos) + cos): the denominator is normalised to m, y = 1/m read from
+//             a table, made better by y (2 - m y), multiplied by cos and shifted back
+// Blocks      register 1, multiplier 7, adder 8, ROM 33 (the table), multipliers of the step and of
+//             cos
 // Formats     reg1 U1.18    mul7, adder8 U10.18    m, 2 - m y, y U1.17    W U1.12    colours U8.0
 // Rounding    W and the colours half up; m and the products of the step are cut off
 // Saturation  a cosine above 1.0 is 1.0; 0/0, at cos = n = 0, is 1; W is at most 1.
@@ -62,9 +63,11 @@ module newton_lane #(
     wire [`GLINT_COS_BITS-1:0] s3_reg1;
     wire [DEN-1:0] s3_adder8;
     stage_register #(.WIDTH(`GLINT_COS_BITS), .CLOCKED(PIPELINED)) u_s3_reg1 (
-        .clk(clk), .reset(reset), .en(en), .d(s2_reg1 | {{(`GLINT_COS_BITS - 1){1'b0}}, adder8 == 0}), .q(s3_reg1));
+        .clk(clk), .reset(reset), .en(en),
+        .d(s2_reg1 | {{(`GLINT_COS_BITS - 1){1'b0}}, adder8 == 0}), .q(s3_reg1));
     stage_register #(.WIDTH(DEN), .CLOCKED(PIPELINED)) u_s3_adder8 (
-        .clk(clk), .reset(reset), .en(en), .d(adder8 | {{(DEN - 1){1'b0}}, adder8 == 0}), .q(s3_adder8));
+        .clk(clk), .reset(reset), .en(en),
+        .d(adder8 | {{(DEN - 1){1'b0}}, adder8 == 0}), .q(s3_adder8));
     wire [4:0]     lead;
     wire [DEN-1:0] shifted;
     normaliser #(.WIDTH(DEN), .LEAD_BITS(5)) u_normaliser (

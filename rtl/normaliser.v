@@ -1,7 +1,8 @@
 // normaliser: how many zeros stand before the first 1 of a value, and the value shifted by as many;
 // combinational.
 //
-// Function    lead = zeros before the first 1, WIDTH - 1 where there is none; shifted = value << lead
+// Function    lead = zeros before the first 1, WIDTH - 1 where there is none; shifted = value <<
+//             lead
 // Parameters  WIDTH, LEAD_BITS: bits of value and of lead, 2^LEAD_BITS >= WIDTH
 `default_nettype none
 

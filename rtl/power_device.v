@@ -1,10 +1,10 @@
 // power_device: a highlight unit that is accurate against Blinn's cos^n, of the specular device's
-// inventory (docs/power.md).
+// inventory (docs/highlight-units.md).
 //
 // Function    out = W times (R, G, B),  W = cos^n = 2^(-n x g(x)), x = 1 - cos, g = -log2(1 - x)/x,
 //             for LANES cosines a clock with one material (n, R, G, B).
-// Blocks      registers 2 to 5 in material_path; the others once a lane in power_lane. Signals carry
-//             the number of the block of figure 3.1 whose place they take: path.reg2,
+// Blocks      registers 2 to 5 in material_path; the others once a lane in power_lane. Signals
+//             carry the number of the block of figure 3.1 whose place they take: path.reg2,
 //             lane[0].u.mul7 ... A prefix s2_, s3_ names the pipeline stage of a delayed copy.
 // Formats     cos U1.18 (codes above 1.0 saturate), n U10.0, r, g, b U8.0 (already times Ks),
 //             out_w U1.12 (ACCURACY 0) or U1.14 (1), out_r, out_g, out_b U8.0; lane i in bits
@@ -12,8 +12,8 @@
 // Rounding    see power_lane; W is within 0.4981/255 (ACCURACY 0) or 0.2491/255 (1) of cos^n for
 //             every cosine and n, each colour within half a step more
 // Latency     PIPELINED = 1: 5 clocks; 0: 1 clock, registers 1-5 and then combinational.
-//             Counted from the edge that takes the cosine to the edge after which its result is out,
-//             both included. Throughput: LANES cosines a clock, every clock.
+//             Counted from the edge that takes the cosine to the edge after which its result is
+//             out, both included. Throughput: LANES cosines a clock, every clock.
 // Reset       synchronous, active high; clears every register, whatever en says.
 // Handshake   in_valid[i] = 1 at an enabled edge: lane i takes its cosine; out_valid[i] marks its
 //             result. There is no back pressure; en = 0 freezes the whole device instead.

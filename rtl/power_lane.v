@@ -1,7 +1,7 @@
 // power_lane: the blocks of the power device that every cosine of a clock needs for itself.
 //
-// Function    W = 2^(-n x g(x)), x = 1 - cos: x times n, times g from ROM 9, and the power of two of
-//             that from ROM 33 and a shift;  out_r, out_g, out_b = W times R, G, B
+// Function    W = 2^(-n x g(x)), x = 1 - cos: x times n, times g from ROM 9, and the power of two
+//             of that from ROM 33 and a shift; out_r, out_g, out_b = W times R, G, B
 // Blocks      register 1, multipliers 7, 10, 13, 14, 15, ROM 9, comparator 11, ROM 33, keys 12
 // Formats     reg1 (x) U0.18    mul7 (p) U10.18, of which U4.12 goes on   colours U8.0
 //             rom9 (g) U4.TABLE_BITS   mul10 (v) U8.TABLE_BITS, of which U4.TABLE_BITS goes on

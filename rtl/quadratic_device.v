@@ -8,7 +8,8 @@
 // Latency     PIPELINED = 1: 4 clocks; 0: 1. Throughput: LANES cosines a clock.
 // Reset       synchronous, active high; clears every register, whatever en says.
 // Handshake   as specular_device: in_valid[i] = 1 at an enabled edge: lane i takes its cosine;
-//             out_valid[i] marks its result; n_we and rgb_we write the material; en = 0 freezes all.
+//             out_valid[i] marks its result; n_we and rgb_we write the material; en = 0 freezes
+//             everything.
 // Parameters  PIPELINED 1 (default) or 0;  LANES 1 or more
 `default_nettype none
 `include "glint_formats.vh"

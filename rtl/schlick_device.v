@@ -1,5 +1,5 @@
-// schlick_device: a highlight unit by Schlick's cos / (n - n cos + cos), divided bit by bit: a rival
-// of the specular device, behind its pins (docs/highlight-units.md).
+// schlick_device: a highlight unit by Schlick's cos / (n - n cos + cos), divided bit by bit: a
+// rival of the specular device, behind its pins (docs/highlight-units.md).
 //
 // Function    out = W times (R, G, B) for LANES cosines a clock with one material (n, R, G, B).
 // Formats     cos U1.18 (codes above 1.0 saturate), n U10.0, r, g, b U8.0, out_w U1.12, out_r,
@@ -8,7 +8,8 @@
 // Latency     PIPELINED = 1: 17 clocks; 0: 1. Throughput: LANES cosines a clock.
 // Reset       synchronous, active high; clears every register, whatever en says.
 // Handshake   as specular_device: in_valid[i] = 1 at an enabled edge: lane i takes its cosine;
-//             out_valid[i] marks its result; n_we and rgb_we write the material; en = 0 freezes all.
+//             out_valid[i] marks its result; n_we and rgb_we write the material; en = 0 freezes
+//             everything.
 // Parameters  PIPELINED 1 (default) or 0;  LANES 1 or more
 `default_nettype none
 `include "glint_formats.vh"
@@ -40,7 +41,9 @@ module schlick_device #(
     wire [`GLINT_COLOR_BITS-1:0] last_r;
     wire [`GLINT_COLOR_BITS-1:0] last_g;
     wire [`GLINT_COLOR_BITS-1:0] last_b;
-    material_path #(.STAGES(`GLINT_SCHLICK_FRAC_BITS + 4), .N_STAGES(1), .PIPELINED(PIPELINED), .LANES(LANES)) path (
+    material_path #(
+        .STAGES(`GLINT_SCHLICK_FRAC_BITS + 4), .N_STAGES(1), .PIPELINED(PIPELINED), .LANES(LANES)
+    ) path (
         .clk(clk), .reset(reset), .en(en), .n_we(n_we), .n(n), .rgb_we(rgb_we), .r(r), .g(g), .b(b),
         .in_valid(in_valid), .last_n(last_n), .last_r(last_r), .last_g(last_g), .last_b(last_b),
         .out_valid(out_valid));

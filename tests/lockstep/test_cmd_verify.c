@@ -82,7 +82,8 @@ static void all_settings_are_verified(void **state)
     forget(&done);
 }
 
-/* Without --circuit, the divider's settings are added. */
+/* Without --circuit, the divider's settings are added, and what is on request is named; nothing is
+ * where a circuit is. */
 static void every_circuit_is_verified(void **state)
 {
     (void)state;
@@ -98,9 +99,37 @@ static void every_circuit_is_verified(void **state)
     assert_true(d.settings > 0 && d.comparisons > 0);
     assert_int_equal(a.settings, s.settings + d.settings);
     assert_true(a.comparisons == s.comparisons + d.comparisons);
+    const char *not_tried = strstr(all.out, "\nnot tried: ");
+    assert_non_null(not_tried);
+    const glint_circuit *circuit;
+    for (int i = 0; (circuit = glint_circuit_number(i)) != NULL; i++)
+        assert_int_equal(strstr(not_tried, circuit->name) != NULL, circuit->on_request);
+    assert_null(strstr(specular.out, "not tried"));
     forget(&all);
     forget(&specular);
     forget(&divider);
+}
+
+static void assert_verified(const char *line, int settings)
+{
+    outcome done = run(line, "");
+    assert_outcome(&done, 0, "");
+    assert_int_equal(read_summary(done.out).settings, settings);
+    assert_null(strstr(done.out, "not tried"));
+    forget(&done);
+}
+
+/* By its name, by an option of its own, or with all others. */
+static void what_is_on_request_can_be_verified(void **state)
+{
+    (void)state;
+    assert_verified("verify --circuit power --accuracy half --pipeline pipelined --lanes 1 "
+                    "--clocks 100",
+                    1);
+    assert_verified("verify --accuracy half --pipeline pipelined --lanes 1 --clocks 100", 1);
+    assert_verified("verify --circuit all --accuracy half --pipeline pipelined --lanes 1 "
+                    "--clocks 100",
+                    1);
 }
 
 static void one_setting_can_be_chosen(void **state)
@@ -412,6 +441,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_settings_are_verified),
         cmocka_unit_test(every_circuit_is_verified),
+        cmocka_unit_test(what_is_on_request_can_be_verified),
         cmocka_unit_test(one_setting_can_be_chosen),
         cmocka_unit_test(the_first_verdict_comes_first),
         cmocka_unit_test(any_value_in_range_is_verified),
