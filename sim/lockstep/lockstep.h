@@ -19,6 +19,8 @@ typedef struct glint_lockstep_options {
     void *progress_context;
 } glint_lockstep_options;
 
+#define GLINT_TOTALS_MAX 256
+
 /* One signal that differed after one clock. */
 typedef struct glint_mismatch {
     uint64_t clock; /* 1 is the first after the reset of creation */
@@ -33,12 +35,14 @@ typedef struct glint_lockstep_result {
     uint64_t first_clock; /* of the first mismatch */
     int kept;
     glint_mismatch mismatch[GLINT_MISMATCHES_KEPT];
-    int totals_count; /* mismatches by signal name, those above 0, in the order the data flows */
+    /* Mismatches by signal name, those above 0, in the order the data flows; of a circuit with more
+     * names than fit, the first. */
+    int totals_count;
     struct {
         const char *name;
         int block;
         uint64_t mismatches;
-    } totals[64];
+    } totals[GLINT_TOTALS_MAX];
     glint_reach reach; /* of the pins that both sides were given */
 } glint_lockstep_result;
 
