@@ -21,7 +21,7 @@ fail() {
 
 [ $# -eq 8 ] || fail "eight fields, not $#: NAME WHAT METHOD CASES UNIT FAILED SECONDS COMMAND"
 case $1 in
-'' | *[!a-z0-9-]*) fail "NAME \"$1\" is not of a-z 0-9 -" ;;
+'' | *[!a-z0-9_-]*) fail "NAME \"$1\" is not of a-z 0-9 _ -" ;;
 rtl-* | model-* | formal-* | mutation-* | netlist-* | coverage-* | fuzz-* | abuse-*) ;;
 *) fail "NAME \"$1\" begins with no kind of check" ;;
 esac

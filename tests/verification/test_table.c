@@ -50,7 +50,7 @@ static void write_document(const char *text)
 static void notes_become_the_table(void **state)
 {
     (void)state;
-    assert_int_equal(record("rtl-b 'first row' exhaustion 268436480 points 0 4.25 'make b'"), 0);
+    assert_int_equal(record("rtl-b_1 'first row' exhaustion 268436480 points 0 4.25 'make b'"), 0);
     assert_int_equal(record("model-a 'second row' SAT 7 proofs 1 130.9 'make old'"), 0);
     assert_int_equal(record("model-a 'second row, |D|' SAT 7 proofs 0 130.9 'make a'"), 0);
     write_document("before\n" BEGIN "what was there\n" END "after\n");
