@@ -31,15 +31,19 @@ once        = $(eval $1 := $(shell $2))$($1)
 PACKAGE_CFLAGS = $(call once,PACKAGE_CFLAGS,pkg-config --cflags $(PACKAGES) 2>/dev/null)
 PACKAGE_LIBS   = $(call once,PACKAGE_LIBS,pkg-config --libs $(PACKAGES) 2>/dev/null)
 WARNINGS   := -Wall -Wextra -Wpedantic -Wconversion -Werror
-# A loop over points, pixels or clocks is compiled with care; the rest, which is most of it, soon.
-# With the sanitizers -O1 takes more than twice as long to compile as -O0, which sees no less.
-HOT        := cmodel/ $(addprefix sim/,backend/ bench/ color/ energy/ lockstep/ reflectance/ \
-              thread/ rtl/specular_batch rtl/divider_batch \
-              $(addprefix render/,camera clip detail gouraud mesh paint pick points raster render \
-              scene setup shade span)) tests/reference/
-OPTIMIZE    = $(if $(filter $(addsuffix %,$(HOT)),$<),$(HOT_FLAG),$(COLD_FLAG))
-HOT_FLAG    = $(if $(SANITIZE),-O1,-O3)
-COLD_FLAG   = $(if $(SANITIZE),-O0,-O1)
+# Compiling is most of the wait for a first picture, so only what a loop over points, pixels or
+# clocks spends its time in is optimised: VECTOR what gains by vectors, HOT what merely is called for
+# each; the rest runs once a command and is compiled at -O0.
+VECTOR     := $(addprefix sim/,bench/kernels bench/formulas lockstep/exhaustive lockstep/domain \
+              rtl/specular_batch rtl/divider_batch $(addprefix render/,points raster shade)) \
+              cmodel/specular_batch
+HOT        := cmodel/ $(addprefix sim/,backend/ bench/ circuit/random circuit/schedule \
+              circuit/stimulus circuit/divider_stimulus color/ energy/ image/ lockstep/ \
+              reflectance/ rtl/rtl thread/ $(addprefix render/,camera clip detail gouraud mesh paint pick render \
+              scene setup span)) tests/reference/
+among       = $(filter $(addsuffix %,$1),$<)
+OPTIMIZE    = $(if $(call among,$(VECTOR)),$(if $(SANITIZE),-O1,-O3),\
+              $(if $(call among,$(HOT)),$(if $(SANITIZE),-O1,-O2),-O0))
 # No contraction: a frame has the same bits on every machine. -g1: lines, not variables; CFLAGS=-g
 # for those.
 CFLAGS_ALL  = -std=c17 $(OPTIMIZE) -g1 -ffp-contract=off -fno-math-errno $(WARNINGS) -MMD -MP \
@@ -139,6 +143,15 @@ $(BUILD)/tree: | $(BUILD)/packages
 	@ln -sfnr . $@
 
 $(BUILD)/glint: $(CLI_OBJECTS) $(LIBRARIES) | $(BUILD)/tree
+	$(call say,LD,$@)
+	$Q$(CC) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+# What the demo's picture and verdict need of it, two thirds: main.c goes without the others.
+LATER         := $(wildcard sim/bench/*.c sim/draw/*.c sim/energy/*.c sim/report/*.c sim/study/*.c)
+FIRST_COMMANDS := render verify verify_exhaustive wave
+FIRST_SOURCES := $(filter-out $(LATER),$(SIM_SOURCES)) $(FIRST_COMMANDS:%=sim/cli/cmd_%.c) \
+                 $(filter-out sim/cli/cmd_%,$(wildcard sim/cli/*.c))
+$(BUILD)/glint-first: $(FIRST_SOURCES:%.c=$(BUILD)/%.o) $(BUILD)/libglint.a | $(BUILD)/tree
 	$(call say,LD,$@)
 	$Q$(CC) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
@@ -298,19 +311,18 @@ include tests/circuits.mk $(wildcard tests/*/rules.mk)
 
 # ---- What a user calls ---------------------------------------------------------------------------
 
-# The picture and a first verdict, each with the one circuit that it shows, built side by side; then
-# the waveform with its own.
+# As soon as may be: the picture and a first verdict, by a command that is not whole yet, each with
+# the one circuit that it shows; then the waveform, while the rest of the command is compiled.
 DEMO := $(BUILD)/demo
-.PHONY: demo-picture demo-verdict
+.PHONY: demo-picture demo-verdict demo-wave
 demo:
 	@sim/deps.sh demo
 	@echo "building $(BUILD)/glint"
-	@+$(MAKE) --no-print-directory $(PARALLEL) SILENT=1 $(BUILD)/glint
+	@+$(MAKE) --no-print-directory $(PARALLEL) SILENT=1 $(BUILD)/glint-first
 	@mkdir -p $(DEMO)
 	@echo "building two circuits from the Verilog: one draws the picture, one shows every register"
 	@+$(MAKE) --no-print-directory $(if $(PARALLEL),-j2) -Otarget demo-picture demo-verdict
-	@$(BUILD)/glint wave --lanes 1 --pipeline pipelined --circuit specular --out $(DEMO) \
-	    >/dev/null
+	@+$(MAKE) --no-print-directory $(PARALLEL) SILENT=1 demo-wave $(BUILD)/glint
 	@echo
 	@echo "the picture:   $(DEMO)/teapot.png"
 	@echo "the waveform:  gtkwave $(DEMO)/specular_cosine_pipelined.fst" \
@@ -322,12 +334,16 @@ demo:
 	@echo "how to work:   docs/working.md"
 
 demo-picture:
-	@$(BUILD)/glint render --model teapot --size 1280x960 --backend both --lanes 4 --force \
+	@$(BUILD)/glint-first render --model teapot --size 1280x960 --backend both --lanes 4 --force \
 	    --out $(DEMO)/teapot.png
 
 demo-verdict:
-	@$(BUILD)/glint verify --clocks 20000 --lanes 1 --gate cosine --pipeline pipelined --seed 1 \
-	    --out $(DEMO)/failure
+	@$(BUILD)/glint-first verify --clocks 20000 --lanes 1 --gate cosine --pipeline pipelined \
+	    --seed 1 --out $(DEMO)/failure
+
+demo-wave:
+	@$(BUILD)/glint-first wave --lanes 1 --pipeline pipelined --circuit specular --out $(DEMO) \
+	    >/dev/null
 
 bench:
 	sim/deps.sh bench

@@ -1,22 +1,25 @@
 /* The subcommands of `glint`, one file each: cmd_<name>.c. argv[0] is the subcommand's name, what
- * follows are its arguments; each returns an exit status (output.h). */
+ * follows are its arguments; each returns an exit status (output.h). They are weak, so that a
+ * program may be linked with some of them: the others are NULL (Makefile, glint-first). */
 #ifndef GLINT_SIM_CLI_COMMANDS_H
 #define GLINT_SIM_CLI_COMMANDS_H
 
-int glint_cmd_info(int argc, char **argv);
-int glint_cmd_models(int argc, char **argv);
-int glint_cmd_eval(int argc, char **argv);
-int glint_cmd_render(int argc, char **argv);
-int glint_cmd_compare(int argc, char **argv);
-int glint_cmd_study(int argc, char **argv);
-int glint_cmd_verify(int argc, char **argv);
-int glint_cmd_verify_exhaustive(int argc, char **argv); /* verify with --exhaustive */
-int glint_cmd_replay(int argc, char **argv);
-int glint_cmd_wave(int argc, char **argv);
-int glint_cmd_divide(int argc, char **argv);
-int glint_cmd_draw(int argc, char **argv);
-int glint_cmd_energy(int argc, char **argv);
-int glint_cmd_report(int argc, char **argv);
-int glint_cmd_bench(int argc, char **argv);
+#define GLINT_SUBCOMMAND(name) int glint_cmd_##name(int argc, char **argv) __attribute__((weak))
+
+GLINT_SUBCOMMAND(info);
+GLINT_SUBCOMMAND(models);
+GLINT_SUBCOMMAND(eval);
+GLINT_SUBCOMMAND(render);
+GLINT_SUBCOMMAND(compare);
+GLINT_SUBCOMMAND(study);
+GLINT_SUBCOMMAND(verify);
+GLINT_SUBCOMMAND(verify_exhaustive); /* verify with --exhaustive */
+GLINT_SUBCOMMAND(replay);
+GLINT_SUBCOMMAND(wave);
+GLINT_SUBCOMMAND(divide);
+GLINT_SUBCOMMAND(draw);
+GLINT_SUBCOMMAND(energy);
+GLINT_SUBCOMMAND(report);
+GLINT_SUBCOMMAND(bench);
 
 #endif

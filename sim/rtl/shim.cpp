@@ -243,9 +243,18 @@ Instance &as_instance(void *instance)
     return *static_cast<Instance *>(instance);
 }
 
+// A thread's first access to thread-local data allocates it; before glibc 2.40 that overwrites
+// vector registers that a compiler of descriptors (runtime.c) believes to be kept. Here, and in the
+// first evaluation of another thread, none is in use yet.
+__attribute__((noinline)) void allocate_thread_local()
+{
+    (void)Verilated::threadContextp();
+}
+
 // nullptr when there is not enough of what a circuit needs: C callers catch nothing.
 void *create()
 {
+    allocate_thread_local();
     try {
         return new Instance;
     } catch (const std::exception &) {
