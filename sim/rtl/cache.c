@@ -28,14 +28,14 @@ static bool is_current(int lock, const char *path)
            held.st_dev == named.st_dev;
 }
 
-int glint_cache_lock(const char *path)
+static int take(const char *path, int operation)
 {
     for (;;) {
         const int lock = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
         if (lock < 0)
             return -1;
         int failed;
-        while ((failed = flock(lock, LOCK_EX)) != 0 && errno == EINTR)
+        while ((failed = flock(lock, operation)) != 0 && errno == EINTR)
             ;
         if (failed == 0 && is_current(lock, path))
             return lock;
@@ -45,6 +45,16 @@ int glint_cache_lock(const char *path)
         if (failed != 0)
             return -1;
     }
+}
+
+int glint_cache_lock(const char *path)
+{
+    return take(path, LOCK_EX);
+}
+
+int glint_cache_try_lock(const char *path)
+{
+    return take(path, LOCK_EX | LOCK_NB);
 }
 
 void glint_cache_unlock(const char *path, int lock)

@@ -26,6 +26,7 @@ void glint_cache_close(glint_cache_entry *entry);
 
 /* An exclusive lock by the name of a file, which goes with it; −1 with errno. */
 int glint_cache_lock(const char *path);
+int glint_cache_try_lock(const char *path); /* the same; EWOULDBLOCK where another has it */
 void glint_cache_unlock(const char *path, int lock);
 
 /* Marks a file as used: the least recently used of its kind are removed first. */

@@ -139,11 +139,15 @@ static glint_status make_directory(glint_runtime *runtime, const char *cache, gl
     return GLINT_OK;
 }
 
-static glint_status take_lock(glint_runtime *runtime, glint_error *err)
+/* Does not wait for another process that is making the files, if it need not. */
+static glint_status take_lock(glint_runtime *runtime, bool waits, glint_error *err)
 {
     if (runtime->lock >= 0)
         return GLINT_OK;
-    runtime->lock = glint_cache_lock(runtime->lock_path);
+    runtime->lock = waits ? glint_cache_lock(runtime->lock_path)
+                          : glint_cache_try_lock(runtime->lock_path);
+    if (runtime->lock < 0 && errno == EWOULDBLOCK)
+        return GLINT_OK;
     if (runtime->lock < 0)
         return glint_fail(err, GLINT_IO_ERROR, "%s: %s", runtime->lock_path, strerror(errno));
     glint_temporary_sweep(runtime->header);
@@ -164,13 +168,14 @@ static bool is_timed(const char *source)
     return name != NULL && strcmp(name, timed_source) == 0;
 }
 
-/* Starts compiling a file, unless another process has meanwhile. */
-static glint_status start(glint_runtime *runtime, glint_runtime_file *file, glint_error *err)
+/* Starts compiling a file, unless another process has meanwhile or is about to. */
+static glint_status start(glint_runtime *runtime, glint_runtime_file *file, bool waits,
+                          glint_error *err)
 {
     glint_arguments line;
     const int number = (int)(file - runtime->file);
-    glint_status status = take_lock(runtime, err);
-    if (status != GLINT_OK || access(file->path, R_OK) == 0)
+    glint_status status = take_lock(runtime, waits, err);
+    if (status != GLINT_OK || runtime->lock < 0 || access(file->path, R_OK) == 0)
         return status;
     file->temporary = glint_temporary_name(file->path, GLINT_TEMPORARY_FILES + 100 + number);
     if (file->temporary == NULL)
@@ -209,7 +214,7 @@ static glint_status add_source(glint_runtime *runtime, const char *name, char *s
         file->path = NULL;
         return no_memory(err);
     }
-    return access(file->path, R_OK) == 0 ? GLINT_OK : start(runtime, file, err);
+    return access(file->path, R_OK) == 0 ? GLINT_OK : start(runtime, file, false, err);
 }
 
 glint_status glint_runtime_add(glint_runtime *runtime, const char *name, glint_error *err)
@@ -305,12 +310,29 @@ static glint_status finish(glint_runtime_file *file, glint_error *err)
     return status;
 }
 
+/* What another process was making when this one began, and may have given up. */
+static glint_status make_what_is_missing(glint_runtime *runtime, glint_error *err)
+{
+    glint_status status = GLINT_OK;
+    for (int i = 0; status == GLINT_OK && i < runtime->count; i++) {
+        glint_runtime_file *file = &runtime->file[i];
+        if (access(file->path, R_OK) == 0)
+            continue;
+        status = start(runtime, file, true, err);
+        if (status == GLINT_OK && file->temporary != NULL)
+            status = finish(file, err);
+    }
+    return status;
+}
+
 glint_status glint_runtime_wait(glint_runtime *runtime, glint_error *err)
 {
     glint_status status = GLINT_OK;
     for (int i = 0; status == GLINT_OK && i < runtime->count; i++)
         if (runtime->file[i].temporary != NULL)
             status = finish(&runtime->file[i], err);
+    if (status == GLINT_OK)
+        status = make_what_is_missing(runtime, err);
     if (status == GLINT_OK) {
         glint_cache_unlock(runtime->lock_path, runtime->lock);
         runtime->lock = -1;
