@@ -291,8 +291,8 @@ static bool wants_lz4(const build *b)
 /* It stays loaded to the end of the process: Verilator's threads leave destructors in it. */
 static glint_status link_object(const build *b, glint_error *err)
 {
-    static const char *const head[] = {"-shared", "-Wl,-z,nodelete", "-o",
-                                       OBJECT,    "circuit.o",       NULL};
+    static const char *const head[] = {
+        "-shared", "-Wl,-z,nodelete", "-Wl,--gc-sections", "-o", OBJECT, "circuit.o", NULL};
     glint_arguments line;
     glint_compilation_begin(&line, &b->product->tools, b->product->kind);
     glint_arguments_add_all(&line, head);
