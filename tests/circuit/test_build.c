@@ -2,7 +2,7 @@
  * exactly one of its users, completely or not at all; and the messages for Verilog that does not
  * build or does not match the description. The circuit is the test's own counter, in the test's own
  * cache; only Verilator's runtime is shared. */
-#define _XOPEN_SOURCE 700
+#define _GNU_SOURCE /* nftw, flock */
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,7 +12,9 @@
 #include <cmocka.h>
 
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <time.h>
 
@@ -325,6 +327,71 @@ static void who_comes_second_waits(void **state)
     }
     assert_int_equal(builds(), 1);
     assert_nothing_half_built();
+}
+
+enum { RUNTIMES_MAX = 16 };
+
+/* Locks the runtimes of a cache that has none, by the names of those that the other one has. */
+static int lock_runtimes(const char *cold, int locks[RUNTIMES_MAX])
+{
+    char path[1400];
+    int count = 0;
+    DIR *listing = opendir(scratch_path("cache"));
+    const struct dirent *entry;
+    assert_non_null(listing);
+    while ((entry = readdir(listing)) != NULL)
+        if (strncmp(entry->d_name, "runtime-", 8) == 0) {
+            assert_in_range(count, 0, RUNTIMES_MAX - 1);
+            (void)snprintf(path, sizeof path, "%s/%s.lock", cold, entry->d_name);
+            locks[count] = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+            assert_int_equal(flock(locks[count++], LOCK_EX), 0);
+        }
+    (void)closedir(listing);
+    assert_int_not_equal(count, 0);
+    return count;
+}
+
+/* The locks are the test's own: the child would hold them too. */
+static pid_t build_apart(int width, const int *locks, int count)
+{
+    const pid_t child = fork();
+    if (child != 0)
+        return child;
+    const glint_setting setting = setting_of(width);
+    char *built;
+    glint_error err;
+    for (int i = 0; i < count; i++)
+        (void)close(locks[i]);
+    _exit((int)glint_rtl_build(&setting, GLINT_RTL_OBSERVED, &built, &err));
+}
+
+/* While another process makes the runtime, a circuit is Verilated; only its linking waits. */
+static void who_lacks_the_runtime_waits_late(void **state)
+{
+    (void)state;
+    char cold[700];
+    char *kept = strdup(getenv("GLINT_CACHE"));
+    int locks[RUNTIMES_MAX], status, begun = 0;
+    (void)snprintf(cold, sizeof cold, "%s", scratch_path("cold"));
+    assert_non_null(kept);
+    assert_int_equal(mkdir(cold, 0777), 0);
+    const int count = lock_runtimes(cold, locks);
+    (void)builds();
+    assert_int_equal(setenv("GLINT_CACHE", cold, 1), 0);
+    const pid_t child = build_apart(21, locks, count);
+    for (int i = 0; i < 3000 && begun == 0; i++) {
+        nanosleep(&(struct timespec){.tv_nsec = 10000000}, NULL);
+        begun = builds();
+    }
+    assert_int_equal(begun, 1);
+    assert_int_equal(waitpid(child, &status, WNOHANG), 0);
+    for (int i = 0; i < count; i++)
+        (void)close(locks[i]);
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFEXITED(status));
+    assert_int_equal(WEXITSTATUS(status), GLINT_OK);
+    assert_int_equal(setenv("GLINT_CACHE", kept, 1), 0);
+    free(kept);
 }
 
 /* ---- Ended in the middle --------------------------------------------------------------------- */
@@ -716,6 +783,7 @@ int main(void)
         cmocka_unit_test(what_is_needed_is_built_anew),
         cmocka_unit_test(system_verilog_is_read_too),
         cmocka_unit_test(who_comes_second_waits),
+        cmocka_unit_test(who_lacks_the_runtime_waits_late),
         cmocka_unit_test(a_killed_builder_leaves_nothing_to_the_next),
         cmocka_unit_test(an_interrupted_build_says_so),
         cmocka_unit_test(verilog_with_an_error),
