@@ -1,6 +1,7 @@
 #!/bin/sh
-# One more form of a circuit: DIR/rtl, a directory with its Verilog, and DIR/verilator and DIR/c++,
-# with which sim/rtl is to build it (VERILATOR, CXX).
+# One more form of a circuit: DIR/rtl, a directory with its Verilog, and DIR/tools, a link to the
+# directory with verilator and c++, with which sim/rtl is to build it (VERILATOR, CXX). It is shared
+# by all circuits of one BUILD, so that Verilator's runtime is compiled once for them.
 #
 #   tests/circuit.sh BUILD[-WRONG]/SETTING TABLE WRONGS DIR
 #
@@ -32,9 +33,11 @@ line=$(awk -v setting="$setting" '$2 == setting' "$table")
 top=$(echo "$line" | cut -d ' ' -f 3)
 parameters=$(echo "$line" | cut -s -d ' ' -f 5-)
 
+tools=$(dirname "$(dirname "$dir")")/tools/$build
 rm -rf "$dir"
-mkdir -p "$dir"
+mkdir -p "$dir" "$tools"
 cp -r "$rtl" "$dir/rtl"
+ln -s "../../tools/$build" "$dir/tools"
 
 synthesise() { # COMMAND OF YOSYS
     set_all=
@@ -72,8 +75,9 @@ replace() { # FILE OF CELLS
     rm "$dir/netlist.v"
 }
 
-tool() { # NAME COMMAND FLAGS WORD...: with FLAGS when one of the WORDs is among the arguments
-    tool=$1 command=$2 flags=$3
+# With FLAGS when one of the WORDs is among the arguments. Several makes may come here at once.
+tool() { # NAME COMMAND FLAGS WORD...
+    tool=$tools/$1 command=$2 flags=$3
     shift 3
     {
         echo '#!/bin/sh'
@@ -85,8 +89,9 @@ tool() { # NAME COMMAND FLAGS WORD...: with FLAGS when one of the WORDs is among
         done
         echo "*) exec $command \"\$@\" ;;"
         echo esac
-    } >"$dir/$tool"
-    chmod +x "$dir/$tool"
+    } >"$tool.$$"
+    chmod +x "$tool.$$"
+    if cmp -s "$tool.$$" "$tool"; then rm "$tool.$$"; else mv "$tool.$$" "$tool"; fi
 }
 
 # Yosys looks for its models of cells in the same place.

@@ -1,5 +1,5 @@
 /* Reads a list of alternative builds and selects one of them. */
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700 /* realpath */
 
 #include "opinions.h"
 
@@ -59,11 +59,15 @@ int opinions_read(const char *otherwise, opinion opinions[OPINIONS_MAX])
     return count;
 }
 
+/* By its path without links, which is the same for all forms that share it. */
 static bool choose_tool(const opinion *opinion, const char *variable, const char *tool)
 {
     char path[600];
-    (void)snprintf(path, sizeof path, "%s/%s", opinion->directory, tool);
-    return setenv(variable, path, 1) == 0;
+    (void)snprintf(path, sizeof path, "%s/tools/%s", opinion->directory, tool);
+    char *whole = realpath(path, NULL);
+    const bool chosen = whole != NULL && setenv(variable, whole, 1) == 0;
+    free(whole);
+    return chosen;
 }
 
 bool opinion_choose(const opinion *opinion)
