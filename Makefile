@@ -36,7 +36,7 @@ WARNINGS   := -Wall -Wextra -Wpedantic -Wconversion -Werror
 # each; the rest runs once a command and is compiled at -O0.
 VECTOR     := $(addprefix sim/,bench/kernels bench/formulas lockstep/exhaustive lockstep/domain \
               rtl/specular_batch rtl/divider_batch $(addprefix render/,points raster shade)) \
-              cmodel/specular_batch
+              cmodel/specular_batch cmodel/power_batch cmodel/unit_batch
 HOT        := cmodel/ $(addprefix sim/,backend/ bench/ circuit/random circuit/schedule \
               circuit/stimulus circuit/divider_stimulus color/ compare/errors energy/ image/ \
               lockstep/ reflectance/ rtl/rtl thread/ $(addprefix render/,camera clip detail \

@@ -57,6 +57,9 @@ typedef struct glint_unit {
     /* What stage 1…S−1 computes of its registers and n; S − 1 computes keys12. */
     void (*settle)(int variant, int stage, uint32_t n, void *lane);
 
+    /* W of count codes with one n, through all stages: load(), pass(), settle() at speed. */
+    void (*ws)(int variant, uint32_t n, const uint32_t *cos_code, size_t count, uint32_t *w_code);
+
     /* Signals of its lane but for those of glint_unit_end, as the data flows. */
     int (*row_count)(int variant);
     glint_signal_info (*row)(int variant, int index);
@@ -95,6 +98,14 @@ glint_signal_info glint_unit_signal_info(const glint_unit_config *config, int in
  * GLINT_BAD_ARGUMENT when n or the code is out of range. */
 glint_status glint_unit_eval(const glint_unit *unit, int variant, uint32_t n, uint32_t cos_code,
                              void *lane, uint32_t *w);
+
+/* Computes count points with one material, bit-equal to glint_unit_eval() with multipliers 13 to 15
+ * behind it. cos_code: count codes U1.18, each 0…GLINT_COS_CODE_MAX; w_code (may be NULL), r, g, b:
+ * count results each, W as U1.w_frac_bits. The arrays may not overlap. GLINT_BAD_ARGUMENT when
+ * variant or material->n is out of range (codes are not checked). */
+glint_status glint_unit_batch(const glint_unit *unit, int variant, const glint_material *material,
+                              const uint32_t *cos_code, size_t count, uint32_t *w_code, uint8_t *r,
+                              uint8_t *g, uint8_t *b);
 
 /* cos γ of a code, 0…1: what every unit's formula begins with. */
 double glint_unit_cosine(uint32_t cos_code);

@@ -173,6 +173,8 @@ static void settle(int variant, int stage, uint32_t n, void *of)
     }
 }
 
+GLINT_UNIT_WS(lane)
+
 static double real(int variant, uint32_t n, uint32_t cos_code)
 {
     (void)variant;
@@ -188,6 +190,7 @@ const glint_unit glint_unit_log2 = {
     .load = load,
     .pass = pass,
     .settle = settle,
+    .ws = ws,
     .row_count = row_count,
     .row = row,
     .real = real,

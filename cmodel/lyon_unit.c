@@ -116,6 +116,8 @@ static void settle(int variant, int stage, uint32_t n, void *of)
     }
 }
 
+GLINT_UNIT_WS(lane)
+
 static double real(int variant, uint32_t n, uint32_t cos_code)
 {
     const double k = 1 << GLINT_LYON_LOG2_K(variant);
@@ -131,6 +133,7 @@ const glint_unit glint_unit_lyon = {
     .load = load,
     .pass = pass,
     .settle = settle,
+    .ws = ws,
     .row_count = count_rows,
     .row = row,
     .real = real,

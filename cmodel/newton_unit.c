@@ -170,6 +170,8 @@ static void settle(int variant, int stage, uint32_t n, void *of)
     }
 }
 
+GLINT_UNIT_WS(lane)
+
 static double real(int variant, uint32_t n, uint32_t cos_code)
 {
     return glint_unit_schlick.real(variant, n, cos_code);
@@ -184,6 +186,7 @@ const glint_unit glint_unit_newton = {
     .load = load,
     .pass = pass,
     .settle = settle,
+    .ws = ws,
     .row_count = row_count,
     .row = row,
     .real = real,

@@ -5,11 +5,6 @@
 #include "power_blocks.h"
 #include "power_tables.h"
 
-typedef struct run {
-    uint32_t n;
-    uint8_t r, g, b;
-} run;
-
 /* W of one point; inlined with a constant accuracy. */
 static inline __attribute__((always_inline)) uint32_t shade_w(glint_power_accuracy accuracy,
                                                               uint32_t n, uint32_t cos_code)
@@ -24,45 +19,32 @@ static inline __attribute__((always_inline)) uint32_t shade_w(glint_power_accura
     return glint_power_block_keys12(table, pass, power, v);
 }
 
-#define SHADE(name, accuracy)                                                                      \
+#define WS(name, accuracy)                                                                         \
     GLINT_MULTIVERSION                                                                             \
-    static void colors_##name(const run *run, const uint32_t *restrict cos_code, size_t count,     \
-                              uint8_t *restrict r, uint8_t *restrict g, uint8_t *restrict b)       \
-    {                                                                                              \
-        for (size_t i = 0; i < count; i++) {                                                       \
-            const uint32_t w = shade_w(accuracy, run->n, cos_code[i]);                             \
-            r[i] = glint_block_mul_by(GLINT_POWER_W_FRAC_BITS(accuracy), w, run->r);               \
-            g[i] = glint_block_mul_by(GLINT_POWER_W_FRAC_BITS(accuracy), w, run->g);               \
-            b[i] = glint_block_mul_by(GLINT_POWER_W_FRAC_BITS(accuracy), w, run->b);               \
-        }                                                                                          \
-    }                                                                                              \
-    GLINT_MULTIVERSION                                                                             \
-    static void ws_##name(const run *run, const uint32_t *restrict cos_code, size_t count,         \
+    static void ws_##name(uint32_t n, const uint32_t *restrict cos_code, size_t count,             \
                           uint32_t *restrict w_code)                                               \
     {                                                                                              \
         for (size_t i = 0; i < count; i++)                                                         \
-            w_code[i] = shade_w(accuracy, run->n, cos_code[i]);                                    \
+            w_code[i] = shade_w(accuracy, n, cos_code[i]);                                         \
     }
 
-SHADE(half, GLINT_POWER_HALF)
-SHADE(quarter, GLINT_POWER_QUARTER)
+WS(half, GLINT_POWER_HALF)
+WS(quarter, GLINT_POWER_QUARTER)
+
+void glint_power_ws(int variant, uint32_t n, const uint32_t *cos_code, size_t count,
+                    uint32_t *w_code)
+{
+    if (variant == GLINT_POWER_HALF)
+        ws_half(n, cos_code, count, w_code);
+    else
+        ws_quarter(n, cos_code, count, w_code);
+}
 
 glint_status glint_power_batch(glint_power_accuracy accuracy, const glint_material *material,
                                const uint32_t *restrict cos_code, size_t count,
                                uint32_t *restrict w_code, uint8_t *restrict r, uint8_t *restrict g,
                                uint8_t *restrict b)
 {
-    if ((unsigned)accuracy >= GLINT_POWER_ACCURACY_COUNT || material->n > GLINT_N_MAX)
-        return GLINT_BAD_ARGUMENT;
-    const run run = {material->n, material->r, material->g, material->b};
-    if (accuracy == GLINT_POWER_HALF) {
-        colors_half(&run, cos_code, count, r, g, b);
-        if (w_code != NULL)
-            ws_half(&run, cos_code, count, w_code);
-        return GLINT_OK;
-    }
-    colors_quarter(&run, cos_code, count, r, g, b);
-    if (w_code != NULL)
-        ws_quarter(&run, cos_code, count, w_code);
-    return GLINT_OK;
+    return glint_unit_batch(&glint_unit_power, (int)accuracy, material, cos_code, count, w_code, r,
+                            g, b);
 }

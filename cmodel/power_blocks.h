@@ -64,6 +64,10 @@ static inline uint32_t glint_power_block_keys12(int table_bits, uint32_t cmp11, 
     return cmp11 != 0 ? rom33 >> shift : 0u;
 }
 
+/* glint_unit.ws: power_batch.c. */
+void glint_power_ws(int variant, uint32_t n, const uint32_t *cos_code, size_t count,
+                    uint32_t *w_code);
+
 _Static_assert(GLINT_POWER_P_BITS <= 32, "n x has 32 bits");
 _Static_assert(GLINT_POWER_X_BITS > GLINT_POWER_Q_FRAC_BITS, "q is a part of n x");
 _Static_assert(GLINT_POWER_X_BITS >= GLINT_POWER_TABLE_BITS(GLINT_POWER_QUARTER),

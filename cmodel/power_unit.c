@@ -127,6 +127,7 @@ const glint_unit glint_unit_power = {
     .load = load,
     .pass = pass,
     .settle = settle,
+    .ws = glint_power_ws,
     .row_count = row_count,
     .row = row,
     .real = real,

@@ -76,6 +76,8 @@ static void settle(int variant, int stage, uint32_t n, void *of)
     }
 }
 
+GLINT_UNIT_WS(lane)
+
 static double real(int variant, uint32_t n, uint32_t cos_code)
 {
     const double c = glint_unit_cosine(cos_code);
@@ -94,6 +96,7 @@ const glint_unit glint_unit_quadratic = {
     .load = load,
     .pass = pass,
     .settle = settle,
+    .ws = ws,
     .row_count = row_count,
     .row = row,
     .real = real,

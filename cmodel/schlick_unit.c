@@ -136,6 +136,8 @@ static void settle(int variant, int stage, uint32_t n, void *of)
         s->end.keys12 = s->step[FRAC].bits;
 }
 
+GLINT_UNIT_WS(lane)
+
 static double real(int variant, uint32_t n, uint32_t cos_code)
 {
     const double c = glint_unit_cosine(cos_code), den = n * (1 - c) + c;
@@ -152,6 +154,7 @@ const glint_unit glint_unit_schlick = {
     .load = load,
     .pass = pass,
     .settle = settle,
+    .ws = ws,
     .row_count = row_count,
     .row = row,
     .real = real,

@@ -12,6 +12,7 @@
 #include <stddef.h>
 
 #include "glint_unit.h"
+#include "multiversion.h"
 
 #define GLINT_UNIT_FIELD(name, block, kind, int_bits, frac_bits, meaning) int64_t name;
 
@@ -35,6 +36,25 @@
     {                                                                                              \
         (void)variant;                                                                             \
         return (int)(sizeof rows / sizeof rows[0]);                                                \
+    }
+
+/* Defines ws(), as glint_unit.ws wants it, behind the file's stages(), load(), pass() and settle():
+ * all of them inlined, the stages unrolled, so that little of the lane is ever in memory. */
+#define GLINT_UNIT_WS(type)                                                                        \
+    GLINT_MULTIVERSION __attribute__((flatten)) static void ws(                                    \
+        int variant, uint32_t n, const uint32_t *cos_code, size_t count, uint32_t *w_code)         \
+    {                                                                                              \
+        for (size_t i = 0; i < count; i++) {                                                       \
+            type s = {.end = {0}};                                                                 \
+            load(variant, &s, cos_code[i]);                                                        \
+            settle(variant, 1, n, &s);                                                             \
+            _Pragma("GCC unroll 24") for (int stage = 2; stage < stages(variant); stage++)         \
+            {                                                                                      \
+                pass(variant, stage, &s);                                                          \
+                settle(variant, stage, n, &s);                                                     \
+            }                                                                                      \
+            w_code[i] = (uint32_t)s.end.keys12;                                                    \
+        }                                                                                          \
     }
 
 #endif

@@ -5,10 +5,12 @@
 #include <stdlib.h>
 
 #include "circuit/circuits.h"
+#include "circuit/units.h"
 
 struct glint_backend {
     glint_backend_config config;
-    glint_rtl *rtl; /* kind rtl only */
+    glint_setting setting; /* of config */
+    glint_rtl *rtl;        /* kind rtl only */
     glint_backend_watch *watch;
     glint_history *history; /* since there is a watch, until that has found something */
 };
@@ -18,17 +20,19 @@ struct glint_backend {
 
 glint_setting glint_backend_setting(const glint_backend_config *config)
 {
-    const glint_specular_config circuit = {config->gate, config->pipeline,
-                                           config->lanes != 0 ? config->lanes : FAST_LANES};
-    glint_setting setting = glint_setting_specular(&circuit);
+    const int lanes = config->lanes != 0 ? config->lanes : FAST_LANES;
+    const glint_specular_config specular = {config->gate, config->pipeline, lanes};
+    glint_setting setting =
+        config->device == NULL || config->device == &glint_circuit_specular
+            ? glint_setting_specular(&specular)
+            : glint_setting_unit(config->device, config->variant, config->pipeline, lanes);
     setting.verilog = config->verilog;
     return setting;
 }
 
 static glint_status create_circuit(glint_backend *backend, glint_error *err)
 {
-    const glint_setting setting = glint_backend_setting(&backend->config);
-    return glint_rtl_open(&setting, GLINT_RTL_FAST, &backend->rtl, err);
+    return glint_rtl_open(&backend->setting, GLINT_RTL_FAST, &backend->rtl, err);
 }
 
 glint_status glint_backend_create(const glint_backend_config *config, glint_backend **backend,
@@ -39,12 +43,19 @@ glint_status glint_backend_create(const glint_backend_config *config, glint_back
         (unsigned)config->gate >= GLINT_GATE_COUNT ||
         (unsigned)config->pipeline >= GLINT_PIPELINE_COUNT)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "no such backend, gate or pipeline");
+    if (config->device != NULL && !glint_is_highlight(config->device))
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "circuit %s does not compute highlights",
+                          config->device->name);
+    const glint_setting setting = glint_backend_setting(config);
+    glint_status status = glint_setting_check(&setting, err);
+    if (status != GLINT_OK)
+        return status;
     glint_backend *created = calloc(1, sizeof *created);
     if (created == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a backend");
     created->config = *config;
-    glint_status status =
-        config->kind == GLINT_BACKEND_RTL ? create_circuit(created, err) : GLINT_OK;
+    created->setting = setting;
+    status = config->kind == GLINT_BACKEND_RTL ? create_circuit(created, err) : GLINT_OK;
     if (status != GLINT_OK) {
         free(created);
         return status;
@@ -67,23 +78,25 @@ static uint32_t round_half_up(double value)
     return (uint32_t)floor(value + 0.5);
 }
 
-static void shade_real(glint_gate gate, const glint_material *material, const glint_points *points)
+static void shade_real(const glint_setting *setting, const glint_material *material,
+                       const glint_points *points)
 {
+    const double one = 1u << glint_highlight_w_frac_bits(setting);
     for (size_t i = 0; i < points->count; i++) {
-        double w = glint_specular_real(gate, material->n, points->cos[i]);
+        double w = glint_highlight_real(setting, material->n, points->cos[i]);
         if (points->w != NULL)
-            points->w[i] = round_half_up(w * GLINT_W_ONE);
+            points->w[i] = round_half_up(w * one);
         points->r[i] = (uint8_t)round_half_up(w * material->r);
         points->g[i] = (uint8_t)round_half_up(w * material->g);
         points->b[i] = (uint8_t)round_half_up(w * material->b);
     }
 }
 
-static glint_status shade_c(glint_gate gate, const glint_material *material,
+static glint_status shade_c(const glint_setting *setting, const glint_material *material,
                             const glint_points *points)
 {
-    return glint_specular_batch(gate, material, points->cos, points->count, points->w, points->r,
-                                points->g, points->b);
+    return glint_highlight_batch(setting, material, points->cos, points->count, points->w,
+                                 points->r, points->g, points->b);
 }
 
 void glint_backend_set_watch(glint_backend *backend, glint_backend_watch *watch)
@@ -110,16 +123,15 @@ static void compare_run(const glint_backend *backend, const glint_material *mate
                         const glint_points *model, const glint_points *rtl)
 {
     glint_backend_watch *watch = backend->watch;
-    const glint_setting setting = glint_backend_setting(&backend->config);
     for (size_t i = 0; i < rtl->count && !watch->found; i++)
         for (int v = 0; v < GLINT_ANSWER_VALUES && !watch->found; v++) {
             const glint_answer_value value = (glint_answer_value)v;
             if (value_of(model, value, i) == value_of(rtl, value, i))
                 continue;
             watch->found = true;
-            watch->setting = setting;
-            glint_answer_keep_points(&watch->answer, setting.values[GLINT_SPECULAR_LANES], material,
-                                     rtl->cos, rtl->count, i);
+            watch->setting = backend->setting;
+            glint_answer_keep_points(&watch->answer, glint_highlight_lanes(&backend->setting),
+                                     material, rtl->cos, rtl->count, i);
             watch->answer.value = value;
             watch->answer.model = (int32_t)value_of(model, value, i);
             watch->answer.rtl = (int32_t)value_of(rtl, value, i);
@@ -139,7 +151,7 @@ static glint_status watch_run(const glint_backend *backend, const glint_material
                           "not enough memory to compare a run with the model");
     }
     const glint_points model = {rtl->cos, count, w, colors, colors + count, colors + 2 * count};
-    const glint_status status = shade_c(backend->config.gate, material, &model);
+    const glint_status status = shade_c(&backend->setting, material, &model);
     if (status == GLINT_OK)
         compare_run(backend, material, &model, rtl);
     free(w);
@@ -161,10 +173,9 @@ static void give_history(glint_backend *backend)
 static void remember(glint_backend *backend, const glint_material *material,
                      const glint_points *points)
 {
-    const glint_setting setting = glint_backend_setting(&backend->config);
     const glint_batch batch = {
         .material = material, .cos_code = points->cos, .count = points->count};
-    glint_history_add(&backend->history, &setting, &batch);
+    glint_history_add(&backend->history, &backend->setting, &batch);
 }
 
 static glint_status shade_rtl(glint_backend *backend, const glint_material *material,
@@ -184,7 +195,7 @@ static glint_status shade_rtl(glint_backend *backend, const glint_material *mate
 glint_status glint_backend_shade(glint_backend *backend, const glint_material *material,
                                  const glint_points *points, glint_error *err)
 {
-    const glint_gate gate = backend->config.gate;
+    const glint_setting *setting = &backend->setting;
     if (material->n > GLINT_N_MAX)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "n = %u is outside 0…%u", material->n,
                           GLINT_N_MAX);
@@ -192,10 +203,10 @@ glint_status glint_backend_shade(glint_backend *backend, const glint_material *m
     case GLINT_BACKEND_RTL:
         return shade_rtl(backend, material, points, err);
     case GLINT_BACKEND_REAL:
-        shade_real(gate, material, points);
+        shade_real(setting, material, points);
         return GLINT_OK;
     default:
-        return shade_c(gate, material, points);
+        return shade_c(setting, material, points);
     }
 }
 

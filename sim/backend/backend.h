@@ -20,15 +20,18 @@ typedef struct glint_backend_watch {
 } glint_backend_watch;
 
 typedef enum glint_backend_kind {
-    GLINT_BACKEND_C,    /* glint_specular_batch() */
+    GLINT_BACKEND_C,    /* the C model: glint_highlight_batch() */
     GLINT_BACKEND_RTL,  /* the Verilog under Verilator */
-    GLINT_BACKEND_REAL, /* formula (2.15) in floating point on the quantised cosine */
+    GLINT_BACKEND_REAL, /* the device's formula, (2.15) of the specular device, in floating point
+                         * on the quantised cosine */
     GLINT_BACKEND_COUNT
 } glint_backend_kind;
 
 typedef struct glint_backend_config {
     glint_backend_kind kind;
-    glint_gate gate;
+    const glint_circuit *device; /* a highlight unit (circuit/units.h); NULL: the specular device */
+    int variant;                 /* the value of the unit's own parameter, if it has one */
+    glint_gate gate;             /* of the specular device */
     glint_pipeline pipeline;
     int lanes;           /* kind rtl: 1…GLINT_LANES_MAX; 0: the fastest lane count */
     const char *verilog; /* kind rtl: the Verilog's directory, which must outlive the backend; NULL:
@@ -37,7 +40,7 @@ typedef struct glint_backend_config {
 
 typedef struct glint_backend glint_backend;
 
-/* The setting of the circuit that kind rtl has. */
+/* The setting of the circuit that kind rtl has, and the model of kind c. */
 glint_setting glint_backend_setting(const glint_backend_config *config);
 
 /* Creates a backend in reset state. GLINT_BAD_ARGUMENT for a setting out of range;
@@ -50,9 +53,9 @@ void glint_backend_destroy(glint_backend *backend); /* NULL is allowed */
  * in watch; NULL stops this. Several backends of the same thread may share a watch. */
 void glint_backend_set_watch(glint_backend *backend, glint_backend_watch *watch);
 
-/* Shades a run of fragments with one material. cos: U1.18, 0…GLINT_COS_CODE_MAX; w: U1.18; r, g, b:
- * the highlight's colour, 8 bits. Backend real rounds W and each colour half up. Any length works;
- * long runs are fast. */
+/* Shades a run of fragments with one material. cos: U1.18, 0…GLINT_COS_CODE_MAX; w: the device's;
+ * r, g, b: the highlight's colour, 8 bits. Backend real rounds W and each colour half up. Any
+ * length works; long runs are fast. */
 glint_status glint_backend_shade(glint_backend *backend, const glint_material *material,
                                  const glint_points *points, glint_error *err);
 

@@ -3,17 +3,14 @@
 
 #include <string.h>
 
+#include "circuit/units.h"
+
 /* One line per circuit: its description is glint_circuit_NAME, in its own file. The thesis's first,
  * then those on request. */
 #define CIRCUITS(X)                                                                                \
     X(specular)                                                                                    \
     X(divider)                                                                                     \
-    X(power)                                                                                       \
-    X(log2)                                                                                        \
-    X(schlick)                                                                                     \
-    X(newton)                                                                                      \
-    X(lyon)                                                                                        \
-    X(quadratic)                                                                                   \
+    GLINT_UNITS(X)                                                                                 \
     /* no more */
 
 #define DECLARE(name) extern const glint_circuit glint_circuit_##name;

@@ -12,6 +12,15 @@ glint_unit_config glint_unit_config_of(const glint_unit *unit, const int *values
                                .lanes = values[has_variant + 1]};
 }
 
+void glint_unit_config_values(const glint_unit_config *config, int *values)
+{
+    const int has_variant = config->unit->variants > 1;
+    if (has_variant)
+        values[0] = config->variant;
+    values[has_variant] = (int)config->pipeline;
+    values[has_variant + 1] = config->lanes;
+}
+
 static const char *heading_of(const glint_unit_circuit *of, const glint_signal_info *signal)
 {
     if (signal->kind == GLINT_SIGNAL_OUTPUT)

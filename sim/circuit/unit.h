@@ -36,8 +36,10 @@ typedef struct glint_unit_circuit {
     int heading_count;
 } glint_unit_circuit;
 
-/* The pipeline and the lanes stand behind the variant, where there is one. */
+/* From values and back: the pipeline and the lanes stand behind the variant, where there is one. */
 glint_unit_config glint_unit_config_of(const glint_unit *unit, const int *values);
+
+void glint_unit_config_values(const glint_unit_config *config, int *values);
 
 /* What the functions of the description do. */
 glint_signal_info glint_unit_signal(const glint_unit_circuit *of, const int *values, int index);

@@ -9,8 +9,6 @@
 #include "failure/json_reader.h"
 
 typedef struct glint_answer_form {
-    const glint_circuit *circuit;
-
     /* The report lines with question and answer. */
     void (*print)(FILE *out, const glint_failure *failure);
 

@@ -70,7 +70,6 @@ static void read(glint_json_reader *r, const json_t *json, glint_answer *answer)
 }
 
 const glint_answer_form glint_division_form = {
-    .circuit = &glint_circuit_divider,
     .print = print,
     .write = write,
     .read = read,

@@ -1,14 +1,14 @@
-/* Points of the specular device: answer_form.h. */
+/* Points of a highlight unit: answer_form.h. */
 #include <inttypes.h>
 #include <string.h>
 
-#include "circuit/circuits.h"
+#include "circuit/units.h"
 #include "failure/answer_form.h"
 #include "failure/report.h"
 
 static int lanes_of(const glint_failure *failure)
 {
-    return failure->setting.values[GLINT_SPECULAR_LANES];
+    return glint_highlight_lanes(&failure->setting);
 }
 
 /* A line for `glint eval` is more useful than a list of values. Points start at lane 0, so for
@@ -17,17 +17,15 @@ static void print_point_alone(FILE *out, const glint_failure *failure)
 {
     const glint_answer *answer = &failure->answer;
     const int lane = answer->at % lanes_of(failure);
-    const int *values = failure->setting.values;
+    char options[GLINT_SETTING_OPTIONS];
+    glint_setting_options(&failure->setting, options);
     fprintf(out, "  alone: %s '%u 0x%" PRIx32 " %u %u %u' | ", lane == 0 ? "echo" : "yes",
             answer->material.n, answer->cos_code[answer->at], answer->material.r,
             answer->material.g, answer->material.b);
     if (lane != 0)
         fprintf(out, "head -n %d | ", lane + 1);
     glint_failure_print_program(out, failure);
-    fprintf(out, " eval --backend rtl --gate %s --pipeline %s --lanes %d",
-            glint_gate_name((glint_gate)values[GLINT_SPECULAR_GATE]),
-            glint_pipeline_name((glint_pipeline)values[GLINT_SPECULAR_PIPELINE]),
-            lanes_of(failure));
+    fprintf(out, " eval --backend rtl %s", options);
     glint_failure_print_directories(out, failure);
     fprintf(out, "\n");
 }
@@ -83,7 +81,6 @@ static void read(glint_json_reader *r, const json_t *json, glint_answer *answer)
 }
 
 const glint_answer_form glint_point_form = {
-    .circuit = &glint_circuit_specular,
     .print = print,
     .print_below = print_below,
     .write = write,

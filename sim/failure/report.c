@@ -4,6 +4,8 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "circuit/circuits.h"
+#include "circuit/units.h"
 #include "circuit/words.h"
 #include "failure/answer_form.h"
 #include "failure/packet.h"
@@ -51,11 +53,9 @@ void glint_failure_print_directories(FILE *out, const glint_failure *failure)
 
 const glint_answer_form *glint_answer_form_of(const glint_circuit *circuit)
 {
-    static const glint_answer_form *const forms[] = {&glint_point_form, &glint_division_form};
-    for (size_t i = 0; i < sizeof forms / sizeof forms[0]; i++)
-        if (forms[i]->circuit == circuit)
-            return forms[i];
-    return NULL;
+    if (glint_is_highlight(circuit))
+        return &glint_point_form;
+    return circuit == &glint_circuit_divider ? &glint_division_form : NULL;
 }
 
 /* ---- What differs -------------------------------------------------------------------------------

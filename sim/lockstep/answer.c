@@ -4,18 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "circuit/circuits.h"
+#include "circuit/units.h"
 #include "lockstep/answer_kind.h"
 
 #define CLOCKS_AFTER_RESULT 10 /* idle ones, so that a waveform shows what follows */
 
 const glint_answer_kind *glint_answer_kind_of(const glint_circuit *circuit)
 {
-    static const glint_answer_kind *const kinds[] = {&glint_specular_answers,
-                                                     &glint_divider_answers};
-    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
-        if (kinds[i]->circuit == circuit)
-            return kinds[i];
-    return NULL;
+    if (glint_is_highlight(circuit))
+        return &glint_specular_answers;
+    return circuit == &glint_circuit_divider ? &glint_divider_answers : NULL;
 }
 
 bool glint_answer_possible(const glint_circuit *circuit)

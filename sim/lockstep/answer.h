@@ -1,7 +1,7 @@
 /* A circuit's answer that differs from the C model's, found by an exhaustive run or a frame in a
  * run of points or divisions: the question, and the questions around it, so that it can be asked
- * again. Only the thesis's circuits have answers: points and divisions are typed only here and in
- * their batches. */
+ * again. Only the highlight units (circuit/units.h) and the divider have answers: points and
+ * divisions are typed only here and in their batches. */
 #ifndef GLINT_SIM_LOCKSTEP_ANSWER_H
 #define GLINT_SIM_LOCKSTEP_ANSWER_H
 
@@ -26,7 +26,7 @@ typedef enum glint_answer_value {
 #define GLINT_ANSWER_DIVISIONS (GLINT_ANSWER_CLOCKS_BEFORE + 1 + GLINT_ANSWER_CLOCKS_AFTER)
 
 typedef struct glint_answer {
-    glint_material material; /* of the specular device, like cos_code */
+    glint_material material; /* of a highlight unit, like cos_code */
     union {
         uint32_t cos_code[GLINT_ANSWER_POINTS];
         glint_division division[GLINT_ANSWER_DIVISIONS];

@@ -1,5 +1,5 @@
-/* What differs between the thesis's circuits, whose answers frames and exhaustive runs ask for by
- * number: specular_answer.c and divider_answer.c. */
+/* What differs between the circuits whose answers frames and exhaustive runs ask for by number: the
+ * highlight units, specular_answer.c, and the divider, divider_answer.c. */
 #ifndef GLINT_SIM_LOCKSTEP_ANSWER_KIND_H
 #define GLINT_SIM_LOCKSTEP_ANSWER_KIND_H
 
@@ -8,8 +8,6 @@
 #include "lockstep/signals.h"
 
 typedef struct glint_answer_kind {
-    const glint_circuit *circuit;
-
     /* glint_batch_feeding_clocks(); whether nothing is left in flight when they are over. */
     size_t (*feeding_clocks)(const glint_setting *setting, size_t count);
     bool (*out_when_fed)(const glint_setting *setting);

@@ -1,4 +1,4 @@
-/* The pins that take a run of points or divisions through one of the thesis's circuits clock by
+/* The pins that take a run of points or divisions through a highlight unit or the divider clock by
  * clock, exactly as glint_rtl_shade() and glint_rtl_divide() do (answer_kind.h). */
 #ifndef GLINT_SIM_LOCKSTEP_BATCH_PINS_H
 #define GLINT_SIM_LOCKSTEP_BATCH_PINS_H
@@ -7,7 +7,7 @@
 #include "glint_divider.h"
 #include "glint_specular.h"
 
-/* Points of one material, for the specular device, or divisions. */
+/* Points of one material, for a highlight unit, or divisions. */
 typedef struct glint_batch {
     const glint_material *material;
     const uint32_t *cos_code;

@@ -100,7 +100,6 @@ static bool is_output(const glint_answer *answer, const glint_setting *setting,
 }
 
 const glint_answer_kind glint_divider_answers = {
-    .circuit = &glint_circuit_divider,
     .feeding_clocks = feeding_clocks,
     .out_when_fed = is_sequential,
     .put = put,

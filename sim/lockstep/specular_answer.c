@@ -1,7 +1,7 @@
-/* Points of the specular device: answer_kind.h. */
+/* Points of the specular device and of the other highlight units: answer_kind.h. */
 #include <string.h>
 
-#include "circuit/circuits.h"
+#include "circuit/units.h"
 #include "lockstep/answer_kind.h"
 #include "rtl/batch.h"
 
@@ -9,7 +9,7 @@ _Static_assert(sizeof(glint_specular_inputs) <= sizeof(glint_pins), "its pins fi
 
 static size_t lanes_of(const glint_setting *setting)
 {
-    return (size_t)setting->values[GLINT_SPECULAR_LANES];
+    return (size_t)glint_highlight_lanes(setting);
 }
 
 static size_t feeding_clocks(const glint_setting *setting, size_t count)
@@ -84,8 +84,8 @@ static glint_status ask(const glint_answer *answer, const glint_setting *setting
     const glint_points points = {answer->cos_code, (size_t)answer->count, found.w, found.r, found.g,
                                  found.b};
     glint_status status =
-        glint_specular_batch((glint_gate)setting->values[GLINT_SPECULAR_GATE], &answer->material,
-                             points.cos, points.count, points.w, points.r, points.g, points.b);
+        glint_highlight_batch(setting, &answer->material, points.cos, points.count, points.w,
+                              points.r, points.g, points.b);
     if (status != GLINT_OK)
         return glint_fail(err, status, "the C model rejects n = %u", answer->material.n);
     *model = value_of(&found, answer);
@@ -112,7 +112,6 @@ static bool is_output(const glint_answer *answer, const glint_setting *setting,
 }
 
 const glint_answer_kind glint_specular_answers = {
-    .circuit = &glint_circuit_specular,
     .feeding_clocks = feeding_clocks,
     .out_when_fed = out_when_fed,
     .put = put,

@@ -1,5 +1,5 @@
 /* Runs of points and of divisions at full speed, through the ports of a fast circuit: one small
- * file per circuit (specular_batch.c, divider_batch.c). */
+ * file for all highlight units (specular_batch.c) and one for the divider (divider_batch.c). */
 #ifndef GLINT_SIM_RTL_BATCH_H
 #define GLINT_SIM_RTL_BATCH_H
 
@@ -20,7 +20,7 @@ static inline void *glint_batch_port(glint_rtl *rtl, const char *name, size_t si
 typedef struct glint_points {
     const uint32_t *cos;
     size_t count;
-    uint32_t *w; /* may be NULL */
+    uint32_t *w; /* as wide as the circuit's; may be NULL */
     uint8_t *r, *g, *b;
 } glint_points;
 

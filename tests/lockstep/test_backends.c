@@ -212,8 +212,10 @@ static void an_n_out_of_range_is_refused(void **state)
     glint_error err;
     const glint_points point = {&cosine, 1, NULL, &r, &g, &b};
     for (int kind = 0; kind < GLINT_BACKEND_COUNT; kind++) {
-        const glint_backend_config config = {(glint_backend_kind)kind, GLINT_GATE_COSINE,
-                                             GLINT_PIPELINE_PIPELINED, 1, NULL};
+        const glint_backend_config config = {.kind = (glint_backend_kind)kind,
+                                             .gate = GLINT_GATE_COSINE,
+                                             .pipeline = GLINT_PIPELINE_PIPELINED,
+                                             .lanes = 1};
         glint_backend *backend;
         assert_int_equal(glint_backend_create(&config, &backend, &err), GLINT_OK);
         assert_int_equal(glint_backend_shade(backend, &bad, &point, &err), GLINT_BAD_ARGUMENT);
@@ -296,8 +298,10 @@ static void every_backend_in_its_settings(void **state)
         for (int gate = 0; gate < GLINT_GATE_COUNT; gate++) {
             for (int pipeline = 0; pipeline < GLINT_PIPELINE_COUNT; pipeline++) {
                 for (size_t i = 0; i < sizeof lanes / sizeof lanes[0]; i++) {
-                    const glint_backend_config config = {(glint_backend_kind)kind, (glint_gate)gate,
-                                                         (glint_pipeline)pipeline, lanes[i], NULL};
+                    const glint_backend_config config = {.kind = (glint_backend_kind)kind,
+                                                         .gate = (glint_gate)gate,
+                                                         .pipeline = (glint_pipeline)pipeline,
+                                                         .lanes = lanes[i]};
                     if (!is_affordable(&config))
                         continue;
                     check_backend(&config);
@@ -322,9 +326,11 @@ static void c_and_real_differ_by_a_step_at_most(void **state)
         draw_cosines(material.n, &c);
         real = c;
         for (int kind = 0; kind < 2; kind++) {
-            const glint_backend_config config = {kind == 0 ? GLINT_BACKEND_C : GLINT_BACKEND_REAL,
-                                                 GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 0,
-                                                 NULL};
+            const glint_backend_config config = {.kind = kind == 0 ? GLINT_BACKEND_C
+                                                                   : GLINT_BACKEND_REAL,
+                                                 .gate = GLINT_GATE_COSINE,
+                                                 .pipeline = GLINT_PIPELINE_PIPELINED,
+                                                 .lanes = 0};
             run *to = kind == 0 ? &c : &real;
             glint_backend *backend;
             assert_int_equal(glint_backend_create(&config, &backend, &err), GLINT_OK);
@@ -346,13 +352,34 @@ static void backends_that_do_not_exist_are_refused(void **state)
 {
     (void)state;
     static const glint_backend_config bad[] = {
-        {GLINT_BACKEND_COUNT, GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 1, NULL},
-        {(glint_backend_kind)-1, GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 1, NULL},
-        {GLINT_BACKEND_C, GLINT_GATE_COUNT, GLINT_PIPELINE_COMBINATIONAL, 1, NULL},
-        {GLINT_BACKEND_REAL, GLINT_GATE_COSINE, GLINT_PIPELINE_COUNT, 1, NULL},
-        {GLINT_BACKEND_RTL, GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 33, NULL},
-        {GLINT_BACKEND_RTL, GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, -1, NULL},
-        {GLINT_BACKEND_RTL, GLINT_GATE_COSINE, GLINT_PIPELINE_COMBINATIONAL, 1000, NULL},
+        {.kind = GLINT_BACKEND_COUNT,
+         .gate = GLINT_GATE_COSINE,
+         .pipeline = GLINT_PIPELINE_COMBINATIONAL,
+         .lanes = 1},
+        {.kind = (glint_backend_kind)-1,
+         .gate = GLINT_GATE_COSINE,
+         .pipeline = GLINT_PIPELINE_COMBINATIONAL,
+         .lanes = 1},
+        {.kind = GLINT_BACKEND_C,
+         .gate = GLINT_GATE_COUNT,
+         .pipeline = GLINT_PIPELINE_COMBINATIONAL,
+         .lanes = 1},
+        {.kind = GLINT_BACKEND_REAL,
+         .gate = GLINT_GATE_COSINE,
+         .pipeline = GLINT_PIPELINE_COUNT,
+         .lanes = 1},
+        {.kind = GLINT_BACKEND_RTL,
+         .gate = GLINT_GATE_COSINE,
+         .pipeline = GLINT_PIPELINE_COMBINATIONAL,
+         .lanes = 33},
+        {.kind = GLINT_BACKEND_RTL,
+         .gate = GLINT_GATE_COSINE,
+         .pipeline = GLINT_PIPELINE_COMBINATIONAL,
+         .lanes = -1},
+        {.kind = GLINT_BACKEND_RTL,
+         .gate = GLINT_GATE_COSINE,
+         .pipeline = GLINT_PIPELINE_COMBINATIONAL,
+         .lanes = 1000},
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         int nothing;
