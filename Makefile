@@ -33,7 +33,7 @@ PACKAGE_LIBS   = $(call once,PACKAGE_LIBS,pkg-config --libs $(PACKAGES) 2>/dev/n
 WARNINGS   := -Wall -Wextra -Wpedantic -Wconversion -Werror
 # Compiling is most of the wait for a first picture, so only what a loop over points, pixels or
 # clocks spends its time in is optimised: VECTOR what gains by vectors, HOT what merely is called for
-# each; the rest runs once a command and is compiled at -O0.
+# each; the rest runs once a command and is compiled at -O0. Tests are computations of their own.
 VECTOR     := $(addprefix sim/,bench/kernels bench/formulas lockstep/exhaustive lockstep/domain \
               rtl/specular_batch rtl/divider_batch $(addprefix render/,points raster shade)) \
               cmodel/specular_batch cmodel/power_batch cmodel/unit_batch
@@ -43,7 +43,8 @@ HOT        := cmodel/ $(addprefix sim/,backend/ bench/ circuit/random circuit/sc
               gouraud mesh paint pick render scene setup span)) tests/reference/
 among       = $(filter $(addsuffix %,$1),$<)
 OPTIMIZE    = $(if $(call among,$(VECTOR)),$(if $(SANITIZE),-O1,-O3),\
-              $(if $(call among,$(HOT)),$(if $(SANITIZE),-O1,-O2),-O0))
+              $(if $(call among,$(HOT)),$(if $(SANITIZE),-O1,-O2),\
+              $(if $(filter tests/%,$<),$(if $(SANITIZE),-O0,-O1),-O0)))
 # No contraction: a frame has the same bits on every machine. -g1: lines, not variables; CFLAGS=-g
 # for those.
 CFLAGS_ALL  = -std=c17 $(OPTIMIZE) -g1 -ffp-contract=off -fno-math-errno $(WARNINGS) -MMD -MP \
