@@ -32,7 +32,7 @@ PACKAGE_CFLAGS = $(call once,PACKAGE_CFLAGS,pkg-config --cflags $(PACKAGES) 2>/d
 PACKAGE_LIBS   = $(call once,PACKAGE_LIBS,pkg-config --libs $(PACKAGES) 2>/dev/null)
 WARNINGS   := -Wall -Wextra -Wpedantic -Wconversion -Werror
 # Compiling is most of the wait for a first picture, so only what a loop over points, pixels or
-# clocks spends its time in is optimised: VECTOR what gains by vectors, HOT what merely is called for
+# clocks spends its time in is optimised: VECTOR what gains by vectors, HOT what is called for
 # each; the rest runs once a command and is compiled at -O0. Tests are computations of their own.
 VECTOR     := $(addprefix sim/,bench/kernels bench/formulas lockstep/exhaustive lockstep/domain \
               rtl/specular_batch rtl/divider_batch $(addprefix render/,points raster shade)) \
@@ -125,7 +125,8 @@ $(BUILD)/%.inc: %
 	$Qsed 's/[\\"]/\\&/g; s/.*/"&",/' $< > $@
 
 DRAWINGS := specular.svg specular-drawn.svg divider-sequential.svg
-TEXTS    := $(patsubst %,$(BUILD)/%.inc,$(wildcard sim/report/text/*) $(DRAWINGS:%=docs/images/%))
+TEXTS    := $(patsubst %,$(BUILD)/%.inc,$(wildcard sim/report/text/*) $(DRAWINGS:%=docs/images/%) \
+              docs/compare.csv)
 $(BUILD)/sim/report/texts.o: $(TEXTS)
 
 # Loops whose speed is measured; see the file.

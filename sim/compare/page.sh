@@ -1,5 +1,5 @@
 #!/bin/sh
-# Puts the tables and plots that make compare has left in DIR into docs/: page.sh DIR. The page's
+# Puts the tables, numbers and plots that make compare has left in DIR into docs/: page.sh DIR. The page's
 # own words stay; what is between its marks is new.
 set -eu
 
@@ -11,3 +11,4 @@ awk -v tables="$1/compare.md" '
 cat "$1/page" >docs/compare.md
 rm "$1/page"
 cp "$1"/compare-*.png docs/images/
+cp "$1/compare.csv" docs/compare.csv

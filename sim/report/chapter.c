@@ -18,6 +18,8 @@ const glint_chapter glint_chapters[] = {
      glint_text_frames},
     {"speed", "Speed of the formulas (sections 3.1 and 3.4)", glint_chapter_speed,
      glint_text_speed},
+    {"units", "Units for a highlight in hardware, side by side", glint_chapter_units,
+     glint_text_units},
     {"rest", "Ray tracing, and what is not built yet (sections 1.3 and 2.6)", glint_chapter_rest,
      glint_text_rest},
 };

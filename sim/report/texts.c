@@ -39,6 +39,14 @@ const char *const glint_text_speed[] = {
 #include "sim/report/text/speed.md.inc"
     NULL};
 
+const char *const glint_text_units[] = {
+#include "sim/report/text/units.md.inc"
+    NULL};
+
+const char *const glint_text_compare[] = {
+#include "docs/compare.csv.inc"
+    NULL};
+
 const char *const glint_text_rest[] = {
 #include "sim/report/text/rest.md.inc"
     NULL};
