@@ -149,7 +149,8 @@ $(BUILD)/glint: $(CLI_OBJECTS) $(LIBRARIES) | $(BUILD)/tree
 	$Q$(CC) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 # What the demo's picture and verdict need of it, two thirds: main.c goes without the others.
-LATER         := $(wildcard sim/bench/*.c sim/draw/*.c sim/energy/*.c sim/report/*.c sim/study/*.c)
+LATER         := $(wildcard sim/bench/*.c sim/compare/*.c sim/draw/*.c sim/energy/*.c \
+                 sim/report/*.c sim/study/*.c)
 FIRST_COMMANDS := render verify verify_exhaustive wave
 FIRST_SOURCES := $(filter-out $(LATER),$(SIM_SOURCES)) $(FIRST_COMMANDS:%=sim/cli/cmd_%.c) \
                  $(filter-out sim/cli/cmd_%,$(wildcard sim/cli/*.c))
