@@ -30,6 +30,20 @@ glint_setting glint_backend_setting(const glint_backend_config *config)
     return setting;
 }
 
+glint_backend_config glint_backend_config_of(glint_backend_kind kind, const glint_setting *setting)
+{
+    const bool is_specular = setting->circuit == &glint_circuit_specular;
+    const bool has_variant = glint_highlight_parameter(setting->circuit) != NULL;
+    return (glint_backend_config){
+        .kind = kind,
+        .device = setting->circuit,
+        .variant = has_variant ? setting->values[0] : 0,
+        .gate = is_specular ? (glint_gate)setting->values[GLINT_SPECULAR_GATE] : GLINT_GATE_COSINE,
+        .pipeline = (glint_pipeline)glint_setting_value(setting, "pipeline", 0),
+        .lanes = glint_highlight_lanes(setting),
+        .verilog = setting->verilog};
+}
+
 static glint_status create_circuit(glint_backend *backend, glint_error *err)
 {
     return glint_rtl_open(&backend->setting, GLINT_RTL_FAST, &backend->rtl, err);

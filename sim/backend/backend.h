@@ -43,6 +43,9 @@ typedef struct glint_backend glint_backend;
 /* The setting of the circuit that kind rtl has, and the model of kind c. */
 glint_setting glint_backend_setting(const glint_backend_config *config);
 
+/* From a setting of a highlight unit; its verilog must outlive the backend. */
+glint_backend_config glint_backend_config_of(glint_backend_kind kind, const glint_setting *setting);
+
 /* Creates a backend in reset state. GLINT_BAD_ARGUMENT for a setting out of range;
  * GLINT_DEVICE_FAULT if its Verilog does not build. */
 glint_status glint_backend_create(const glint_backend_config *config, glint_backend **backend,

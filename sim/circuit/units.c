@@ -31,6 +31,12 @@ bool glint_is_highlight(const glint_circuit *circuit)
     return circuit == &glint_circuit_specular || unit_of(circuit) != NULL;
 }
 
+const glint_parameter *glint_highlight_parameter(const glint_circuit *circuit)
+{
+    const glint_unit *unit = unit_of(circuit);
+    return unit != NULL && unit->variants > 1 ? &circuit->parameters[0] : NULL;
+}
+
 glint_setting glint_setting_unit(const glint_circuit *circuit, int variant, glint_pipeline pipeline,
                                  int lanes)
 {

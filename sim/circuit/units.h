@@ -19,6 +19,9 @@
 /* The specular device, or one of GLINT_UNITS. */
 bool glint_is_highlight(const glint_circuit *circuit);
 
+/* The parameter of one of GLINT_UNITS that is its own, its first; NULL: it has none. */
+const glint_parameter *glint_highlight_parameter(const glint_circuit *circuit);
+
 /* All below: of a circuit that is one. */
 int glint_highlight_lanes(const glint_setting *setting);
 int glint_highlight_w_frac_bits(const glint_setting *setting); /* W is U1.this */

@@ -170,9 +170,9 @@ static glint_parameter_option *row_of(glint_circuit_options *options, const char
 static const char *taken_name(const glint_circuit *circuit)
 {
     static const char *const taken[] = {
-        "backend", "circuit", "circuit-dir", "clocks", "every-lane", "exhaustive",
-        "force",   "format",  "from",        "help",   "json",       "out",
-        "rtl",     "seed",    "shard",       "stride", "threads",    "to"};
+        "backend", "circuit", "circuit-dir", "clocks",  "device", "every-lane", "exhaustive",
+        "force",   "format",  "from",        "help",    "json",   "out",        "rtl",
+        "seed",    "shard",   "stride",      "threads", "to"};
     for (size_t i = 0; i < sizeof taken / sizeof taken[0]; i++)
         if (has_parameter(circuit, taken[i]))
             return taken[i];
@@ -229,7 +229,7 @@ int glint_circuit_options_begin(glint_circuit_options *options, const glint_circ
         options->names[options->circuit_count] = all;
     for (int i = 0; options->names[i] != NULL; i++)
         if (strcmp(options->names[i], use->circuit) == 0)
-            options->named = i;
+            options->named = options->device = i;
     return GLINT_OPTIONS_RUN;
 }
 
@@ -244,6 +244,13 @@ size_t glint_circuit_options_add(glint_circuit_options *options, glint_option *r
                     : "which one; may be left out if an option belongs to one circuit only",
         .kind = GLINT_OPTION_CHOICE,
         .choice = {&options->named, options->names}};
+    rows[count++] = (glint_option){.name = "device",
+                                   .placeholder = "NAME",
+                                   .given = &options->is_device,
+                                   .help = "another name of --circuit",
+                                   .usually = "--circuit's",
+                                   .kind = GLINT_OPTION_CHOICE,
+                                   .choice = {&options->device, options->names}};
     for (int i = 0; i < options->parameter_count; i++) {
         glint_parameter_option *parameter = &options->parameter[i];
         rows[count++] =
@@ -512,6 +519,12 @@ static int check_verilog(const glint_circuit_options *options)
 
 int glint_circuit_options_settle(glint_circuit_options *options)
 {
+    if (options->is_device && options->is_named)
+        return glint_complain(options->use.command, GLINT_EXIT_TROUBLE,
+                              "--device and --circuit name the same thing: give one of them");
+    if (options->is_device)
+        options->named = options->device;
+    options->is_named |= options->is_device;
     choose_circuits(options);
     if (options->chosen_count == 0)
         return refuse_together(options);

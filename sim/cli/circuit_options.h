@@ -22,7 +22,7 @@
 
 #define GLINT_CIRCUITS_MAX        16
 #define GLINT_PARAMETER_NAMES_MAX 24
-#define GLINT_CIRCUIT_OPTIONS     (GLINT_PARAMETER_NAMES_MAX + 3) /* rows at most */
+#define GLINT_CIRCUIT_OPTIONS     (GLINT_PARAMETER_NAMES_MAX + 4) /* rows at most */
 
 /* What a subcommand accepts, and its defaults. */
 typedef struct glint_circuit_use {
@@ -51,8 +51,8 @@ typedef struct glint_circuit_options {
     int circuit_count; /* that there are */
     const glint_circuit *circuit[GLINT_CIRCUITS_MAX];
     const char *names[GLINT_CIRCUITS_MAX + 2]; /* theirs, "all", NULL */
-    int named;                                 /* of names */
-    bool is_named;
+    int named, device;                         /* of names, by --circuit and --device */
+    bool is_named, is_device;
     int parameter_count;
     glint_parameter_option parameter[GLINT_PARAMETER_NAMES_MAX];
     const char *verilog;   /* --rtl; NULL: the circuit's own */

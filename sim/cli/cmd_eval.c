@@ -8,6 +8,7 @@
 
 #include "backend/backend.h"
 #include "circuit/circuits.h"
+#include "circuit/units.h"
 #include "cli/build_first.h"
 #include "cli/circuit_options.h"
 #include "cli/commands.h"
@@ -60,7 +61,8 @@ static void write_details(char *text, size_t size)
         "and cos, or cos_code with decimal codes, are matched by name, others ignored.\n"
         "\n"
         "The output columns are n,cos_code,w_code,r,g,b: cos_code is the content of\nregister 1, "
-        "w_code the output of the key block, both in units of 2^-%d.\n"
+        "w_code the output of the key block, both in units of 2^-%d; another highlight\nunit "
+        "(--device) has a W of its own width.\n"
         "\n"
         "--circuit divider reads divisions and prints quotients as glint divide does. For "
         "a\ncircuit of your own, see glint --circuit-dir DIR eval --help.",
@@ -213,12 +215,8 @@ static int eval(run *points)
 
 static int eval_points(const eval_options *chosen, const glint_setting *setting)
 {
-    const glint_specular_config device = glint_specular_config_of(setting->values);
-    const glint_backend_config config = {.kind = (glint_backend_kind)chosen->backend,
-                                         .gate = device.gate,
-                                         .pipeline = device.pipeline,
-                                         .lanes = device.lanes,
-                                         .verilog = setting->verilog};
+    const glint_backend_config config =
+        glint_backend_config_of((glint_backend_kind)chosen->backend, setting);
     glint_error err;
     run *points = calloc(1, sizeof *points);
     if (points == NULL)
@@ -250,14 +248,14 @@ static int eval_setting(const eval_options *chosen, const glint_setting *setting
     if (chosen->circuits.verilog != NULL && !is_rtl)
         return glint_rtl_option_settle("eval", setting, false);
     if (is_rtl) {
-        const bool is_typed = setting->circuit == &glint_circuit_specular ||
-                              setting->circuit == &glint_circuit_divider;
+        const bool is_typed =
+            glint_is_highlight(setting->circuit) || setting->circuit == &glint_circuit_divider;
         glint_error err;
         if (glint_build_first("eval", setting, 1, is_typed ? GLINT_RTL_FAST : GLINT_RTL_OBSERVED, 0,
                               &err) != GLINT_OK)
             return glint_complain_error("eval", &err);
     }
-    if (setting->circuit == &glint_circuit_specular)
+    if (glint_is_highlight(setting->circuit))
         return eval_points(chosen, setting);
     if (setting->circuit == &glint_circuit_divider)
         return eval_divisions(chosen, setting);

@@ -5,6 +5,7 @@
 
 #include "circuit/circuits.h"
 #include "cli/circuit_options.h"
+#include "cli/device_options.h"
 #include "cli/model_names.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -14,9 +15,10 @@
 /* What the option table fills besides the scene. */
 typedef struct raw_options {
     glint_scene_options scene;
+    glint_device_options device;
     const char *out, *specular, *verilog;
-    int64_t n, shifts, lanes;
-    int shading, backend, gate, pipeline;
+    int64_t n, shifts;
+    int shading, backend;
     bool json, force;
 } raw_options;
 
@@ -34,7 +36,6 @@ static raw_options defaults(void)
         .n = scene.n,
         .shifts = scene.shifts,
         .shading = (int)scene.shading,
-        .pipeline = GLINT_PIPELINE_PIPELINED,
     };
 }
 
@@ -54,10 +55,10 @@ static const char details[] =
     "rtl's frame, FILE-c.png c's, FILE-diff.png the difference, and FILE-failure a packet\n"
     "for glint replay.";
 
-#define OWN_ROWS   12
-#define TABLE_ROWS (OWN_ROWS + GLINT_SCENE_OPTIONS)
+#define OWN_ROWS   9
+#define TABLE_ROWS (OWN_ROWS + GLINT_DEVICE_OPTIONS + GLINT_SCENE_OPTIONS)
 
-static void fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
+static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
 {
     const glint_option own[OWN_ROWS] = {
         {.name = "out",
@@ -88,19 +89,6 @@ static void fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .help = "the divider's shifts, for --shading gouraud",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&raw->shifts, GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX}},
-        {.name = "gate",
-         .help = "how points outside the highlight are detected",
-         .kind = GLINT_OPTION_CHOICE,
-         .choice = {&raw->gate, glint_gate_names}},
-        {.name = "pipeline",
-         .help = "register placement in the Verilog",
-         .kind = GLINT_OPTION_CHOICE,
-         .choice = {&raw->pipeline, glint_pipeline_names}},
-        {.name = "lanes",
-         .placeholder = "auto|N",
-         .help = "cosines per clock in the Verilog, 1 to 32",
-         .kind = GLINT_OPTION_COUNT_OR,
-         .count_or = {&raw->lanes, 1, GLINT_LANES_MAX, "auto", 0}},
         GLINT_RTL_OPTION(&raw->verilog),
         GLINT_FORCE_OPTION(&raw->force),
         {.name = "json",
@@ -109,16 +97,19 @@ static void fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .flag = &raw->json},
     };
     memcpy(table, own, sizeof own);
-    glint_scene_options_add(&raw->scene, table + OWN_ROWS);
+    const size_t count = OWN_ROWS + glint_device_options_add(&raw->device, table + OWN_ROWS);
+    glint_scene_options_add(&raw->scene, table + count);
+    return count + GLINT_SCENE_OPTIONS;
 }
 
 static int parse_raw(int argc, char **argv, raw_options *raw)
 {
     glint_option options[TABLE_ROWS];
-    fill_table(raw, options);
+    const size_t count = fill_table(raw, options);
     static const glint_example examples[] = {
         {"a teapot, every highlight computed in Verilog", "glint render --backend rtl --out a.png"},
         {"C against Verilog", "glint render --backend both --n 50 --out b.png"},
+        {"by the accurate power device", "glint render --device power --n 50 --out p.png"},
         {"your own mesh", "glint render mesh.obj --color '#3060a0' --out c.png"},
         {"to standard output", "glint render --size 320x240 --out - > d.png"},
         {NULL, NULL},
@@ -130,7 +121,7 @@ static int parse_raw(int argc, char **argv, raw_options *raw)
         .different = "--backend both: c and rtl differ",
         .examples = examples,
         .options = options,
-        .option_count = TABLE_ROWS,
+        .option_count = count,
         .positionals = &(glint_positional)GLINT_SCENE_POSITIONAL(raw->scene),
         .positional_count = 1,
     };
@@ -150,6 +141,11 @@ static int choose_specular(const raw_options *raw, glint_render_options *chosen)
                 "render", GLINT_EXIT_TROUBLE,
                 "--specular needs --backend real: the other backends are the device itself");
         }
+        if (chosen->backend.device != &glint_circuit_specular) {
+            return glint_complain("render", GLINT_EXIT_TROUBLE,
+                                  "--specular and --device both name what computes the highlights: "
+                                  "give one of them");
+        }
         scene->by_model = true;
     }
     if (raw->scene.f0_given && !(scene->by_model && glint_specular_takes_f0(scene->specular))) {
@@ -159,7 +155,7 @@ static int choose_specular(const raw_options *raw, glint_render_options *chosen)
     return GLINT_OPTIONS_RUN;
 }
 
-/* Of the specular device, and with Gouraud's shading of the divider. */
+/* Of the device, and with Gouraud's shading of the divider. */
 static int check_verilog(const glint_render_options *chosen)
 {
     const bool is_used = chosen->backend.kind == GLINT_BACKEND_RTL;
@@ -175,6 +171,7 @@ static int check_verilog(const glint_render_options *chosen)
 int glint_render_options_parse(int argc, char **argv, glint_render_options *chosen)
 {
     raw_options raw = defaults();
+    glint_device_options_begin(&raw.device);
     int status = parse_raw(argc, argv, &raw);
     if (status == GLINT_OPTIONS_RUN)
         status = glint_scene_options_settle("render", &raw.scene);
@@ -191,9 +188,6 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
         .what = raw.scene,
         .both = both,
         .backend = {.kind = both ? GLINT_BACKEND_RTL : backend_kinds[raw.backend],
-                    .gate = (glint_gate)raw.gate,
-                    .pipeline = (glint_pipeline)raw.pipeline,
-                    .lanes = (int)raw.lanes,
                     .verilog = raw.verilog},
         .scene = glint_scene_options_scene(&raw.scene),
         .out = raw.out,
@@ -203,6 +197,8 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
     chosen->scene.n = (uint16_t)raw.n;
     chosen->scene.shading = (glint_shading)raw.shading;
     chosen->scene.shifts = (int)raw.shifts;
-    status = choose_specular(&raw, chosen);
+    status = glint_device_options_settle("render", &raw.device, &chosen->backend);
+    if (status == GLINT_OPTIONS_RUN)
+        status = choose_specular(&raw, chosen);
     return status == GLINT_OPTIONS_RUN ? check_verilog(chosen) : status;
 }

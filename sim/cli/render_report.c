@@ -4,6 +4,8 @@
 #include <inttypes.h>
 #include <stdio.h>
 
+#include "circuit/circuits.h"
+#include "circuit/units.h"
 #include "cli/options.h"
 #include "cli/output.h"
 
@@ -41,6 +43,8 @@ void glint_render_report_text(FILE *out, const glint_render_options *chosen,
             stats->drawn, stats->fragments);
     fprintf(out, "%s: %" PRIu64 " highlights", glint_shading_names[chosen->scene.shading],
             stats->highlights);
+    if (chosen->backend.device != &glint_circuit_specular)
+        fprintf(out, " by device %s", chosen->backend.device->name);
     if (chosen->scene.by_model)
         fprintf(out, " by %s", glint_reflectance_names[chosen->scene.specular]);
     if (divider_works(chosen)) {
@@ -82,6 +86,16 @@ static void add_comparison(json_t *json, const glint_image_difference *differenc
     glint_json_add_number(compared, "first_y", difference->first_y);
 }
 
+/* The device's own: the gate of the specular device. */
+static void add_parameter(json_t *json, const glint_backend_config *backend)
+{
+    const glint_parameter *own = glint_highlight_parameter(backend->device);
+    if (backend->device == &glint_circuit_specular)
+        glint_json_add_text(json, "gate", glint_gate_names[backend->gate]);
+    if (own != NULL)
+        glint_json_add_text(json, own->name, own->choices[backend->variant]);
+}
+
 bool glint_render_report_json(const glint_render_options *chosen, const glint_render_result *result,
                               const char *packet)
 {
@@ -91,7 +105,8 @@ bool glint_render_report_json(const glint_render_options *chosen, const glint_re
     glint_json_add_text(json, "out", chosen->out);
     glint_json_add_number(json, "width", chosen->what.width);
     glint_json_add_number(json, "height", chosen->what.height);
-    glint_json_add_text(json, "gate", glint_gate_names[chosen->backend.gate]);
+    glint_json_add_text(json, "device", chosen->backend.device->name);
+    add_parameter(json, &chosen->backend);
     glint_json_add_text(json, "pipeline", glint_pipeline_names[chosen->backend.pipeline]);
     glint_json_add_text(json, "shading", glint_shading_names[chosen->scene.shading]);
     if (chosen->scene.by_model)

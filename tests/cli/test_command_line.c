@@ -209,7 +209,8 @@ static void options_are_read_strictly(void **state)
         {"verify --clocks 99999999999999999999T",
          "glint verify: --clocks: \"99999999999999999999T\" is not an integer from 1 to "
          "1000000000000\n"},
-        {"render --k 1", "glint render: unknown option \"--k\" (see glint render --help)\n"},
+        {"render --kb 1",
+         "glint render: unknown option \"--kb\" (did you mean --k? see glint render --help)\n"},
         {"render --n 1 --n 1", "glint render: --n is given twice\n"},
         {"render --json --json", "glint render: --json is given twice\n"},
         {"render --json=1", "glint render: --json takes no value\n"},
