@@ -1,6 +1,6 @@
 #!/bin/sh
-# Puts the tables, numbers and plots that make compare has left in DIR into docs/: page.sh DIR. The page's
-# own words stay; what is between its marks is new.
+# Puts the tables, numbers and plots that make compare has left in DIR into docs/: page.sh DIR.
+# The page's own words stay; what is between its marks is new.
 set -eu
 
 awk -v tables="$1/compare.md" '
