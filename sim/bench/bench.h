@@ -10,6 +10,7 @@
 
 #include "backend/backend.h"
 #include "bench/formulas.h"
+#include "circuit/units.h"
 #include "glint_divider.h"
 
 #define GLINT_BENCH_N      60   /* exponent of all kernels */
@@ -80,6 +81,29 @@ const char *glint_bench_divider_name(glint_bench_divider candidate);
 /* Measures all of them for about `seconds` each (0.01…60). */
 glint_status glint_bench_dividers(const char *verilog, double seconds, const volatile bool *stop,
                                   glint_bench_divider_rates *rates, glint_error *err);
+
+#define GLINT_BENCH_UNIT_ONE(name) +1
+#define GLINT_BENCH_UNITS          (1 GLINT_UNITS(GLINT_BENCH_UNIT_ONE)) /* the specular device first */
+
+typedef enum glint_bench_unit_way {
+    GLINT_BENCH_UNIT_C, /* the C model's batch */
+    GLINT_BENCH_UNIT_RTL_1,
+    GLINT_BENCH_UNIT_RTL_4,
+    GLINT_BENCH_UNIT_WAYS
+} glint_bench_unit_way;
+
+typedef struct glint_bench_unit_rates {
+    const char *name[GLINT_BENCH_UNITS];
+    double points[GLINT_BENCH_UNITS][GLINT_BENCH_UNIT_WAYS];      /* a second, on one thread */
+    double to_specular[GLINT_BENCH_UNITS][GLINT_BENCH_UNIT_WAYS]; /* by the device's, same way */
+} glint_bench_unit_rates;
+
+/* The standard setting of unit 0…GLINT_BENCH_UNITS−1 with so many lanes; 0: the standard. */
+glint_setting glint_bench_unit_setting(int unit, int lanes);
+
+/* Measures every highlight unit in every way for about `seconds` each (0.01…60). */
+glint_status glint_bench_units(const char *verilog, double seconds, const volatile bool *stop,
+                               glint_bench_unit_rates *rates, glint_error *err);
 
 typedef struct glint_bench_frame {
     const char *model; /* "teapot" or "sphere" */

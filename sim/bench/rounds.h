@@ -8,7 +8,7 @@
 #include "glint_status.h"
 
 #define GLINT_ROUNDS         7
-#define GLINT_CANDIDATES_MAX 16
+#define GLINT_CANDIDATES_MAX 24
 
 /* One pass of a candidate over all of its work. */
 typedef glint_status glint_bench_pass(void *work, int candidate, glint_error *err);

@@ -54,6 +54,12 @@ int glint_highlight_lanes(const glint_setting *setting)
     return glint_setting_value(setting, "lanes", 1);
 }
 
+/* The last parameter of every highlight unit. */
+void glint_highlight_set_lanes(glint_setting *setting, int lanes)
+{
+    setting->values[setting->circuit->parameter_count - 1] = lanes;
+}
+
 int glint_highlight_w_frac_bits(const glint_setting *setting)
 {
     const glint_unit *unit = unit_of(setting->circuit);

@@ -24,6 +24,7 @@ const glint_parameter *glint_highlight_parameter(const glint_circuit *circuit);
 
 /* All below: of a circuit that is one. */
 int glint_highlight_lanes(const glint_setting *setting);
+void glint_highlight_set_lanes(glint_setting *setting, int lanes);
 int glint_highlight_w_frac_bits(const glint_setting *setting); /* W is U1.this */
 
 /* A setting of one of GLINT_UNITS; variant: the value of its own parameter, if it has one. */

@@ -25,6 +25,7 @@ typedef struct bench_results {
     glint_bench_rates points;
     glint_bench_formula_rates formulas;
     glint_bench_divider_rates dividers;
+    glint_bench_unit_rates units;
     glint_bench_frame frames[GLINT_BENCH_FRAMES];
 } bench_results;
 
@@ -56,7 +57,8 @@ static int parse(int argc, char **argv, bench_options *chosen)
         .command = "bench",
         .summary = "Measures the C model, the Verilated circuit at each lane count, powf, pow and "
                    "Schlick's formula side by side; then every formula that approximates cos^n, "
-                   "scalar and vectorised; the divider, in C and in both forms of its circuit, "
+                   "scalar and vectorised; every highlight unit, in C and in Verilog; the divider, "
+                   "in C and in both forms of its circuit, "
                    "against the machine's own division; and whole frames with each backend.",
         .examples = examples,
         .options = options,
@@ -101,6 +103,19 @@ static void print_formulas(const glint_bench_formula_rates *rates)
         printf("  %-16s %9.1f %8.2f %12.1f %8.2f\n", glint_formula_names[i],
                rates->scalar[i] * 1e-6, rates->scalar_to_schlick[i], rates->vectorised[i] * 1e-6,
                rates->vectorised_to_schlick[i]);
+}
+
+static void print_units(const glint_bench_unit_rates *rates)
+{
+    printf("highlight units: the same points, one thread; million points per second of the C "
+           "batch, of the\nVerilog with 1 lane and with 4, each with its ratio to the specular "
+           "device's\n");
+    for (int unit = 0; unit < GLINT_BENCH_UNITS; unit++) {
+        printf("  %-16s", rates->name[unit]);
+        for (int way = 0; way < GLINT_BENCH_UNIT_WAYS; way++)
+            printf(" %9.1f %6.2f", rates->points[unit][way] * 1e-6, rates->to_specular[unit][way]);
+        printf("\n");
+    }
 }
 
 static void print_dividers(const glint_bench_divider_rates *rates)
@@ -177,6 +192,24 @@ static void add_formulas(json_t *json, const glint_bench_formula_rates *rates)
     }
 }
 
+static void add_units(json_t *json, const glint_bench_unit_rates *rates)
+{
+    static const char *const keys[GLINT_BENCH_UNIT_WAYS][2] = {
+        {"million_points_per_second_c", "c_ratio_to_specular"},
+        {"million_points_per_second_rtl_1", "rtl_1_ratio_to_specular"},
+        {"million_points_per_second_rtl_4", "rtl_4_ratio_to_specular"}};
+    json_t *list = glint_json_add(json, "units", json_array());
+    for (int unit = 0; unit < GLINT_BENCH_UNITS; unit++) {
+        json_t *entry = json_object();
+        glint_json_add_text(entry, "name", rates->name[unit]);
+        for (int way = 0; way < GLINT_BENCH_UNIT_WAYS; way++) {
+            glint_json_add_number(entry, keys[way][0], rates->points[unit][way] * 1e-6);
+            glint_json_add_number(entry, keys[way][1], rates->to_specular[unit][way]);
+        }
+        json_array_append_new(list, entry);
+    }
+}
+
 static void add_dividers(json_t *json, const glint_bench_divider_rates *rates)
 {
     json_t *list = glint_json_add(json, "divisions", json_array());
@@ -216,6 +249,7 @@ static bool print_json(const bench_results *results, int threads)
     glint_json_add_number(json, "threads", threads);
     add_kernels(json, &results->points);
     add_formulas(json, &results->formulas);
+    add_units(json, &results->units);
     add_dividers(json, &results->dividers);
     add_frames(json, results->frames);
     return glint_output_json(json);
@@ -239,6 +273,12 @@ static glint_status measure(const bench_options *chosen, bench_results *results,
         fflush(stdout);
     }
     if (status == GLINT_OK)
+        status = glint_bench_units(chosen->verilog, chosen->seconds, stop, &results->units, err);
+    if (status == GLINT_OK && !chosen->json) {
+        print_units(&results->units);
+        fflush(stdout);
+    }
+    if (status == GLINT_OK)
         status =
             glint_bench_dividers(chosen->verilog, chosen->seconds, stop, &results->dividers, err);
     if (status == GLINT_OK && !chosen->json) {
@@ -253,7 +293,7 @@ static glint_status measure(const bench_options *chosen, bench_results *results,
     return status;
 }
 
-/* Both circuits are measured, the divider in both forms. */
+/* All circuits are measured, the divider in both forms. */
 static int check_verilog(const bench_options *chosen)
 {
     glint_setting settings[] = {
@@ -267,19 +307,28 @@ static int check_verilog(const bench_options *chosen)
         settings[i].verilog = chosen->verilog;
         status = glint_rtl_option_check("bench", &settings[i]);
     }
+    for (int unit = 0; unit < GLINT_BENCH_UNITS && status == GLINT_OPTIONS_RUN; unit++) {
+        glint_setting setting = glint_bench_unit_setting(unit, 0);
+        setting.verilog = chosen->verilog;
+        status = glint_rtl_option_check("bench", &setting);
+    }
     return status;
 }
 
 /* Build first: compilation must not count as measured time. */
 static glint_status build(const bench_options *chosen, glint_error *err)
 {
-    glint_setting settings[GLINT_BENCH_CANDIDATES + 2];
+    glint_setting settings[GLINT_BENCH_CANDIDATES + 2 + 2 * GLINT_BENCH_UNITS];
     int count = 0;
     for (int lanes = 1; lanes <= 16; lanes *= 2)
         settings[count++] = glint_setting_specular(
             &(glint_specular_config){GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, lanes});
     settings[count++] = glint_setting_divider(GLINT_DIVIDER_SEQUENTIAL, GLINT_BENCH_SHIFTS);
     settings[count++] = glint_setting_divider(GLINT_DIVIDER_PIPELINED, GLINT_BENCH_SHIFTS);
+    for (int unit = 1; unit < GLINT_BENCH_UNITS; unit++) {
+        settings[count++] = glint_bench_unit_setting(unit, 1);
+        settings[count++] = glint_bench_unit_setting(unit, 4);
+    }
     for (int i = 0; i < count; i++)
         settings[i].verilog = chosen->verilog;
     return glint_build_first("bench", settings, count, GLINT_RTL_FAST, 0, err);

@@ -33,6 +33,13 @@ static void the_json_has_all_parts(void **state)
     static const char *const loops[] = {
         "million_points_per_second_scalar", "million_points_per_second_vectorised",
         "scalar_ratio_to_schlick", "vectorised_ratio_to_schlick", NULL};
+    static const char *const units[] = {"million_points_per_second_c",
+                                        "c_ratio_to_specular",
+                                        "million_points_per_second_rtl_1",
+                                        "rtl_1_ratio_to_specular",
+                                        "million_points_per_second_rtl_4",
+                                        "rtl_4_ratio_to_specular",
+                                        NULL};
     static const char *const divisions[] = {"million_divisions_per_second", "ratio_to_integer",
                                             "ratio_to_float", NULL};
     static const char *const frames[] = {"width", "height", "fragments", "frames_per_second", NULL};
@@ -44,6 +51,7 @@ static void the_json_has_all_parts(void **state)
     const json_t *formulas = json_object_get(json, "formulas");
     assert_non_null(strstr(json_string_value(json_object_get(formulas, "compiled")), "-O3"));
     expect_entries(formulas, "loops", 6, loops);
+    expect_entries(json, "units", 7, units);
     expect_entries(json, "divisions", 6, divisions);
     expect_entries(json, "frames", 12, frames);
     json_decref(json);
@@ -58,6 +66,9 @@ static void the_text_has_all_parts(void **state)
                                         "\n  rtl-16 ",
                                         "\nformulas: ",
                                         "\n  cosine-quadratic ",
+                                        "\nhighlight units: ",
+                                        "\n  power ",
+
                                         "\ndivisions: ",
                                         "\n  integer ",
                                         "\n  rtl-sequential ",
