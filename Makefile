@@ -180,6 +180,8 @@ DEEP_FAULTS     := $(wildcard tests/lockstep/deep/*/*.sed)
 # $(BUILD)/wrong/divider_<what>.
 DIVIDER_FAULTS  := $(wildcard tests/divider/wrong/*/*/*.sed)
 DEEP_DIVIDER_FAULTS := $(wildcard tests/divider/deep/*/*/*.sed)
+# Of the power device: tests/power/wrong/<what>/<module>.sed, $(BUILD)/wrong/power_<what>.
+POWER_FAULTS    := $(wildcard tests/power/wrong/*/*.sed)
 wrong_name       = $(notdir $(patsubst %/,%,$(dir $1)))
 
 # $1: what, $2: the file of the fault, $3: the module's file name
@@ -196,6 +198,8 @@ $(foreach f,$(FAULTS) $(DEEP_FAULTS),\
     $(eval $(call wrong_circuit,$(call wrong_name,$f),$f,$(notdir $(f:.sed=.v)))))
 $(foreach f,$(DIVIDER_FAULTS) $(DEEP_DIVIDER_FAULTS),\
     $(eval $(call wrong_circuit,divider_$(call wrong_name,$f),$f,$(notdir $(f:.sed=.v)))))
+$(foreach f,$(POWER_FAULTS),\
+    $(eval $(call wrong_circuit,power_$(call wrong_name,$f),$f,$(notdir $(f:.sed=.v)))))
 
 # Shared by several tests: tests/<thing>/*.c that are not programs themselves.
 TEST_HELPERS := $(filter-out $(TEST_SOURCES) %/main.c %/drive.c,$(wildcard tests/*/*.c))
