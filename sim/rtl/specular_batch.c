@@ -79,16 +79,16 @@ static const device *device_of(glint_rtl *rtl, int lanes)
 /* Everything below is inlined with a constant number of lanes. */
 #define INLINE static inline __attribute__((always_inline))
 
-INLINE void set_mask(unsigned char *to, uint32_t mask, int lanes)
+INLINE void set_mask(unsigned char *to, uint64_t mask, int lanes)
 {
     memcpy(to, &mask, port_size(lanes));
 }
 
 INLINE uint32_t get_mask(const unsigned char *from, int lanes)
 {
-    uint32_t mask = 0;
+    uint64_t mask = 0;
     memcpy(&mask, from, port_size(lanes));
-    return mask;
+    return (uint32_t)mask;
 }
 
 /* A port of up to 64 bits is written at once: the model reads it so. */
@@ -145,12 +145,11 @@ INLINE size_t take_all(const device *d, const glint_points *points, size_t done,
     return done + (size_t)lanes;
 }
 
-/* Takes what left the circuit at the last edge, lane after lane; how many are done then. */
-INLINE size_t take(const device *d, const glint_points *points, size_t done, int lanes, int w_bits)
+/* Some of them: the first and the last clocks of a run. */
+static size_t take_some(const device *d, const glint_points *points, size_t done, int lanes,
+                        int w_bits)
 {
     const uint32_t valid = get_mask(d->out_valid, lanes);
-    if (valid == (uint32_t)glint_bits_mask(lanes) && done + (size_t)lanes <= points->count)
-        return take_all(d, points, done, lanes, w_bits);
     for (int i = 0; i < lanes; i++) {
         if ((valid >> i & 1u) == 0 || done == points->count)
             continue;
@@ -164,28 +163,40 @@ INLINE size_t take(const device *d, const glint_points *points, size_t done, int
     return done;
 }
 
+/* Takes what left the circuit at the last edge, lane after lane; how many are done then. */
+INLINE size_t take(const device *d, const glint_points *points, size_t done, int lanes, int w_bits)
+{
+    const uint32_t valid = get_mask(d->out_valid, lanes);
+    return valid == (uint32_t)glint_bits_mask(lanes) && done + (size_t)lanes <= points->count
+               ? take_all(d, points, done, lanes, w_bits)
+               : take_some(d, points, done, lanes, w_bits);
+}
+
 /* The material is written with the first cosines. */
 INLINE void end_writing(const device *d)
 {
     *d->n_we = *d->rgb_we = 0;
 }
 
-INLINE size_t clock_and_take(glint_rtl *rtl, const device *d, const glint_points *points,
-                             size_t done, int lanes, int w_bits)
-{
-    glint_rtl_edge(rtl);
-    return take(d, points, done, lanes, w_bits);
-}
-
-/* The lanes that are left at the end. */
-INLINE size_t feed_rest(glint_rtl *rtl, const device *d, const glint_points *points, size_t fed,
-                        size_t done, int lanes, int w_bits)
+/* The lanes that are left at the end, and what is still in the circuit. */
+static size_t finish(glint_rtl *rtl, const device *d, const glint_points *points, size_t fed,
+                     size_t done, int lanes, int w_bits)
 {
     uint32_t rest[GLINT_LANES_MAX] = {0};
-    memcpy(rest, points->cos + fed, (points->count - fed) * sizeof rest[0]);
-    set_mask(d->in_valid, (UINT32_C(1) << (points->count - fed)) - 1u, lanes);
-    set_cosines(d->cos, rest, lanes);
-    return clock_and_take(rtl, d, points, done, lanes, w_bits);
+    if (fed < points->count) {
+        memcpy(rest, points->cos + fed, (points->count - fed) * sizeof rest[0]);
+        set_mask(d->in_valid, (UINT32_C(1) << (points->count - fed)) - 1u, lanes);
+        set_cosines(d->cos, rest, lanes);
+        glint_rtl_edge(rtl);
+        done = take_some(d, points, done, lanes, w_bits);
+    }
+    end_writing(d);
+    set_mask(d->in_valid, 0, lanes);
+    for (int i = 1; i < d->latency; i++) {
+        glint_rtl_edge(rtl);
+        done = take_some(d, points, done, lanes, w_bits);
+    }
+    return done;
 }
 
 /* The tables are copied: a byte that is written through a pointer might be a part of them else, and
@@ -196,20 +207,15 @@ INLINE size_t run(glint_rtl *rtl, const device *shared_device, const glint_point
     const device copy = *shared_device, *d = &copy;
     const glint_points points_copy = *shared_points, *points = &points_copy;
     size_t done = 0, fed = 0;
-    set_mask(d->in_valid, (uint32_t)glint_bits_mask(lanes), lanes);
+    set_mask(d->in_valid, glint_bits_mask(lanes), lanes);
     for (; fed + (size_t)lanes <= points->count; fed += (size_t)lanes) {
         set_cosines(d->cos, points->cos + fed, lanes);
-        done = clock_and_take(rtl, d, points, done, lanes, w_bits);
+        glint_rtl_edge(rtl);
+        done = take(d, points, done, lanes, w_bits);
         if (fed == 0)
             end_writing(d);
     }
-    if (fed < points->count)
-        done = feed_rest(rtl, d, points, fed, done, lanes, w_bits);
-    end_writing(d);
-    set_mask(d->in_valid, 0, lanes);
-    for (int i = 1; i < d->latency; i++)
-        done = clock_and_take(rtl, d, points, done, lanes, w_bits);
-    return done;
+    return finish(rtl, d, points, fed, done, lanes, w_bits);
 }
 
 INLINE size_t run_lanes(glint_rtl *rtl, const device *d, const glint_points *points, int lanes,
