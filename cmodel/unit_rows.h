@@ -12,7 +12,6 @@
 #include <stddef.h>
 
 #include "glint_unit.h"
-#include "multiversion.h"
 
 #define GLINT_UNIT_FIELD(name, block, kind, int_bits, frac_bits, meaning) int64_t name;
 
@@ -41,8 +40,8 @@
 /* Defines ws(), as glint_unit.ws wants it, behind the file's stages(), load(), pass() and settle():
  * all of them inlined, the stages unrolled, so that little of the lane is ever in memory. */
 #define GLINT_UNIT_WS(type)                                                                        \
-    GLINT_MULTIVERSION __attribute__((flatten)) static void ws(                                    \
-        int variant, uint32_t n, const uint32_t *cos_code, size_t count, uint32_t *w_code)         \
+    __attribute__((flatten)) static void ws(int variant, uint32_t n, const uint32_t *cos_code,     \
+                                            size_t count, uint32_t *w_code)                        \
     {                                                                                              \
         for (size_t i = 0; i < count; i++) {                                                       \
             type s = {.end = {0}};                                                                 \

@@ -82,8 +82,9 @@ const char *glint_bench_divider_name(glint_bench_divider candidate);
 glint_status glint_bench_dividers(const char *verilog, double seconds, const volatile bool *stop,
                                   glint_bench_divider_rates *rates, glint_error *err);
 
+/* The specular device first. */
 #define GLINT_BENCH_UNIT_ONE(name) +1
-#define GLINT_BENCH_UNITS          (1 GLINT_UNITS(GLINT_BENCH_UNIT_ONE)) /* the specular device first */
+#define GLINT_BENCH_UNITS          (1 GLINT_UNITS(GLINT_BENCH_UNIT_ONE))
 
 typedef enum glint_bench_unit_way {
     GLINT_BENCH_UNIT_C, /* the C model's batch */
