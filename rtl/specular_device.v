@@ -20,6 +20,7 @@
 // Parameters  GATE      0 cosine (default), 1 sign, 2 drawn: see specular_lane
 //             PIPELINED 1 (default) or 0
 //             LANES     1 or more; 1 to 32 are tested
+//             LEAN      0 (default) or 1, smaller multipliers: see specular_lane
 // Example     n = 80, r = 255, g = 190, b = 110, cos = 259523 (0.99): rom33 = 221184 (27),
 //             rom9 = 252435 (0.963), and 4 clocks after the cosine out_w = 139714 (0.533),
 //             out_r = 136, out_g = 101, out_b = 59
@@ -29,7 +30,8 @@
 module specular_device #(
     parameter integer GATE      = `GLINT_GATE_COSINE,
     parameter integer PIPELINED = 1,
-    parameter integer LANES     = 1
+    parameter integer LANES     = 1,
+    parameter integer LEAN      = 0
 ) (
     input  wire                               clk,
     input  wire                               reset,
@@ -111,7 +113,7 @@ module specular_device #(
     genvar i;
     generate
         for (i = 0; i < LANES; i = i + 1) begin : lane
-            specular_lane #(.GATE(GATE), .PIPELINED(PIPELINED)) u (
+            specular_lane #(.GATE(GATE), .PIPELINED(PIPELINED), .LEAN(LEAN)) u (
                 .clk(clk), .reset(reset), .en(en),
                 .in_valid(in_valid[i]),
                 .cos(cos[i*`GLINT_COS_BITS +: `GLINT_COS_BITS]),

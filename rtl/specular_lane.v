@@ -15,6 +15,10 @@
 // Parameters  GATE 0 cosine: comparator 11 compares register 1 with ROM 9, a cosine limit
 //                  1 sign:   the sign of adder 8 decides, ROM 9 is unused
 //                  2 drawn:  comparator 11 compares the square with ROM 9, a W limit
+//             PIPELINED 1 (default) or 0
+//             LEAN 0 (default): multipliers 7 and 10 as drawn, of full width
+//                  1: of 23 x 18 and 18 x 18 bits (lean_product, lean_square). All registers and
+//                  outputs are the same; mul10 is another where comparator 11 does not pass it.
 // Example     n = 80, r = 255, g = 190, b = 110, cos = 259523 (0.99): reg1 = 259523,
 //             rom33 = 221184 (27), rom9 = 252435 (0.963), adder6 = -2621 (-0.01),
 //             mul7 = -70767 (-0.27), adder8 = 191377 (0.73), cmp11 = 1, mul10 = 139714 (0.533),
@@ -24,7 +28,8 @@
 
 module specular_lane #(
     parameter integer GATE      = `GLINT_GATE_COSINE,
-    parameter integer PIPELINED = 1
+    parameter integer PIPELINED = 1,
+    parameter integer LEAN      = 0
 ) (
     input  wire                        clk,
     input  wire                        reset,
@@ -66,10 +71,20 @@ module specular_lane #(
                                                {(`GLINT_SIGMA_FRAC_BITS - 1){1'b0}}};
 
     wire signed [`GLINT_SIGMA_BITS:0] sigma7 = {1'b0, rom33};
-    wire signed [SUM7_BITS-1:0]       sum7   = sigma7 * adder6 + HALF7;
+    wire signed [SUM7_BITS-1:0]       sum7;
     wire signed [`GLINT_T_BITS-1:0]   mul7;
     wire [`GLINT_SIGMA_FRAC_BITS-1:0] mul7_unused;
     assign {mul7, mul7_unused} = sum7;
+    generate
+        if (LEAN != 0) begin : g_product
+            wire signed [SUM7_BITS-1:0] product7;
+            wire                        operands7_unused = &{1'b0, sigma7, adder6};
+            lean_product u_product (.sigma(rom33), .cos(reg1), .product(product7));
+            assign sum7 = product7 + HALF7;
+        end else begin : g_product
+            assign sum7 = sigma7 * adder6 + HALF7;
+        end
+    endgenerate
 
     // Carry-in 1 at the integer digits is +1; the fraction bypasses the adder.
     wire signed [`GLINT_T_BITS-1:0] adder8 = {
@@ -79,7 +94,7 @@ module specular_lane #(
     wire cmp11;
 
     // Stage 2: multiplier 10 and key block 12.
-    localparam MUL10_BITS = DRAWN ? `GLINT_W_DRAWN_BITS : `GLINT_W_BITS;
+    localparam MUL10_BITS = (DRAWN && LEAN == 0) ? `GLINT_W_DRAWN_BITS : `GLINT_W_BITS;
     wire signed [`GLINT_T_BITS-1:0] s2_adder8;
     wire                            s2_cmp11;
     wire [MUL10_BITS-1:0]           mul10;
@@ -91,7 +106,7 @@ module specular_lane #(
         .clk(clk), .reset(reset), .en(en), .d(cmp11 && !DRAWN), .q(s2_cmp11));
 
     generate
-        if (GATE == `GLINT_GATE_DRAWN) begin : g_square
+        if (GATE == `GLINT_GATE_DRAWN && LEAN == 0) begin : g_square
             localparam SUM10_BITS = `GLINT_W_DRAWN_BITS + `GLINT_W_FRAC_BITS;
             localparam signed [SUM10_BITS-1:0] HALF10 = {
                 {`GLINT_W_DRAWN_BITS{1'b0}}, 1'b1, {(`GLINT_W_FRAC_BITS - 1){1'b0}}};
@@ -105,19 +120,37 @@ module specular_lane #(
             assign sat10 = (mul10 > W_ONE) ? W_ONE[`GLINT_W_BITS-1:0] : mul10[`GLINT_W_BITS-1:0];
             assign cmp11 = mul10 >= {{(`GLINT_W_DRAWN_INT_BITS - 1){1'b0}}, s2_rom9};
         end else begin : g_square
-            // Where the gate passes, t is in 0..1: these digits are enough for the square.
+            // Where the gate passes, t is in 0..1, or LEAN has -1..1: W's digits are enough.
             localparam SUM10_BITS = 2 * `GLINT_W_BITS;
             localparam [SUM10_BITS-1:0] HALF10 = {
                 {(SUM10_BITS - `GLINT_W_FRAC_BITS){1'b0}}, 1'b1, {(`GLINT_W_FRAC_BITS - 1){1'b0}}};
 
-            wire [`GLINT_W_BITS-1:0]      t10 = s2_adder8[`GLINT_W_BITS-1:0];
-            wire [SUM10_BITS-1:0]         sum10 = t10 * t10 + HALF10;
+            wire [SUM10_BITS-1:0]         sum10;
             wire                          mul10_high_unused;
             wire [`GLINT_W_FRAC_BITS-1:0] mul10_low_unused;
             assign {mul10_high_unused, mul10, mul10_low_unused} = sum10;
 
-            assign sat10 = mul10;
-            if (GATE == `GLINT_GATE_SIGN) begin : g_compare
+            if (LEAN != 0) begin : g_lean
+                wire [SUM10_BITS-1:0] square10;
+                lean_square u_square (.t(s2_adder8[`GLINT_W_BITS:0]), .square(square10));
+                assign sum10 = square10 + HALF10;
+            end else begin : g_lean
+                wire [`GLINT_W_BITS-1:0] t10 = s2_adder8[`GLINT_W_BITS-1:0];
+                assign sum10 = t10 * t10 + HALF10;
+            end
+
+            if (GATE == `GLINT_GATE_DRAWN) begin : g_saturate
+                // t is at most 1; below -1 its square is above 1.
+                wire over10 = s2_adder8[`GLINT_T_BITS-1]
+                              && !(&s2_adder8[`GLINT_T_BITS-2:`GLINT_W_FRAC_BITS]);
+                assign sat10 = over10 ? {1'b1, {`GLINT_W_FRAC_BITS{1'b0}}} : mul10;
+            end else begin : g_saturate
+                assign sat10 = mul10;
+            end
+
+            if (GATE == `GLINT_GATE_DRAWN) begin : g_compare
+                assign cmp11 = sat10 >= s2_rom9;
+            end else if (GATE == `GLINT_GATE_SIGN) begin : g_compare
                 assign cmp11 = !adder8[`GLINT_T_BITS-1];
             end else begin : g_compare
                 assign cmp11 = reg1 >= rom9;

@@ -10,6 +10,7 @@
 #define CIRCUITS(X)                                                                                \
     X(specular)                                                                                    \
     X(divider)                                                                                     \
+    X(lean)                                                                                        \
     GLINT_UNITS(X)                                                                                 \
     /* no more */
 

@@ -1,21 +1,24 @@
-/* The specular-colour device of figure 3.1, described. */
+/* The specular-colour device of figure 3.1, described; and the same with lean multipliers, a
+ * circuit on request. Both have one C model. */
 #include <stdio.h>
 #include <string.h>
 
 #include "circuit/circuits.h"
 #include "circuit/highlight.h"
 #include "circuit/stimulus.h"
+#include "circuit/unit.h"
 
 static const char *const gates[] = {"cosine", "sign", "drawn"};
 _Static_assert(sizeof gates / sizeof gates[0] == GLINT_GATE_COUNT, "a name for each gate");
 
+#define GATE                                                                                       \
+    {                                                                                              \
+        .name = "gate", .verilog = "GATE", .meaning = "what cuts off the highlight",               \
+        .choices = gates, .max = GLINT_GATE_COUNT - 1, .standard = GLINT_GATE_COSINE               \
+    }
+
 static const glint_parameter parameters[] = {
-    [GLINT_SPECULAR_GATE] = {.name = "gate",
-                             .verilog = "GATE",
-                             .meaning = "what cuts off the highlight",
-                             .choices = gates,
-                             .max = GLINT_GATE_COUNT - 1,
-                             .standard = GLINT_GATE_COSINE},
+    [GLINT_SPECULAR_GATE] = GATE,
     [GLINT_SPECULAR_PIPELINE] = GLINT_HIGHLIGHT_PIPELINE,
     [GLINT_SPECULAR_LANES] = GLINT_HIGHLIGHT_LANES,
 };
@@ -253,4 +256,82 @@ const glint_circuit glint_circuit_specular = {
     .stimulus_begin = stimulus_begin,
     .stimulus_next = stimulus_next,
     GLINT_BLOCKS(block),
+};
+
+/* ---- With lean multipliers --------------------------------------------------------------------
+ */
+
+/* The last parameter is fixed. */
+static const glint_parameter lean_parameters[] = {
+    [GLINT_SPECULAR_GATE] = GATE,
+    [GLINT_SPECULAR_PIPELINE] = GLINT_HIGHLIGHT_PIPELINE,
+    [GLINT_SPECULAR_LANES] = GLINT_HIGHLIGHT_FEW_LANES,
+    {.name = "lean",
+     .verilog = "LEAN",
+     .meaning = "multipliers 7 and 10 of 18-bit ports",
+     .min = 1,
+     .max = 1,
+     .standard = 1},
+};
+
+/* All signals but the square before the key block, which is another where it is not passed. */
+static int is_square(const glint_signal_info *info)
+{
+    return info->block == 10;
+}
+
+static int lean_signal_count(const int *values)
+{
+    int count = 0;
+    for (int i = 0; i < signal_count(values); i++) {
+        const glint_signal_info info = signal(values, i);
+        count += !is_square(&info);
+    }
+    return count;
+}
+
+static glint_signal_info lean_signal(const int *values, int index)
+{
+    glint_signal_info info = signal(values, 0);
+    for (int i = 1; index > 0; i++) {
+        info = signal(values, i);
+        index -= !is_square(&info);
+    }
+    return info;
+}
+
+static uint64_t points(const int *values)
+{
+    return glint_unit_points(values[GLINT_SPECULAR_LANES]);
+}
+
+static void put(const int *values, uint64_t point, void *pins)
+{
+    glint_unit_put(values[GLINT_SPECULAR_LANES], point, pins);
+}
+
+static const glint_domain domain = {
+    .what = "every n with every code of the cosine", .points = points, .put = put};
+
+const glint_circuit glint_circuit_lean = {
+    .name = "lean",
+    .title = "Specular-colour device with lean multipliers",
+    .on_request = 1,
+    .clock_port = "clk",
+    .top = top,
+    GLINT_PARAMETERS(lean_parameters),
+    GLINT_PINS(glint_specular_inputs, pin),
+    GLINT_SIGNALS(lean_signal),
+    .lane_name = "lane",
+    .lane_scope = "lane[%d].u",
+    GLINT_HEADINGS(headings),
+    .latency = latency,
+    .create = create,
+    .destroy = destroy,
+    .clock = clock_model,
+    .signals = signals,
+    .stimulus_size = sizeof(glint_stimulus),
+    .stimulus_begin = stimulus_begin,
+    .stimulus_next = stimulus_next,
+    .domain = &domain,
 };

@@ -130,6 +130,8 @@ static void what_is_on_request_can_be_verified(void **state)
     assert_verified("verify --circuit all --accuracy half --pipeline pipelined --lanes 1 "
                     "--clocks 100",
                     1);
+    /* Against the specular device's own model. */
+    assert_verified("verify --circuit lean --lanes 1 --clocks 2000", 6);
 }
 
 static void one_setting_can_be_chosen(void **state)
