@@ -61,6 +61,14 @@ static glint_setting setting_of(const opinion *entry)
     return kind_of(entry) == SECOND ? entry->setting : pins_setting(&entry->setting);
 }
 
+/* The power device gets more of them, so that its netlist shows every bit of its ROMs
+ * (tests/power/test_power_domain.c). */
+static uint64_t clocks_of(const opinion *entry)
+{
+    const bool is_power = strcmp(entry->setting.circuit->name, "power") == 0;
+    return kind_of(entry) == NETLIST && is_power ? 8 * clocks : clocks;
+}
+
 static void run_lockstep(const opinion *entry, const glint_setting *setting, uint64_t count,
                          glint_lockstep_result *found)
 {
@@ -75,7 +83,7 @@ static tally compare(const opinion *entry)
 {
     static glint_lockstep_result found;
     const glint_setting setting = setting_of(entry);
-    run_lockstep(entry, &setting, clocks, &found);
+    run_lockstep(entry, &setting, clocks_of(entry), &found);
     if (found.mismatches != 0) {
         const glint_mismatch *first = &found.mismatch[0];
         print_message("%s: clock %" PRIu64 ", %s, lane %d: model 0x%" PRIx64 ", circuit 0x%" PRIx64
@@ -99,7 +107,7 @@ static int compare_all(opinion_kind kind, const char *what, tally *sum, int *cir
         const tally one = compare(entry);
         print_message("%-44s %" PRIu64 " mismatches of %" PRIu64 "\n", entry->name, one.mismatches,
                       one.comparisons);
-        assert_true(one.clocks == clocks && one.comparisons >= 4 * clocks);
+        assert_true(one.clocks == clocks_of(entry) && one.comparisons >= 4 * one.clocks);
         sum->clocks += one.clocks;
         sum->comparisons += one.comparisons;
         sum->mismatches += one.mismatches;
