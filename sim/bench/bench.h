@@ -94,10 +94,15 @@ typedef enum glint_bench_unit_way {
 } glint_bench_unit_way;
 
 typedef struct glint_bench_unit_rates {
+    int count; /* of the units measured: of those that are in the Verilog's directory */
     const char *name[GLINT_BENCH_UNITS];
     double points[GLINT_BENCH_UNITS][GLINT_BENCH_UNIT_WAYS];      /* a second, on one thread */
     double to_specular[GLINT_BENCH_UNITS][GLINT_BENCH_UNIT_WAYS]; /* by the device's, same way */
 } glint_bench_unit_rates;
+
+/* Whether DIR has the top module of a unit in a file of that name. The device, unit 0, counts as
+ * being there: that it is not is an error to be told. */
+bool glint_bench_unit_is_in(int unit, const char *verilog);
 
 /* The standard setting of unit 0…GLINT_BENCH_UNITS−1 with so many lanes; 0: the standard. */
 glint_setting glint_bench_unit_setting(int unit, int lanes);

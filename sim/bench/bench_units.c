@@ -1,6 +1,8 @@
 /* Points per second of every highlight unit, in C and through its Verilog, beside the specular
  * device's in the same rounds. */
+#include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "bench/bench.h"
 #include "bench/rounds.h"
@@ -13,10 +15,11 @@ _Static_assert(GLINT_BENCH_UNITS *GLINT_BENCH_UNIT_WAYS <= GLINT_CANDIDATES_MAX,
                "all take turns in one run");
 
 typedef struct workload {
+    int count, unit[GLINT_BENCH_UNITS]; /* those that are measured */
     uint32_t cos_code[GLINT_BENCH_POINTS];
     uint8_t r[GLINT_BENCH_POINTS], g[GLINT_BENCH_POINTS], b[GLINT_BENCH_POINTS];
     glint_material material;
-    glint_setting setting[GLINT_BENCH_UNITS];
+    glint_setting setting[GLINT_BENCH_UNITS]; /* of each measured one, as the circuits are */
     glint_rtl *rtl[GLINT_BENCH_UNITS][GLINT_BENCH_UNIT_WAYS]; /* none of GLINT_BENCH_UNIT_C */
 } workload;
 
@@ -40,17 +43,35 @@ glint_setting glint_bench_unit_setting(int unit, int lanes)
     return setting;
 }
 
+bool glint_bench_unit_is_in(int unit, const char *verilog)
+{
+    static const char *const endings[] = {".v", ".sv"};
+    const glint_setting setting = glint_bench_unit_setting(unit, 0);
+    bool is_in = unit == 0 || verilog == NULL;
+    for (size_t i = 0; i < sizeof endings / sizeof endings[0] && !is_in; i++) {
+        char path[4096];
+        const int length = snprintf(path, sizeof path, "%s/%s%s", verilog,
+                                    glint_setting_top(&setting), endings[i]);
+        is_in = length < (int)sizeof path && access(path, F_OK) == 0;
+    }
+    return is_in;
+}
+
 static glint_status create_circuits(workload *w, const char *verilog, glint_error *err)
 {
     glint_status status = GLINT_OK;
-    for (int unit = 0; unit < GLINT_BENCH_UNITS; unit++)
+    for (int unit = 0; unit < GLINT_BENCH_UNITS; unit++) {
+        const int i = w->count;
+        if (!glint_bench_unit_is_in(unit, verilog))
+            continue;
+        w->unit[w->count++] = unit;
         for (int way = 0; way < GLINT_BENCH_UNIT_WAYS && status == GLINT_OK; way++) {
-            glint_setting setting = glint_bench_unit_setting(unit, lanes_of[way]);
-            setting.verilog = verilog;
-            w->setting[unit] = setting;
+            w->setting[i] = glint_bench_unit_setting(unit, lanes_of[way]);
+            w->setting[i].verilog = verilog;
             if (lanes_of[way] != 0)
-                status = glint_rtl_open(&setting, GLINT_RTL_FAST, &w->rtl[unit][way], err);
+                status = glint_rtl_open(&w->setting[i], GLINT_RTL_FAST, &w->rtl[i][way], err);
         }
+    }
     return status;
 }
 
@@ -72,7 +93,7 @@ static void fill_workload(workload *w)
     }
 }
 
-/* One pass of a unit's way over all points. */
+/* One pass of a measured unit's way over all points. */
 static glint_status run_pass(void *work, int candidate, glint_error *err)
 {
     workload *w = work;
@@ -84,10 +105,11 @@ static glint_status run_pass(void *work, int candidate, glint_error *err)
     return glint_rtl_shade(w->rtl[unit][way], &w->material, &points, err);
 }
 
-static void summarise(const glint_rounds *rounds, glint_bench_unit_rates *rates)
+static void summarise(const workload *w, const glint_rounds *rounds, glint_bench_unit_rates *rates)
 {
-    for (int unit = 0; unit < GLINT_BENCH_UNITS; unit++) {
-        rates->name[unit] = unit_number(unit)->name;
+    rates->count = w->count;
+    for (int unit = 0; unit < w->count; unit++) {
+        rates->name[unit] = unit_number(w->unit[unit])->name;
         for (int way = 0; way < GLINT_BENCH_UNIT_WAYS; way++) {
             const int candidate = unit * GLINT_BENCH_UNIT_WAYS + way;
             rates->points[unit][way] = glint_rounds_rate(rounds, candidate);
@@ -106,10 +128,10 @@ glint_status glint_bench_units(const char *verilog, double seconds, const volati
     fill_workload(w);
     glint_status status = create_circuits(w, verilog, err);
     if (status == GLINT_OK)
-        status = glint_rounds_measure(run_pass, w, GLINT_BENCH_UNITS * GLINT_BENCH_UNIT_WAYS,
+        status = glint_rounds_measure(run_pass, w, w->count * GLINT_BENCH_UNIT_WAYS,
                                       GLINT_BENCH_POINTS, seconds, stop, &rounds, err);
     if (status == GLINT_OK)
-        summarise(&rounds, rates);
+        summarise(w, &rounds, rates);
     destroy_workload(w);
     return status;
 }

@@ -110,7 +110,7 @@ static void print_units(const glint_bench_unit_rates *rates)
     printf("highlight units: the same points, one thread; million points per second of the C "
            "batch, of the\nVerilog with 1 lane and with 4, each with its ratio to the specular "
            "device's\n");
-    for (int unit = 0; unit < GLINT_BENCH_UNITS; unit++) {
+    for (int unit = 0; unit < rates->count; unit++) {
         printf("  %-16s", rates->name[unit]);
         for (int way = 0; way < GLINT_BENCH_UNIT_WAYS; way++)
             printf(" %9.1f %6.2f", rates->points[unit][way] * 1e-6, rates->to_specular[unit][way]);
@@ -199,7 +199,7 @@ static void add_units(json_t *json, const glint_bench_unit_rates *rates)
         {"million_points_per_second_rtl_1", "rtl_1_ratio_to_specular"},
         {"million_points_per_second_rtl_4", "rtl_4_ratio_to_specular"}};
     json_t *list = glint_json_add(json, "units", json_array());
-    for (int unit = 0; unit < GLINT_BENCH_UNITS; unit++) {
+    for (int unit = 0; unit < rates->count; unit++) {
         json_t *entry = json_object();
         glint_json_add_text(entry, "name", rates->name[unit]);
         for (int way = 0; way < GLINT_BENCH_UNIT_WAYS; way++) {
@@ -310,7 +310,8 @@ static int check_verilog(const bench_options *chosen)
     for (int unit = 0; unit < GLINT_BENCH_UNITS && status == GLINT_OPTIONS_RUN; unit++) {
         glint_setting setting = glint_bench_unit_setting(unit, 0);
         setting.verilog = chosen->verilog;
-        status = glint_rtl_option_check("bench", &setting);
+        if (glint_bench_unit_is_in(unit, chosen->verilog))
+            status = glint_rtl_option_check("bench", &setting);
     }
     return status;
 }
@@ -326,6 +327,8 @@ static glint_status build(const bench_options *chosen, glint_error *err)
     settings[count++] = glint_setting_divider(GLINT_DIVIDER_SEQUENTIAL, GLINT_BENCH_SHIFTS);
     settings[count++] = glint_setting_divider(GLINT_DIVIDER_PIPELINED, GLINT_BENCH_SHIFTS);
     for (int unit = 1; unit < GLINT_BENCH_UNITS; unit++) {
+        if (!glint_bench_unit_is_in(unit, chosen->verilog))
+            continue;
         settings[count++] = glint_bench_unit_setting(unit, 1);
         settings[count++] = glint_bench_unit_setting(unit, 4);
     }
