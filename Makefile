@@ -149,11 +149,15 @@ $(BUILD)/glint: $(CLI_OBJECTS) $(LIBRARIES) | $(BUILD)/tree
 	$Q$(CC) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 # What the demo's picture and verdict need of it, two thirds: main.c goes without the others.
-LATER         := $(wildcard sim/bench/*.c sim/compare/*.c sim/draw/*.c sim/energy/*.c \
-                 sim/report/*.c sim/study/*.c)
-FIRST_COMMANDS := render verify verify_exhaustive wave
-FIRST_SOURCES := $(filter-out $(LATER),$(SIM_SOURCES)) $(FIRST_COMMANDS:%=sim/cli/cmd_%.c) \
-                 $(filter-out sim/cli/cmd_%,$(wildcard sim/cli/*.c))
+LATER          := $(wildcard $(addprefix sim/,bench/*.c compare/*.c draw/*.c energy/*.c \
+                    report/*.c study/*.c)) \
+                  $(addprefix sim/,image/png_read.c image/text.c lockstep/exhaustive.c \
+                    reflectance/accuracy.c render/table21.c)
+LATER_OF_CLI   := $(addprefix sim/cli/,cmd_%.c eval_%.c exhaustive_options.c input.c number_list.c \
+                    verify_domain.c)
+FIRST_COMMANDS := render verify wave
+FIRST_SOURCES  := $(filter-out $(LATER),$(SIM_SOURCES)) $(FIRST_COMMANDS:%=sim/cli/cmd_%.c) \
+                  $(filter-out $(LATER_OF_CLI),$(wildcard sim/cli/*.c))
 $(BUILD)/glint-first: $(FIRST_SOURCES:%.c=$(BUILD)/%.o) $(BUILD)/libglint.a | $(BUILD)/tree
 	$(call say,LD,$@)
 	$Q$(CC) $(LDFLAGS) -o $@ $^ $(LDLIBS)
@@ -229,7 +233,7 @@ TESTS_OF_TOOLS := $(addprefix $(BUILD)/tests/,coverage/test_coverage_report deps
                     portability/test_portability verification/test_table verilog/test_icarus)
 TESTS_RUN = $(if $(SANITIZE),$(filter-out $(TESTS_OF_TOOLS),$(TEST_PROGRAMS)),$(TEST_PROGRAMS))
 
-build-tests: $(TESTS_RUN) $(BUILD)/glint $(BUILD)/glint-gen $(WRONG_CIRCUITS)
+build-tests: $(TESTS_RUN) $(BUILD)/glint $(BUILD)/glint-first $(BUILD)/glint-gen $(WRONG_CIRCUITS)
 .PHONY: build-tests run-tests test-full
 
 run-tests: build-tests

@@ -609,7 +609,9 @@ static bool is_exhaustive(int argc, char **argv)
 int glint_cmd_verify(int argc, char **argv)
 {
     if (is_exhaustive(argc, argv))
-        return glint_cmd_verify_exhaustive(argc, argv);
+        return glint_cmd_verify_exhaustive != NULL
+                   ? glint_cmd_verify_exhaustive(argc, argv)
+                   : glint_subcommand_is_not_here("verify --exhaustive");
     verify_options chosen = {.clocks = 100000,
                              .seed = (int64_t)time(NULL),
                              .threads = sysconf(_SC_NPROCESSORS_ONLN),

@@ -22,4 +22,7 @@ GLINT_SUBCOMMAND(energy);
 GLINT_SUBCOMMAND(report);
 GLINT_SUBCOMMAND(bench);
 
+/* Says that a program does not have this one. */
+int glint_subcommand_is_not_here(const char *name);
+
 #endif

@@ -90,7 +90,7 @@ static int refuse(const char *word)
                           meant != NULL ? "? " : "");
 }
 
-static int not_here(const char *name)
+int glint_subcommand_is_not_here(const char *name)
 {
     return glint_complain(NULL, GLINT_EXIT_TROUBLE,
                           "%s is not in this program, the part of glint that make demo begins "
@@ -103,7 +103,8 @@ static int run(int argc, char **argv)
 {
     for (size_t i = 0; i < SUBCOMMAND_COUNT; i++)
         if (strcmp(argv[0], subcommands[i].name) == 0)
-            return subcommands[i].run != NULL ? subcommands[i].run(argc, argv) : not_here(argv[0]);
+            return subcommands[i].run != NULL ? subcommands[i].run(argc, argv)
+                                              : glint_subcommand_is_not_here(argv[0]);
     return refuse(argv[0]);
 }
 

@@ -341,6 +341,32 @@ static void output_that_is_not_taken_is_a_failure(void **state)
     }
 }
 
+#define LACKS                                                                                      \
+    " is not in this program, the part of glint that make demo begins with: make builds the "      \
+    "whole command\n"
+
+/* glint-first, which make demo links before the rest of the command is compiled. */
+static void the_first_part_says_what_it_lacks(void **state)
+{
+    (void)state;
+    static const refusal refusals[] = {
+        {"report --chapter divider", "glint: report" LACKS},
+        {"verify --exhaustive", "glint: verify --exhaustive" LACKS},
+        {"rende", "glint: unknown subcommand \"rende\" (did you mean render? see glint --help)\n"},
+    };
+    const char *build = getenv("GLINT_BUILD");
+    char path[4096], *kept = strdup(glint_under_test());
+    assert_non_null(kept);
+    (void)snprintf(path, sizeof path, "%s/glint-first", build != NULL ? build : "build");
+    assert_int_equal(setenv("GLINT", path, 1), 0);
+    assert_refused(refusals, sizeof refusals / sizeof refusals[0]);
+    outcome done = run("render --help", "");
+    assert_outcome(&done, 0, "");
+    forget(&done);
+    assert_int_equal(setenv("GLINT", kept, 1), 0);
+    free(kept);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -354,6 +380,7 @@ int main(void)
         cmocka_unit_test(options_are_read_strictly),
         cmocka_unit_test(a_message_stays_one_line),
         cmocka_unit_test(output_that_is_not_taken_is_a_failure),
+        cmocka_unit_test(the_first_part_says_what_it_lacks),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
