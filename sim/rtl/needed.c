@@ -56,12 +56,13 @@ static bool is_pasted(const char *at, const char *text)
                            : at[0] == ')' && at[1] == '_';
 }
 
-/* Blanks comments; false where words do not tell. */
+/* Blanks comments; false where words do not tell. Most of a text, a ROM above all, has none of the
+ * characters that skip() and is_pasted() look at. */
 static bool make_bare(char *text)
 {
     bool told = true, comment;
     char *end;
-    for (char *at = text; *at != '\0'; at = end) {
+    for (char *at = text; *(at += strcspn(at, "/\"`\\)")) != '\0'; at = end) {
         if ((end = skip(at, &comment)) == NULL) {
             told = told && !is_pasted(at, text);
             end = at + 1;
