@@ -90,14 +90,6 @@ static int refuse(const char *word)
                           meant != NULL ? "? " : "");
 }
 
-int glint_subcommand_is_not_here(const char *name)
-{
-    return glint_complain(NULL, GLINT_EXIT_TROUBLE,
-                          "%s is not in this program, the part of glint that make demo begins "
-                          "with: make builds the whole command",
-                          name);
-}
-
 /* argv[0] is the subcommand's name. */
 static int run(int argc, char **argv)
 {
