@@ -22,7 +22,8 @@ glint_status glint_compare_formula_of(const glint_setting *setting, glint_compar
                                       glint_error *err)
 {
     *formula = (glint_compare_formula){.unit = NULL};
-    if (setting->circuit == &glint_circuit_specular) {
+    if (setting->circuit == &glint_circuit_specular ||
+        strcmp(setting->circuit->name, "lean") == 0) { /* its parameters begin with the device's */
         formula->gate = glint_specular_config_of(setting->values).gate;
         return GLINT_OK;
     }

@@ -17,7 +17,7 @@
 #include "../seed.h"
 #include "vectors.h"
 
-enum { SECONDS = 120, RANDOM_CLOCKS = 3000, SOURCES_MAX = 32 };
+enum { SECONDS = 120, RANDOM_CLOCKS = 3000, SOURCES_MAX = 128 };
 
 static uint64_t seed;
 
