@@ -1,17 +1,14 @@
-/* Light at vertices and on whole triangles. */
+/* Light at vertices, on whole triangles, and at points of a caller. */
 #include "render/points.h"
 
 /* Is lost in any sum but that of a vector without length, whose cosine it makes 0 instead of 0/0.
  */
 #define TINY 1e-300
 
-/* Appends the point p, in the camera's coordinates, with a normal n of any length. V is the way
- * from there to the eye. */
-static void add_point(glint_lit_points *points, const glint_lighting *lighting, glint_view_point p,
-                      glint_vec3 n)
+void glint_lit_points_add(glint_lit_points *points, const glint_lighting *lighting, glint_vec3 back,
+                          glint_vec3 n)
 {
     const glint_vec3 l = glint_vec3_of(lighting->light);
-    const glint_vec3 back = {-p.x, -p.y, p.w};
     const glint_vec3 v = glint_vec3_scale(back, 1.0 / sqrt(glint_vec3_dot(back, back) + TINY));
     const glint_vec3 h = glint_vec3_add(l, v);
     const double nn = glint_vec3_dot(n, n);
@@ -40,6 +37,14 @@ static void add_point(glint_lit_points *points, const glint_lighting *lighting, 
     }
 }
 
+void glint_lit_points_shadow(glint_lit_points *points, const glint_lighting *lighting)
+{
+    const size_t at = points->count - 1;
+    points->lit[at] = 0;
+    for (int c = 0; c < 3; c++)
+        points->base[c][at] = glint_intensity_of(lighting->ambient[c]);
+}
+
 static glint_status find_highlights(glint_lit_points *points, const glint_lighting *lighting,
                                     glint_backend *backend, glint_error *err)
 {
@@ -58,9 +63,8 @@ static glint_status find_highlights(glint_lit_points *points, const glint_lighti
     return GLINT_OK;
 }
 
-/* Lights all that were added: base becomes the colours. */
-static glint_status light_points(glint_lit_points *points, const glint_lighting *lighting,
-                                 glint_backend *backend, glint_error *err)
+glint_status glint_lit_points_light(glint_lit_points *points, const glint_lighting *lighting,
+                                    glint_backend *backend, glint_error *err)
 {
     if (points->count == 0)
         return GLINT_OK;
@@ -68,6 +72,13 @@ static glint_status light_points(glint_lit_points *points, const glint_lighting 
     for (int c = 0; status == GLINT_OK && c < 3; c++)
         glint_add_highlight(points->count, points->highlight[c], points->lit, points->base[c]);
     return status;
+}
+
+/* The point p with a normal n of any length, seen from the eye. */
+static void add_point(glint_lit_points *points, const glint_lighting *lighting, glint_view_point p,
+                      glint_vec3 n)
+{
+    glint_lit_points_add(points, lighting, (glint_vec3){-p.x, -p.y, p.w}, n);
 }
 
 glint_status glint_light_vertices(glint_lit_points *points, const glint_point_light *light,
@@ -80,7 +91,7 @@ glint_status glint_light_vertices(glint_lit_points *points, const glint_point_li
                   glint_camera_view(light->camera, &light->mesh->position[3 * i]),
                   glint_camera_rotate(light->camera, glint_vec3_of(&light->mesh->normal[3 * i])));
     }
-    const glint_status status = light_points(points, light->lighting, backend, err);
+    const glint_status status = glint_lit_points_light(points, light->lighting, backend, err);
     for (size_t i = first; status == GLINT_OK && i < last; i++)
         for (int c = 0; c < 3; c++)
             screen[i].color[c] = points->base[c][i - first];
@@ -118,7 +129,7 @@ glint_status glint_light_triangles(glint_lit_points *points, const glint_point_l
         if (i == 0 || list->triangle[i].source != list->triangle[i - 1].source)
             add_triangle_point(points, light, list->triangle[i].source);
     *count = points->count;
-    const glint_status status = light_points(points, light->lighting, backend, err);
+    const glint_status status = glint_lit_points_light(points, light->lighting, backend, err);
     size_t at = 0;
     for (size_t i = 0; status == GLINT_OK && i < list->count; i++) {
         at += i > 0 && list->triangle[i].source != list->triangle[i - 1].source;

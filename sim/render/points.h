@@ -1,5 +1,6 @@
-/* Light at single points of the mesh: at its vertices, for Gouraud's shading, or once for each
- * triangle, for flat shading. The same formula as for fragments, and the same backend or model. */
+/* Light at single points of the mesh: at its vertices, for Gouraud's shading, once for each
+ * triangle, for flat shading, or wherever a ray ends (trace/). The same formula as for fragments,
+ * and the same backend or model. */
 #ifndef GLINT_SIM_RENDER_POINTS_H
 #define GLINT_SIM_RENDER_POINTS_H
 
@@ -18,6 +19,18 @@ typedef struct glint_lit_points {
     uint8_t highlight[3][GLINT_POINTS_RUN]; /* from the backend or the model */
     uint8_t lit[GLINT_POINTS_RUN];          /* 255 where the surface faces the light, else 0 */
 } glint_lit_points;
+
+/* Appends a point with a normal n of any length, both in camera axes; back: from there towards the
+ * viewer, any length. There must be room; count = 0 empties it. */
+void glint_lit_points_add(glint_lit_points *points, const glint_lighting *lighting, glint_vec3 back,
+                          glint_vec3 n);
+
+/* Puts the point added last into shadow: ambient light only. */
+void glint_lit_points_shadow(glint_lit_points *points, const glint_lighting *lighting);
+
+/* Lights all that were added: base becomes the colours. */
+glint_status glint_lit_points_light(glint_lit_points *points, const glint_lighting *lighting,
+                                    glint_backend *backend, glint_error *err);
 
 /* What a frame's points are lit with. */
 typedef struct glint_point_light {
