@@ -128,6 +128,8 @@ DRAWINGS := specular.svg specular-drawn.svg divider-sequential.svg
 TEXTS    := $(patsubst %,$(BUILD)/%.inc,$(wildcard sim/report/text/*) $(DRAWINGS:%=docs/images/%) \
               docs/compare.csv)
 $(BUILD)/sim/report/texts.o: $(TEXTS)
+SHADERS  := $(patsubst %,$(BUILD)/%.inc,$(wildcard sim/shader/*))
+$(BUILD)/sim/gl/texts.o: $(SHADERS)
 
 # Loops whose speed is measured; see the file.
 $(BUILD)/sim/bench/formulas.o: CFLAGS_ALL += -ffast-math
@@ -150,11 +152,11 @@ $(BUILD)/glint: $(CLI_OBJECTS) $(LIBRARIES) | $(BUILD)/tree
 
 # What the demo's picture and verdict need of it, two thirds: main.c goes without the others.
 LATER          := $(wildcard $(addprefix sim/,bench/*.c compare/*.c draw/*.c energy/*.c \
-                    report/*.c study/*.c)) \
+                    gl/*.c report/*.c study/*.c)) \
                   $(addprefix sim/,image/png_read.c image/text.c lockstep/exhaustive.c \
                     reflectance/accuracy.c render/table21.c)
 LATER_OF_CLI   := $(addprefix sim/cli/,cmd_%.c eval_%.c exhaustive_options.c input.c number_list.c \
-                    verify_domain.c)
+                    render_gl.c verify_domain.c)
 FIRST_COMMANDS := render verify wave
 FIRST_SOURCES  := $(filter-out $(LATER),$(SIM_SOURCES)) $(FIRST_COMMANDS:%=sim/cli/cmd_%.c) \
                   $(filter-out $(LATER_OF_CLI),$(wildcard sim/cli/*.c))
@@ -304,7 +306,7 @@ lint-%: $(BUILD)/settings FORCE
 	$Qtests/circuits/lint.sh $* $< $(BUILD)/lint
 
 # The other compiler: the build itself is with CC.
-lint-c: $(TEXTS)
+lint-c: $(TEXTS) $(SHADERS)
 	$(call say,LINT,'$(words $(C_SOURCES)) C files')
 	$Qclang -std=c17 -O3 -fsyntax-only $(WARNINGS) -Icmodel -Isim -I$(BUILD) \
 	    $(PACKAGE_CFLAGS) $(C_SOURCES)

@@ -11,11 +11,12 @@ set -u
 
 build='gcc g++ make pkg-config verilator zlib1g-dev libpng-dev libfreetype-dev'
 build="$build fonts-dejavu-core libassimp-dev libjansson-dev libcmark-gfm-dev"
-build="$build libcmark-gfm-extensions-dev nettle-dev"
+build="$build libcmark-gfm-extensions-dev nettle-dev libegl-dev libgl-dev"
 checks="$build libcmocka-dev libgmp-dev bc musl-tools help2man iverilog yosys clang valgrind"
 view='gtkwave xvfb xauth imagemagick'
 meshes='assimp-testmodels glmark2-data'
 plots='gnuplot-nox'
+opengl='libegl1 libgl1-mesa-dri'
 solver='z3'
 drawing='graphviz librsvg2-bin fonts-dejavu-core'
 foreign='gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user-static'
@@ -26,14 +27,14 @@ packages_of() {
     build | demo | bench | wave) echo "$build" ;;
     check) echo "$build libcmocka-dev" ;;
     install) echo "$build help2man" ;;
-    lint) echo "$checks clang-format clang-tidy" ;;
+    lint) echo "$checks clang-format clang-tidy glslang-tools" ;;
     mutation | netlist | formats) echo "$checks" ;;
     formal) echo "yosys $solver make" ;;
-    coverage) echo "$checks gcovr $view $meshes $plots $drawing" ;;
+    coverage) echo "$checks gcovr $view $meshes $plots $drawing $opengl" ;;
     fuzz) echo "$checks" ;;
     draw) echo "$drawing" ;;
     report) echo "$build $plots" ;;
-    test) echo "$checks $view $meshes $plots $solver $drawing" ;;
+    test) echo "$checks $view $meshes $plots $solver $drawing $opengl" ;;
     portability) echo "$checks $foreign" ;;
     newest) echo "$build libcmocka-dev python3-venv python3-pip liblz4-dev" ;;
     compare) echo "$build yosys opensta qflow-tech-osu018 python3-venv python3-pip $plots" ;;

@@ -12,6 +12,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/picture.h"
+#include "cli/render_gl.h"
 #include "cli/render_options.h"
 #include "cli/render_report.h"
 #include "failure/frame.h"
@@ -82,7 +83,7 @@ static glint_status render_frame(const glint_render_options *chosen, glint_backe
 {
     glint_backend_config config = chosen->backend;
     config.kind = kind;
-    frame->kind = kind;
+    frame->backend = glint_backend_names[kind];
     glint_status status =
         glint_renderer_create(chosen->what.width, chosen->what.height, (int)chosen->what.threads,
                               &config, &frame->renderer, err);
@@ -124,6 +125,8 @@ static glint_status render_all(const glint_render_options *chosen, const glint_m
     scene.mesh = mesh;
     const glint_backend_kind first = chosen->both ? GLINT_BACKEND_C : chosen->backend.kind;
     result->frame_count = chosen->both ? 2 : 1;
+    if (chosen->gl)
+        return glint_render_by_gl(chosen, &scene, &result->frame[0], err);
     glint_status status = build(chosen, err);
     if (status == GLINT_OK)
         status = render_frame(chosen, first, &scene, &result->frame[0], err);
@@ -276,6 +279,8 @@ int glint_cmd_render(int argc, char **argv)
         return parsed;
     char command[GLINT_FAILURE_COMMAND];
     glint_failure_command(argc, argv, command, sizeof command);
+    if (chosen.gl && glint_render_by_gl == NULL)
+        return glint_subcommand_is_not_here("render --backend gl");
     glint_error err;
     glint_mesh *mesh = NULL;
     outputs files = {0};

@@ -22,10 +22,11 @@ typedef struct raw_options {
     bool json, force;
 } raw_options;
 
-static const char *const backend_names[] = {"c", "rtl", "real", "both", NULL};
+static const char *const backend_names[] = {"c", "rtl", "real", "both", "gl", NULL};
 static const glint_backend_kind backend_kinds[] = {GLINT_BACKEND_C, GLINT_BACKEND_RTL,
                                                    GLINT_BACKEND_REAL};
 #define BACKEND_BOTH 3
+#define BACKEND_GL   4
 
 static raw_options defaults(void)
 {
@@ -53,7 +54,11 @@ static const char details[] =
     "\n" GLINT_COLOR_DETAILS "\n" GLINT_PICTURE_DETAILS "\n"
     "--backend both renders with c and with rtl and compares. If they differ, FILE.png is\n"
     "rtl's frame, FILE-c.png c's, FILE-diff.png the difference, and FILE-failure a packet\n"
-    "for glint replay.";
+    "for glint replay.\n"
+    "\n"
+    "--backend gl draws the whole frame with OpenGL, by Mesa in software: shaders for\n"
+    "every model; without --specular the device's formula. It needs libegl1 and\n"
+    "libgl1-mesa-dri.";
 
 #define OWN_ROWS   9
 #define TABLE_ROWS (OWN_ROWS + GLINT_DEVICE_OPTIONS + GLINT_SCENE_OPTIONS)
@@ -77,7 +82,7 @@ static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .choice = {&raw->backend, backend_names}},
         {.name = "specular",
          .placeholder = "MODEL",
-         .help = "with --backend real: highlights from a reflectance model, one "
+         .help = "with --backend real or gl: highlights from a reflectance model, one "
                  "of" GLINT_SPECULAR_NAMES,
          .kind = GLINT_OPTION_STRING,
          .string = &raw->specular},
@@ -112,6 +117,7 @@ static int parse_raw(int argc, char **argv, raw_options *raw)
         {"by the accurate power device", "glint render --device power --n 50 --out p.png"},
         {"your own mesh", "glint render mesh.obj --color '#3060a0' --out c.png"},
         {"to standard output", "glint render --size 320x240 --out - > d.png"},
+        {"by OpenGL, in software", "glint render --backend gl --specular blinn --out e.png"},
         {NULL, NULL},
     };
     const glint_command_line line = {
@@ -139,7 +145,7 @@ static int choose_specular(const raw_options *raw, glint_render_options *chosen)
         if (chosen->backend.kind != GLINT_BACKEND_REAL) {
             return glint_complain(
                 "render", GLINT_EXIT_TROUBLE,
-                "--specular needs --backend real: the other backends are the device itself");
+                "--specular needs --backend real or gl: the other backends are the device itself");
         }
         if (chosen->backend.device != &glint_circuit_specular) {
             return glint_complain("render", GLINT_EXIT_TROUBLE,
@@ -168,6 +174,21 @@ static int check_verilog(const glint_render_options *chosen)
     return status;
 }
 
+/* What computes the highlights there is a shader, by default of the device's formula. */
+static int settle_gl(glint_render_options *chosen)
+{
+    if (chosen->backend.device != &glint_circuit_specular) {
+        return glint_complain("render", GLINT_EXIT_TROUBLE,
+                              "--device needs another backend: --backend gl has a shader for each "
+                              "model of --specular");
+    }
+    if (!chosen->scene.by_model) {
+        chosen->scene.by_model = true;
+        chosen->scene.specular = GLINT_REFLECTANCE_COSINE_QUADRATIC;
+    }
+    return GLINT_OPTIONS_RUN;
+}
+
 int glint_render_options_parse(int argc, char **argv, glint_render_options *chosen)
 {
     raw_options raw = defaults();
@@ -184,10 +205,14 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
                      : "--backend both may write several pictures: give --out a file name, not -");
     }
     const bool both = raw.backend == BACKEND_BOTH;
+    const bool gl = raw.backend == BACKEND_GL;
     *chosen = (glint_render_options){
         .what = raw.scene,
         .both = both,
-        .backend = {.kind = both ? GLINT_BACKEND_RTL : backend_kinds[raw.backend],
+        .gl = gl,
+        .backend = {.kind = both ? GLINT_BACKEND_RTL
+                            : gl ? GLINT_BACKEND_REAL
+                                 : backend_kinds[raw.backend],
                     .verilog = raw.verilog},
         .scene = glint_scene_options_scene(&raw.scene),
         .out = raw.out,
@@ -200,5 +225,7 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
     status = glint_device_options_settle("render", &raw.device, &chosen->backend);
     if (status == GLINT_OPTIONS_RUN)
         status = choose_specular(&raw, chosen);
+    if (status == GLINT_OPTIONS_RUN && gl)
+        status = settle_gl(chosen);
     return status == GLINT_OPTIONS_RUN ? check_verilog(chosen) : status;
 }

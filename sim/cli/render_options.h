@@ -8,6 +8,7 @@
 typedef struct glint_render_options {
     glint_scene_options what;
     bool both; /* render by c and by rtl and compare; else by backend.kind */
+    bool gl;   /* by OpenGL, as backend.kind real and scene.specular have it */
     glint_backend_config backend;
     glint_scene scene; /* all but the mesh */
     const char *out;

@@ -23,8 +23,8 @@ static double per_second(double count, const glint_render_stats *stats)
 static void print_frame(FILE *out, const glint_render_frame *frame)
 {
     const glint_render_stats *stats = &frame->stats;
-    fprintf(out, "%-5s%10.6f s, %8.1f frames/s, %8.2f million fragments/s\n",
-            glint_backend_names[frame->kind], stats->seconds, per_second(1.0, stats),
+    fprintf(out, "%-5s%10.6f s, %8.1f frames/s, %8.2f million fragments/s\n", frame->backend,
+            stats->seconds, per_second(1.0, stats),
             1e-6 * per_second((double)stats->fragments, stats));
 }
 
@@ -38,9 +38,11 @@ void glint_render_report_text(FILE *out, const glint_render_options *chosen,
                               const glint_render_result *result)
 {
     const glint_render_stats *stats = &result->frame[0].stats;
-    fprintf(out, "%s, %dx%d: %" PRIu64 " triangles, %" PRIu64 " drawn, %" PRIu64 " fragments\n",
-            chosen->what.model, chosen->what.width, chosen->what.height, stats->triangles,
-            stats->drawn, stats->fragments);
+    fprintf(out, "%s, %dx%d: %" PRIu64 " triangles", chosen->what.model, chosen->what.width,
+            chosen->what.height, stats->triangles);
+    if (!chosen->gl) /* OpenGL does not say */
+        fprintf(out, ", %" PRIu64 " drawn", stats->drawn);
+    fprintf(out, ", %" PRIu64 " fragments\n", stats->fragments);
     fprintf(out, "%s: %" PRIu64 " highlights", glint_shading_names[chosen->scene.shading],
             stats->highlights);
     if (chosen->backend.device != &glint_circuit_specular)
@@ -51,6 +53,8 @@ void glint_render_report_text(FILE *out, const glint_render_options *chosen,
         fprintf(out, ", %" PRIu64 " divisions with %d shifts", stats->divisions,
                 chosen->scene.shifts);
     }
+    if (chosen->gl)
+        fprintf(out, ", drawn by %s", result->frame[0].driver);
     fputc('\n', out);
     for (int i = 0; i < result->frame_count; i++)
         print_frame(out, &result->frame[i]);
@@ -65,7 +69,9 @@ static void add_frame(json_t *frames, const glint_render_frame *frame)
 {
     const glint_render_stats *stats = &frame->stats;
     json_t *json = json_object();
-    glint_json_add_text(json, "backend", glint_backend_names[frame->kind]);
+    glint_json_add_text(json, "backend", frame->backend);
+    if (frame->driver[0] != '\0')
+        glint_json_add_text(json, "driver", frame->driver);
     glint_json_add_number(json, "seconds", stats->seconds);
     glint_json_add_number(json, "frames_per_second", per_second(1.0, stats));
     glint_json_add_number(json, "fragments_per_second",
@@ -115,7 +121,8 @@ bool glint_render_report_json(const glint_render_options *chosen, const glint_re
         glint_json_add_number(json, "shifts", chosen->scene.shifts);
     glint_json_add_number(json, "threads", (double)chosen->what.threads);
     glint_json_add_number(json, "triangles", (double)stats->triangles);
-    glint_json_add_number(json, "drawn", (double)stats->drawn);
+    if (!chosen->gl)
+        glint_json_add_number(json, "drawn", (double)stats->drawn);
     glint_json_add_number(json, "fragments", (double)stats->fragments);
     glint_json_add_number(json, "highlights", (double)stats->highlights);
     glint_json_add_number(json, "divisions", (double)stats->divisions);

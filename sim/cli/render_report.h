@@ -8,7 +8,8 @@
 
 /* One frame by one backend. */
 typedef struct glint_render_frame {
-    glint_backend_kind kind;
+    const char *backend; /* its name */
+    char driver[128];    /* backend gl: what draws, else "" */
     glint_renderer *renderer;
     glint_image *image;
     glint_render_stats stats;

@@ -55,8 +55,8 @@ static void prepare_common(const glint_reflectance_parameters *parameters,
 #define GAUSS_WIDTH 8.0
 #define INTERVALS   4096
 
-/* 1 / ∫ e^(−α²/m²) cos α dω, by Simpson's rule. */
-static double gauss_constant(double m)
+/* By Simpson's rule. */
+double glint_gaussian_facets(double m)
 {
     const double end = fmin(0.5 * PI, GAUSS_WIDTH * m);
     const double step = end / INTERVALS;
@@ -73,7 +73,7 @@ static void prepare_torrance_sparrow(const glint_reflectance_parameters *paramet
                                      glint_reflectance *prepared)
 {
     prepare_common(parameters, prepared);
-    prepared->microfacet.facets = gauss_constant(sqrt(prepared->microfacet.m2));
+    prepared->microfacet.facets = glint_gaussian_facets(sqrt(prepared->microfacet.m2));
 }
 
 static double torrance_sparrow_brdf(const glint_reflectance *prepared, const glint_geometry *g)

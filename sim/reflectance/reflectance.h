@@ -100,6 +100,9 @@ typedef struct glint_reflectance_parameters {
 double glint_roughness_of_exponent(double n);
 double glint_exponent_of_roughness(double m);
 
+/* The constant of Torrance and Sparrow's D: 1 / ∫ e^(−α²/m²) cos α dω over the hemisphere. */
+double glint_gaussian_facets(double m);
+
 /* A model with everything that depends only on its parameters. The fields are private. */
 typedef struct glint_reflectance {
     glint_reflectance_model model;

@@ -284,11 +284,11 @@ static void models_that_do_not_fit_are_refused(void **state)
     (void)state;
     static const char *const refused[][2] = {
         {"--specular blinn",
-         "--specular needs --backend real: the other backends are the device itself\n"},
+         "--specular needs --backend real or gl: the other backends are the device itself\n"},
         {"--specular blinn --backend rtl",
-         "--specular needs --backend real: the other backends are the device itself\n"},
+         "--specular needs --backend real or gl: the other backends are the device itself\n"},
         {"--specular blinn --backend both",
-         "--specular needs --backend real: the other backends are the device itself\n"},
+         "--specular needs --backend real or gl: the other backends are the device itself\n"},
         {"--specular Blinn --backend real", "--specular: \"Blinn\" is not a reflectance model (did "
                                             "you mean blinn?); choose from lambert, "
                                             "phong, blinn, "},

@@ -231,7 +231,7 @@ static void options_are_read_strictly(void **state)
         {"render --ka .5.", "glint render: --ka: \".5.\" is not a number from 0 to 1\n"},
         {"render --fov inf", "glint render: --fov: \"inf\" is not a number from 1 to 170\n"},
         {"render --backend gpu",
-         "glint render: --backend: \"gpu\" is not one of c, rtl, real, both\n"},
+         "glint render: --backend: \"gpu\" is not one of c, rtl, real, both, gl\n"},
         {"render --gate Sign",
          "glint render: --gate: \"Sign\" is not one of cosine, sign, drawn (did you mean "
          "sign?)\n"},
@@ -352,6 +352,7 @@ static void the_first_part_says_what_it_lacks(void **state)
     static const refusal refusals[] = {
         {"report --chapter divider", "glint: report" LACKS},
         {"verify --exhaustive", "glint: verify --exhaustive" LACKS},
+        {"render --backend gl --out a.png", "glint: render --backend gl" LACKS},
         {"rende", "glint: unknown subcommand \"rende\" (did you mean render? see glint --help)\n"},
     };
     const char *build = getenv("GLINT_BUILD");

@@ -1,0 +1,7 @@
+// Flat shading: the triangle's colour.
+flat in vec3 levels;
+
+void main()
+{
+    show(levels);
+}

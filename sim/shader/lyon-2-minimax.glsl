@@ -1,0 +1,9 @@
+// Lyon's, k = 2, with the least error against c^n: (slope (c-1) + 1)^2.
+uniform float slope; // w/2, by a search
+
+float highlight(cosines c)
+{
+    float value = max(slope * (held(c.nh) - 1.0) + 1.0, 0.0);
+    value *= value;
+    return value;
+}
