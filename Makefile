@@ -40,7 +40,7 @@ VECTOR     := $(addprefix sim/,bench/kernels bench/formulas lockstep/exhaustive 
 HOT        := cmodel/ $(addprefix sim/,backend/ bench/ circuit/random circuit/schedule \
               circuit/stimulus circuit/divider_stimulus color/ compare/errors energy/ image/ \
               lockstep/ reflectance/ rtl/needed rtl/rtl thread/ $(addprefix render/,camera clip \
-              detail gouraud mesh paint pick render scene setup span)) tests/reference/
+              detail gouraud mesh paint pick render scene setup span transform)) tests/reference/
 among       = $(filter $(addsuffix %,$1),$<)
 OPTIMIZE    = $(if $(call among,$(VECTOR)),$(if $(SANITIZE),-O1,-O3),\
               $(if $(call among,$(HOT)),$(if $(SANITIZE),-O1,-O2),\

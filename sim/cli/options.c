@@ -53,9 +53,27 @@ static bool store_color(const glint_option *option, const char *text)
 static bool store_reals(const glint_option *option, const char *text)
 {
     double value[3];
-    if (!glint_parse_reals(text, ',', 3, option->reals.min, option->reals.max, value))
+    if (option->reals.alike &&
+        glint_parse_real(text, option->reals.min, option->reals.max, &value[0]))
+        value[2] = value[1] = value[0];
+    else if (!glint_parse_reals(text, ',', 3, option->reals.min, option->reals.max, value))
         return false;
     memcpy(option->reals.value, value, sizeof value);
+    return true;
+}
+
+static bool store_intensity(const glint_option *option, const char *text)
+{
+    double value[3];
+    if (glint_parse_real(text, 0.0, 1.0, &value[0])) {
+        value[2] = value[1] = value[0];
+    } else {
+        if (!glint_parse_reals(text, ',', 3, 0.0, 255.0, value))
+            return false;
+        for (int i = 0; i < 3; i++)
+            value[i] /= 255.0;
+    }
+    memcpy(option->intensity, value, sizeof value);
     return true;
 }
 
@@ -121,6 +139,8 @@ static bool store(const glint_option *option, const char *text)
         return store_reals(option, text);
     case GLINT_OPTION_COLOR:
         return store_color(option, text);
+    case GLINT_OPTION_INTENSITY:
+        return store_intensity(option, text);
     }
     return false;
 }

@@ -38,9 +38,10 @@ typedef enum glint_option_kind {
     GLINT_OPTION_REAL,
     GLINT_OPTION_CHOICE,
     GLINT_OPTION_STRING,
-    GLINT_OPTION_SIZE,  /* WxH */
-    GLINT_OPTION_REALS, /* three numbers, X,Y,Z */
-    GLINT_OPTION_COLOR, /* any form of glint_parse_color() */
+    GLINT_OPTION_SIZE,      /* WxH */
+    GLINT_OPTION_REALS,     /* three numbers, X,Y,Z */
+    GLINT_OPTION_COLOR,     /* any form of glint_parse_color() */
+    GLINT_OPTION_INTENSITY, /* of a light: 0 to 1, or R,G,B each 0 to 255 */
 } glint_option_kind;
 
 typedef struct glint_option {
@@ -79,8 +80,10 @@ typedef struct glint_option {
         struct {
             double *value; /* three */
             double min, max;
+            bool alike; /* one number stands for three alike */
         } reals;
-        uint8_t *color; /* three: R, G, B */
+        uint8_t *color;    /* three: R, G, B */
+        double *intensity; /* three: R, G, B, each 0…1 */
     };
 } glint_option;
 

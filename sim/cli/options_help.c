@@ -52,11 +52,14 @@ void glint_option_expectation(const glint_option *option, char *text, size_t siz
         snprintf(text, size, "WIDTHxHEIGHT, each from 1 to %d", option->size.max);
         break;
     case GLINT_OPTION_REALS:
-        snprintf(text, size, "three comma-separated numbers from %g to %g", option->reals.min,
-                 option->reals.max);
+        snprintf(text, size, "%sthree comma-separated numbers from %g to %g",
+                 option->reals.alike ? "one or " : "", option->reals.min, option->reals.max);
         break;
     case GLINT_OPTION_COLOR:
         snprintf(text, size, "a colour: %s", GLINT_COLOR_FORMS);
+        break;
+    case GLINT_OPTION_INTENSITY:
+        snprintf(text, size, "a number from 0 to 1, or R,G,B each from 0 to 255");
         break;
     }
 }
@@ -68,7 +71,7 @@ static void placeholder(const glint_option *option, char *text, size_t size)
         [GLINT_OPTION_REAL] = "X",      [GLINT_OPTION_CHOICE] = "",
         [GLINT_OPTION_STRING] = "TEXT", [GLINT_OPTION_SIZE] = "WxH",
         [GLINT_OPTION_REALS] = "X,Y,Z", [GLINT_OPTION_COLOR] = "COLOR",
-        [GLINT_OPTION_COUNT_OR] = "N",
+        [GLINT_OPTION_COUNT_OR] = "N",  [GLINT_OPTION_INTENSITY] = "X|R,G,B",
     };
     if (option->placeholder != NULL)
         snprintf(text, size, "%s", option->placeholder);
@@ -112,6 +115,14 @@ static void current_value(const glint_option *option, char *text, size_t size)
         break;
     case GLINT_OPTION_COLOR:
         snprintf(text, size, "%d,%d,%d", option->color[0], option->color[1], option->color[2]);
+        break;
+    case GLINT_OPTION_INTENSITY:
+        if (option->intensity[0] == option->intensity[1] &&
+            option->intensity[0] == option->intensity[2])
+            snprintf(text, size, "%g", option->intensity[0]);
+        else
+            snprintf(text, size, "%g,%g,%g", 255.0 * option->intensity[0],
+                     255.0 * option->intensity[1], 255.0 * option->intensity[2]);
         break;
     }
 }

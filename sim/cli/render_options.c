@@ -1,6 +1,7 @@
 /* The command line of `glint render`; see render_options.h. */
 #include "cli/render_options.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "circuit/circuits.h"
@@ -11,15 +12,17 @@
 #include "cli/output.h"
 #include "cli/parse.h"
 #include "cli/picture.h"
+#include "cli/preset.h"
 
 /* What the option table fills besides the scene. */
 typedef struct raw_options {
     glint_scene_options scene;
     glint_device_options device;
     const char *out, *specular, *verilog;
-    int64_t n, shifts;
+    double n;
+    int64_t shifts;
     int shading, backend;
-    bool json, force;
+    bool json, force, n_given;
 } raw_options;
 
 static const char *const backend_names[] = {"c", "rtl", "real", "both", "gl", NULL};
@@ -87,9 +90,11 @@ static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .kind = GLINT_OPTION_STRING,
          .string = &raw->specular},
         {.name = "n",
-         .help = "exponent of the highlight",
-         .kind = GLINT_OPTION_INTEGER,
-         .integer = {&raw->n, 0, GLINT_N_MAX}},
+         .placeholder = "N",
+         .given = &raw->n_given,
+         .help = "exponent of the highlight; a fraction needs --specular",
+         .kind = GLINT_OPTION_REAL,
+         .real = {&raw->n, 0, GLINT_N_MAX}},
         {.name = "shifts",
          .help = "the divider's shifts, for --shading gouraud",
          .kind = GLINT_OPTION_INTEGER,
@@ -204,6 +209,8 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
             raw.json ? "--json cannot be used with --out -: both write to standard output"
                      : "--backend both may write several pictures: give --out a file name, not -");
     }
+    if (!raw.n_given)
+        raw.n = glint_preset_n(&raw.scene);
     const bool both = raw.backend == BACKEND_BOTH;
     const bool gl = raw.backend == BACKEND_GL;
     *chosen = (glint_render_options){
@@ -219,7 +226,7 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
         .force = raw.force,
         .json = raw.json,
     };
-    chosen->scene.n = (uint16_t)raw.n;
+    chosen->scene.n = raw.n;
     chosen->scene.shading = (glint_shading)raw.shading;
     chosen->scene.shifts = (int)raw.shifts;
     status = glint_device_options_settle("render", &raw.device, &chosen->backend);
@@ -227,5 +234,11 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
         status = choose_specular(&raw, chosen);
     if (status == GLINT_OPTIONS_RUN && gl)
         status = settle_gl(chosen);
+    if (status == GLINT_OPTIONS_RUN && !chosen->scene.by_model && raw.n != floor(raw.n)) {
+        return glint_complain("render", GLINT_EXIT_TROUBLE,
+                              "--n: the device's n is a whole number, not %g; fractions need "
+                              "--backend real --specular MODEL",
+                              raw.n);
+    }
     return status == GLINT_OPTIONS_RUN ? check_verilog(chosen) : status;
 }

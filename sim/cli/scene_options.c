@@ -10,7 +10,9 @@
 
 #include "cli/output.h"
 #include "cli/parse.h"
+#include "cli/preset.h"
 #include "cli/suggest.h"
+#include "render/transform.h"
 
 const char *const glint_shading_names[] = {
     [GLINT_SHADING_FLAT] = "flat",
@@ -35,10 +37,9 @@ glint_scene_options glint_scene_options_default(void)
     glint_scene_options chosen = {
         .model = "teapot",
         .threads = online_cores(),
+        .transform = {.scale = {1.0, 1.0, 1.0}},
         .width = 640,
         .height = 480,
-        .ia = (double)scene.ia,
-        .ie = (double)scene.ie,
         .ka = (double)scene.ka,
         .kd = (double)scene.kd,
         .ks = (double)scene.ks,
@@ -52,6 +53,8 @@ glint_scene_options glint_scene_options_default(void)
         chosen.light[i] = (double)scene.light[i];
         chosen.color[i] = scene.color[i];
         chosen.highlight[i] = scene.highlight[i];
+        chosen.ia[i] = (double)scene.ia[i];
+        chosen.ie[i] = (double)scene.ie[i];
     }
     return chosen;
 }
@@ -72,9 +75,35 @@ glint_scene_options glint_scene_options_default(void)
             MAX                                                                                    \
         }                                                                                          \
     }
+/* What a preset has is noted when it is given. */
+#define COEFFICIENT(NAME, HELP, FIELD)                                                             \
+    {                                                                                              \
+        .name = NAME, .help = HELP, .given = &chosen->given.FIELD, .kind = GLINT_OPTION_REAL,      \
+        .real = {                                                                                  \
+            &chosen->FIELD,                                                                        \
+            0,                                                                                     \
+            1                                                                                      \
+        }                                                                                          \
+    }
 #define COLOR(NAME, HELP, FIELD)                                                                   \
     {                                                                                              \
-        .name = NAME, .help = HELP, .kind = GLINT_OPTION_COLOR, .color = chosen->FIELD             \
+        .name = NAME, .help = HELP, .given = &chosen->given.FIELD, .kind = GLINT_OPTION_COLOR,     \
+        .color = chosen->FIELD                                                                     \
+    }
+
+#define INTENSITY(NAME, HELP, FIELD)                                                               \
+    {                                                                                              \
+        .name = NAME, .help = HELP, .given = &chosen->given.FIELD, .kind = GLINT_OPTION_INTENSITY, \
+        .intensity = chosen->FIELD                                                                 \
+    }
+#define TRIPLE(NAME, HELP, FIELD, LIMIT, ALIKE)                                                    \
+    {                                                                                              \
+        .name = NAME, .help = HELP, .kind = GLINT_OPTION_REALS, .reals = {                         \
+            chosen->transform.FIELD,                                                               \
+            -(double)(LIMIT),                                                                      \
+            (double)(LIMIT),                                                                       \
+            ALIKE                                                                                  \
+        }                                                                                          \
     }
 
 void glint_scene_options_add(glint_scene_options *chosen, glint_option rows[GLINT_SCENE_OPTIONS])
@@ -100,17 +129,29 @@ void glint_scene_options_add(glint_scene_options *chosen, glint_option rows[GLIN
          .help = "threads, each with its own circuit; does not change the picture",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, GLINT_THREADS_MAX}},
+        {.name = "scene",
+         .help = "a scene of the thesis's program, its Ia, Ie, Ka, Kd, Ks, C, S and n where none "
+                 "are given",
+         .kind = GLINT_OPTION_CHOICE,
+         .choice = {&chosen->preset, glint_preset_names}},
+        TRIPLE("rotate", "turns the object about its x, y and z axes, in degrees", rotate,
+               GLINT_ANGLE_MAX, false),
+        TRIPLE("scale", "scales the object along its axes; a negative factor mirrors it", scale,
+               GLINT_SCALE_MAX, true),
+        TRIPLE("move", "moves the object, in radii of its bounding sphere", move, GLINT_MOVE_MAX,
+               false),
         COLOR("color", "C, the object's colour", color),
         COLOR("highlight", "S, the highlight's colour", highlight),
         {.name = "light",
          .help = "direction from the object to the light",
          .kind = GLINT_OPTION_REALS,
          .reals = {chosen->light, -LIGHT_MAX, LIGHT_MAX}},
-        REAL("ia", "Ia, intensity of the ambient light", ia, 0, 1),
-        REAL("ie", "Ie, intensity of the light source", ie, 0, 1),
-        REAL("ka", "Ka, ambient coefficient", ka, 0, 1),
-        REAL("kd", "Kd, diffuse coefficient", kd, 0, 1),
-        REAL("ks", "Ks, specular coefficient", ks, 0, 1),
+        INTENSITY("ia", "Ia, intensity of the ambient light: one number, or R,G,B from 0 to 255",
+                  ia),
+        INTENSITY("ie", "Ie, intensity of the light source, likewise", ie),
+        COEFFICIENT("ka", "Ka, ambient coefficient", ka),
+        COEFFICIENT("kd", "Kd, diffuse coefficient", kd),
+        COEFFICIENT("ks", "Ks, specular coefficient", ks),
         {.name = "f0",
          .help = "reflectance at normal incidence, for cook-torrance and torrance-sparrow",
          .given = &chosen->f0_given,
@@ -141,6 +182,14 @@ int glint_scene_options_settle(const char *command, glint_scene_options *chosen)
     }
     if (chosen->mesh != NULL)
         chosen->model = chosen->mesh;
+    for (int axis = 0; axis < 3; axis++) {
+        if (chosen->transform.scale[axis] == 0.0) {
+            return glint_complain(command, GLINT_EXIT_TROUBLE,
+                                  "--scale: a factor of 0 would flatten the object: give one above "
+                                  "or below 0");
+        }
+    }
+    glint_preset_apply(chosen);
     return GLINT_OPTIONS_RUN;
 }
 
@@ -148,8 +197,6 @@ glint_scene glint_scene_options_scene(const glint_scene_options *chosen)
 {
     glint_scene scene = {0};
     glint_scene_defaults(&scene);
-    scene.ia = (float)chosen->ia;
-    scene.ie = (float)chosen->ie;
     scene.ka = (float)chosen->ka;
     scene.kd = (float)chosen->kd;
     scene.ks = (float)chosen->ks;
@@ -160,6 +207,8 @@ glint_scene glint_scene_options_scene(const glint_scene_options *chosen)
     scene.distance = (float)chosen->distance;
     for (int i = 0; i < 3; i++) {
         scene.light[i] = (float)chosen->light[i];
+        scene.ia[i] = (float)chosen->ia[i];
+        scene.ie[i] = (float)chosen->ie[i];
         scene.color[i] = chosen->color[i];
         scene.highlight[i] = chosen->highlight[i];
     }
@@ -184,8 +233,8 @@ static glint_status no_such_model(const char *name, glint_error *err)
                       name, glint_did_you_mean(name, built_in, "", &suggestion));
 }
 
-glint_status glint_scene_options_mesh(const glint_scene_options *chosen, glint_mesh **mesh,
-                                      glint_error *err)
+static glint_status load_mesh(const glint_scene_options *chosen, glint_mesh **mesh,
+                              glint_error *err)
 {
     if (strcmp(chosen->model, "teapot") == 0)
         return glint_mesh_teapot(glint_scene_options_density(chosen), mesh, err);
@@ -202,6 +251,20 @@ glint_status glint_scene_options_mesh(const glint_scene_options *chosen, glint_m
     if (stat(chosen->model, &found) != 0 && errno == ENOENT)
         return no_such_model(chosen->model, err);
     return glint_mesh_load(chosen->model, glint_stop_flag(), mesh, err);
+}
+
+glint_status glint_scene_options_mesh(const glint_scene_options *chosen, glint_mesh **mesh,
+                                      glint_error *err)
+{
+    glint_status status = load_mesh(chosen, mesh, err);
+    if (status != GLINT_OK)
+        return status;
+    status = glint_mesh_transform(*mesh, &chosen->transform, err);
+    if (status != GLINT_OK) {
+        glint_mesh_destroy(*mesh);
+        *mesh = NULL;
+    }
+    return status;
 }
 
 bool glint_specular_takes_f0(glint_reflectance_model model)

@@ -6,6 +6,11 @@
 #include "cli/options.h"
 #include "render/render.h"
 
+/* Which of the values that a preset has were given. */
+typedef struct glint_scene_given {
+    bool ia, ie, ka, kd, ks, color, highlight;
+} glint_scene_given;
+
 /* What the options fill; wider than the fields they end up in. */
 typedef struct glint_scene_options {
     const char *model; /* "teapot", "sphere", "quad", or a path */
@@ -16,9 +21,13 @@ typedef struct glint_scene_options {
     int width, height;
     double light[3];
     uint8_t color[3], highlight[3];
-    double ia, ie, ka, kd, ks, f0;
+    double ia[3], ie[3]; /* R, G, B, each 0…1 */
+    double ka, kd, ks, f0;
     double yaw, pitch, fov, distance;
     bool f0_given;
+    glint_transform transform; /* of the object */
+    int preset;                /* preset.h */
+    glint_scene_given given;
 } glint_scene_options;
 
 /* The scene's defaults, the teapot, 640×480, a thread for each processor. */
@@ -30,7 +39,7 @@ glint_scene_options glint_scene_options_default(void);
     "percent; or cmyk:C,M,Y,K in percent.\n"
 
 /* Rows of a subcommand's option table. */
-#define GLINT_SCENE_OPTIONS 17
+#define GLINT_SCENE_OPTIONS 21
 void glint_scene_options_add(glint_scene_options *chosen, glint_option rows[GLINT_SCENE_OPTIONS]);
 
 /* The argument that stands for --model: render mesh.obj. */
@@ -39,7 +48,8 @@ void glint_scene_options_add(glint_scene_options *chosen, glint_option rows[GLIN
         .name = "MODEL", .value = &(chosen).mesh, .optional = true                                 \
     }
 
-/* After the command line is read: the model, however it was given. Returns GLINT_OPTIONS_RUN, or
+/* After the command line is read: the model, however it was given, and the preset's values where
+ * none were given. Returns GLINT_OPTIONS_RUN, or
  * the exit status when it was given both ways. */
 int glint_scene_options_settle(const char *command, glint_scene_options *chosen);
 

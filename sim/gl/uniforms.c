@@ -83,7 +83,7 @@ static int minimax_k(glint_reflectance_model model)
 /* What a model's file declares besides n. */
 static void set_model(const target *t, const glint_scene *scene, glint_reflectance_model model)
 {
-    const double n = (double)scene->n;
+    const double n = scene->n;
     set(t, "n", n);
     switch (model) {
     case GLINT_REFLECTANCE_SCHLICK_MODIFIED_POWER:

@@ -31,12 +31,18 @@ static void place_axes(glint_camera *camera, const glint_scene *scene)
     camera->up = glint_vec3_cross(camera->back, camera->right);
 }
 
+/* An object's own transform does not move the camera. */
+static const float *placed_by(const glint_mesh *mesh)
+{
+    return mesh->rest != NULL ? mesh->rest : mesh->position;
+}
+
 static glint_vec3 bounding_box_centre(const glint_mesh *mesh)
 {
     glint_vec3 low = {DBL_MAX, DBL_MAX, DBL_MAX};
     glint_vec3 high = {-DBL_MAX, -DBL_MAX, -DBL_MAX};
     for (size_t i = 0; i < mesh->vertex_count; i++) {
-        const glint_vec3 p = glint_vec3_of(&mesh->position[3 * i]);
+        const glint_vec3 p = glint_vec3_of(&placed_by(mesh)[3 * i]);
         low = (glint_vec3){least(low.x, p.x), least(low.y, p.y), least(low.z, p.z)};
         high = (glint_vec3){most(high.x, p.x), most(high.y, p.y), most(high.z, p.z)};
     }
@@ -47,7 +53,7 @@ static double radius_about(const glint_mesh *mesh, glint_vec3 centre)
 {
     double square = 0.0;
     for (size_t i = 0; i < mesh->vertex_count; i++) {
-        const glint_vec3 p = glint_vec3_sub(glint_vec3_of(&mesh->position[3 * i]), centre);
+        const glint_vec3 p = glint_vec3_sub(glint_vec3_of(&placed_by(mesh)[3 * i]), centre);
         square = most(square, glint_vec3_dot(p, p));
     }
     return sqrt(square);
@@ -75,7 +81,7 @@ static void fit_frame(glint_camera *camera, const glint_mesh *mesh)
     fit upright = {-DBL_MAX, -DBL_MAX};
     double nearest = -DBL_MAX;
     for (size_t i = 0; i < mesh->vertex_count; i++) {
-        const glint_view_point p = glint_camera_view(camera, &mesh->position[3 * i]);
+        const glint_view_point p = glint_camera_view(camera, &placed_by(mesh)[3 * i]);
         widen(&across, kx, p.x, -p.w); /* aim and distance are still 0: w is −z */
         widen(&upright, ky, p.y, -p.w);
         nearest = most(nearest, -p.w);

@@ -35,6 +35,7 @@ void glint_mesh_destroy(glint_mesh *mesh)
     free(mesh->position);
     free(mesh->normal);
     free(mesh->index);
+    free(mesh->rest);
     free(mesh);
 }
 

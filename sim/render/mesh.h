@@ -10,12 +10,21 @@
 
 #define GLINT_MESH_REMARKS 256
 
+/* Of the object itself (transform.h). */
+typedef struct glint_transform {
+    double scale[3];  /* along its axes, not 0 */
+    double rotate[3]; /* about x, y, z, degrees, anticlockwise seen from the axis's tip */
+    double move[3];   /* in radii of its bounding sphere */
+} glint_transform;
+
 typedef struct glint_mesh {
     size_t vertex_count;
     float *position; /* vertex_count × 3, finite */
     float *normal;   /* vertex_count × 3, unit length */
     size_t triangle_count;
     uint32_t *index; /* triangle_count × 3, each < vertex_count, counter-clockwise from outside */
+    float *rest; /* of a transformed mesh: its positions before, by which the camera is placed */
+    glint_transform transform;        /* with rest: the last one */
     char remarks[GLINT_MESH_REMARKS]; /* what was left out of its file: one line, or "" */
 } glint_mesh;
 

@@ -256,7 +256,7 @@ static glint_status prepare_specular(glint_renderer *r, const glint_scene *scene
                           "are the device itself");
     }
     *specular = &r->specular;
-    if (r->prepared && r->specular.model == scene->specular && r->specular.n == (double)scene->n &&
+    if (r->prepared && r->specular.model == scene->specular && r->specular.n == scene->n &&
         r->f0 == scene->f0)
         return GLINT_OK;
     const glint_reflectance_parameters parameters = {.n = scene->n, .f0 = (double)scene->f0};

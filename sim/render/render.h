@@ -41,9 +41,9 @@ typedef struct glint_scene {
                              in camera axes: x right, y up, z towards the viewer [-1, 1.2, 1.6] */
     uint8_t color[3];     /* C, the object's colour [200, 90, 40] */
     uint8_t highlight[3]; /* S, the highlight's colour [255, 255, 255] */
-    float ia, ie;         /* intensity of ambient and of the light source, 0…1 [1, 1] */
+    float ia[3], ie[3];   /* R, G, B of the ambient light and of the source, 0…1 [1, 1] */
     float ka, kd, ks;     /* 0…1 [0.2, 0.8, 0.8] */
-    uint16_t n;           /* exponent, 0…1023 [80] */
+    double n;             /* exponent, 0…1023, a whole number unless by_model [80] */
     float yaw, pitch;     /* the camera's place around the object, degrees: yaw turns it from the +z
                              axis towards +x, pitch lifts it towards +y [25, 22] */
     float fov;            /* vertical field of view, degrees, 1…170 [35] */
@@ -65,7 +65,7 @@ typedef struct glint_scene {
 void glint_scene_defaults(glint_scene *scene);
 
 /* GLINT_BAD_ARGUMENT for an n that the model or the scene does not accept. */
-glint_status glint_scene_check_exponent(glint_reflectance_model model, int n, glint_error *err);
+glint_status glint_scene_check_exponent(glint_reflectance_model model, double n, glint_error *err);
 
 typedef struct glint_render_stats {
     uint64_t triangles;  /* of the mesh */

@@ -11,8 +11,8 @@ void glint_scene_defaults(glint_scene *scene)
         .light = {-1.0f, 1.2f, 1.6f},
         .color = {200, 90, 40},
         .highlight = {255, 255, 255},
-        .ia = 1.0f,
-        .ie = 1.0f,
+        .ia = {1.0f, 1.0f, 1.0f},
+        .ie = {1.0f, 1.0f, 1.0f},
         .ka = 0.2f,
         .kd = 0.8f,
         .ks = 0.8f,
@@ -27,7 +27,7 @@ void glint_scene_defaults(glint_scene *scene)
     };
 }
 
-glint_status glint_scene_check_exponent(glint_reflectance_model model, int n, glint_error *err)
+glint_status glint_scene_check_exponent(glint_reflectance_model model, double n, glint_error *err)
 {
     const glint_reflectance_info *info = glint_reflectance_describe(model);
     if (info == NULL) {
@@ -35,9 +35,9 @@ glint_status glint_scene_check_exponent(glint_reflectance_model model, int n, gl
                           (int)model);
     }
     const double max = fmin(info->n_max, GLINT_N_MAX);
-    return (double)n >= info->n_min && (double)n <= max
+    return n >= info->n_min && n <= max
                ? GLINT_OK
-               : glint_fail(err, GLINT_BAD_ARGUMENT, "model %s takes n from %g to %g here, not %d",
+               : glint_fail(err, GLINT_BAD_ARGUMENT, "model %s takes n from %g to %g here, not %g",
                             glint_reflectance_names[model], info->n_min, max, n);
 }
 
@@ -66,6 +66,20 @@ static glint_status check_light(const float light[3], glint_error *err)
     return GLINT_OK;
 }
 
+/* The circuits' register holds whole numbers. */
+static glint_status check_n(const glint_scene *scene, glint_error *err)
+{
+    if (!(scene->n >= 0.0 && scene->n <= GLINT_N_MAX)) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: n is %g, not from 0 to %u", scene->n,
+                          GLINT_N_MAX);
+    }
+    if (!scene->by_model && scene->n != floor(scene->n)) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT,
+                          "scene: n is %g, but the device takes whole numbers only", scene->n);
+    }
+    return GLINT_OK;
+}
+
 static glint_status check_shading(const glint_scene *scene, glint_error *err)
 {
     if ((unsigned)scene->shading >= GLINT_SHADING_COUNT)
@@ -84,8 +98,12 @@ glint_status glint_scene_check(const glint_scene *scene, glint_error *err)
         const char *name;
         float value, low, high;
     } ranges[] = {
-        {"ia", scene->ia, 0.0f, 1.0f},
-        {"ie", scene->ie, 0.0f, 1.0f},
+        {"red of ia", scene->ia[0], 0.0f, 1.0f},
+        {"green of ia", scene->ia[1], 0.0f, 1.0f},
+        {"blue of ia", scene->ia[2], 0.0f, 1.0f},
+        {"red of ie", scene->ie[0], 0.0f, 1.0f},
+        {"green of ie", scene->ie[1], 0.0f, 1.0f},
+        {"blue of ie", scene->ie[2], 0.0f, 1.0f},
         {"ka", scene->ka, 0.0f, 1.0f},
         {"kd", scene->kd, 0.0f, 1.0f},
         {"ks", scene->ks, 0.0f, 1.0f},
@@ -101,28 +119,26 @@ glint_status glint_scene_check(const glint_scene *scene, glint_error *err)
         if (status != GLINT_OK)
             return status;
     }
-    if (scene->n > GLINT_N_MAX) {
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: n is %u, not from 0 to %u",
-                          (unsigned)scene->n, GLINT_N_MAX);
-    }
     if (scene->mesh == NULL)
         return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: mesh is missing");
-    const glint_status status = check_shading(scene, err);
+    glint_status status = check_n(scene, err);
+    if (status == GLINT_OK)
+        status = check_shading(scene, err);
     return status == GLINT_OK ? check_light(scene->light, err) : status;
 }
 
-static uint8_t register_of(uint8_t component, const glint_scene *scene)
+static uint8_t register_of(const glint_scene *scene, int c)
 {
-    const double value = component * (double)scene->ie * (double)scene->ks + 0.5;
+    const double value = scene->highlight[c] * (double)scene->ie[c] * (double)scene->ks + 0.5;
     return value < 255.0 ? (uint8_t)value : 255;
 }
 
 glint_material glint_scene_material(const glint_scene *scene)
 {
     return (glint_material){
-        .n = scene->n,
-        .r = register_of(scene->highlight[0], scene),
-        .g = register_of(scene->highlight[1], scene),
-        .b = register_of(scene->highlight[2], scene),
+        .n = (uint16_t)scene->n, /* whole but for a model, which has its own */
+        .r = register_of(scene, 0),
+        .g = register_of(scene, 1),
+        .b = register_of(scene, 2),
     };
 }

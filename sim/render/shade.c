@@ -21,9 +21,9 @@ glint_lighting glint_lighting_of(const glint_scene *scene, const glint_camera *c
     glint_vec3_store(glint_vec3_scale(light, 1.0 / glint_vec3_length(light)), lighting.light);
     for (int i = 0; i < 3; i++) {
         lighting.ambient[i] =
-            (float)((double)scene->color[i] * (double)scene->ka * (double)scene->ia);
+            (float)((double)scene->color[i] * (double)scene->ka * (double)scene->ia[i]);
         lighting.lambert[i] =
-            (float)((double)scene->color[i] * (double)scene->kd * (double)scene->ie);
+            (float)((double)scene->color[i] * (double)scene->kd * (double)scene->ie[i]);
     }
     return lighting;
 }

@@ -36,7 +36,7 @@ void glint_frame_scene(glint_frame_light light, glint_scene *scene)
     memcpy(scene->color, color, sizeof color);
     if (light == GLINT_LIGHT_39_OWN || light == GLINT_LIGHT_LISTING_OWN)
         memcpy(scene->highlight, color, sizeof color);
-    scene->ia = 0.0f;
+    memset(scene->ia, 0, sizeof scene->ia);
     scene->kd = scene->ks = listing ? 1.0f : 0.5f;
 }
 

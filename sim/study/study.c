@@ -153,7 +153,7 @@ static glint_scene scene_of(const glint_study *study, int which, int n)
 {
     const glint_study_method *method = &study->setup.method[which];
     glint_scene scene = study->setup.scene;
-    scene.n = (uint16_t)n;
+    scene.n = n;
     scene.by_model = method->by_model;
     scene.specular = method->model;
     scene.shading = method->shading;

@@ -90,6 +90,15 @@ static double plain(float value)
     return sscanf(text, "%lf", &back) == 1 ? back : (double)value;
 }
 
+/* One number for white light, else three. */
+static void add_intensity(json_t *json, const char *name, const float rgb[3])
+{
+    if (rgb[0] == rgb[1] && rgb[0] == rgb[2])
+        glint_json_add_number(json, name, plain(rgb[0]));
+    else
+        add_numbers(json, name, (const double[]){plain(rgb[0]), plain(rgb[1]), plain(rgb[2])}, 3);
+}
+
 static void add_scene(json_t *json, const glint_study_setup *setup)
 {
     const glint_scene *s = &setup->scene;
@@ -108,13 +117,17 @@ static void add_scene(json_t *json, const glint_study_setup *setup)
     const struct {
         const char *name;
         float value;
-    } reals[] = {{"ia", s->ia},   {"ie", s->ie},
-                 {"ka", s->ka},   {"kd", s->kd},
-                 {"ks", s->ks},   {"f0", s->f0},
-                 {"yaw", s->yaw}, {"pitch", s->pitch},
-                 {"fov", s->fov}, {"distance", s->distance}};
+    } reals[] = {{"ka", s->ka},   {"kd", s->kd},       {"ks", s->ks},   {"f0", s->f0},
+                 {"yaw", s->yaw}, {"pitch", s->pitch}, {"fov", s->fov}, {"distance", s->distance}};
+    add_intensity(scene, "ia", s->ia);
+    add_intensity(scene, "ie", s->ie);
     for (size_t i = 0; i < sizeof reals / sizeof reals[0]; i++)
         glint_json_add_number(scene, reals[i].name, plain(reals[i].value));
+    if (s->mesh->rest != NULL) {
+        add_numbers(scene, "rotate", s->mesh->transform.rotate, 3);
+        add_numbers(scene, "scale", s->mesh->transform.scale, 3);
+        add_numbers(scene, "move", s->mesh->transform.move, 3);
+    }
 }
 
 static json_t *row_json(const glint_study_row *r)

@@ -151,6 +151,14 @@ static void each_option_changes_the_picture(void **state)
         "--highlight 0,255,0",
         "--light 1,0,0",
         "--ia 0.5",
+        "--ia 255,0,0",
+        "--ie 238,138,32",
+        "--scene figure-3.9",
+        "--scene listing",
+        "--rotate 0,90,0",
+        "--scale 0.5",
+        "--scale 1,1,-1",
+        "--move 0.2,0,0",
         "--ie 0.5",
         "--ka 0.9",
         "--kd 0.1",
@@ -188,6 +196,51 @@ static void a_color_is_the_same_in_every_form(void **state)
         glint_image_destroy(same);
     }
     glint_image_destroy(usual);
+}
+
+/* Options that say the same. */
+static void expect_same(const char *const pairs[][2], size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        char options[256];
+        glint_image *pair[2];
+        for (int k = 0; k < 2; k++) {
+            snprintf(options, sizeof options, "--size 160x120 %s", pairs[i][k]);
+            pair[k] = rendered(options);
+        }
+        if (differing_pixels(pair[0], pair[1]) != 0)
+            fail_msg("%s differs from %s", pairs[i][0], pairs[i][1]);
+        glint_image_destroy(pair[0]);
+        glint_image_destroy(pair[1]);
+    }
+}
+
+static void light_is_the_same_in_every_form(void **state)
+{
+    (void)state;
+    static const char *const pairs[][2] = {
+        {"--ia 0.4 --ie 0.8", "--ia 102,102,102 --ie 204,204,204"},
+        {"--ia 0 --ie 1", "--ia 0,0,0 --ie 255,255,255"},
+        {"--scale 0.5", "--scale 0.5,0.5,0.5"},
+        {"--rotate 0,0,0 --scale 1 --move 0,0,0 --scene default", ""},
+    };
+    expect_same(pairs, sizeof pairs / sizeof pairs[0]);
+}
+
+static void a_scene_stands_for_its_options_and_they_override_it(void **state)
+{
+    (void)state;
+    static const char *const pairs[][2] = {
+        {"--scene figure-3.9", "--n 100 --ia 0 --ie 238,138,32 --ka 1 --kd 0.5 --ks 0.5 --color "
+                               "255,255,255 --highlight 255,255,255"},
+        {"--scene listing", "--n 100 --ia 0 --ka 1 --kd 1 --ks 1 --color 238,138,32"},
+        {"--scene listing --n 20 --ks 0.5 --color 0,0,255",
+         "--n 20 --ia 0 --ka 1 --kd 1 --ks 0.5 --color 0,0,255"},
+        {"--scene figure-3.9 --ie 1 --ia 0.5 --ka 0.5 --kd 0.25 --highlight 9,9,9",
+         "--n 100 --ia 0.5 --ie 1 --ka 0.5 --kd 0.25 --ks 0.5 --color 255,255,255 --highlight "
+         "9,9,9"},
+    };
+    expect_same(pairs, sizeof pairs / sizeof pairs[0]);
 }
 
 static void threads_lanes_and_pipeline_do_not_change_the_picture(void **state)
@@ -497,6 +550,8 @@ int main(void)
         cmocka_unit_test(foreign_meshes_are_equal_by_both_backends),
         cmocka_unit_test(each_option_changes_the_picture),
         cmocka_unit_test(a_color_is_the_same_in_every_form),
+        cmocka_unit_test(light_is_the_same_in_every_form),
+        cmocka_unit_test(a_scene_stands_for_its_options_and_they_override_it),
         cmocka_unit_test(threads_lanes_and_pipeline_do_not_change_the_picture),
         cmocka_unit_test(few_shifts_change_a_gouraud_picture),
         cmocka_unit_test(every_model_that_help_names_is_rendered),

@@ -196,12 +196,13 @@ static void options_are_read_strictly(void **state)
         {"render --shading Goraud",
          "glint render: --shading: \"Goraud\" is not one of flat, gouraud, gouraud-perspective, "
          "phong (did you mean gouraud?)\n"},
-        {"render --n 1e4", "glint render: --n: \"1e4\" is not an integer from 0 to 1023\n"},
-        {"render --n 2k", "glint render: --n: \"2k\" is not an integer from 0 to 1023\n"},
-        {"render --n 1.5", "glint render: --n: \"1.5\" is not an integer from 0 to 1023\n"},
-        {"render --n 1e-1", "glint render: --n: \"1e-1\" is not an integer from 0 to 1023\n"},
-        {"render --n k", "glint render: --n: \"k\" is not an integer from 0 to 1023\n"},
-        {"render --n 1kk", "glint render: --n: \"1kk\" is not an integer from 0 to 1023\n"},
+        {"render --n 1e4", "glint render: --n: \"1e4\" is not a number from 0 to 1023\n"},
+        {"render --n 2k", "glint render: --n: \"2k\" is not a number from 0 to 1023\n"},
+        {"render --n 1.5 --out x.png", "glint render: --n: the device's n is a whole number, not "
+                                       "1.5; fractions need --backend real "
+                                       "--specular MODEL\n"},
+        {"render --n k", "glint render: --n: \"k\" is not a number from 0 to 1023\n"},
+        {"render --n 1kk", "glint render: --n: \"1kk\" is not a number from 0 to 1023\n"},
         {"verify --clocks 0.0001k",
          "glint verify: --clocks: \"0.0001k\" is not an integer from 1 to 1000000000000\n"},
         {"verify --clocks 1e19",
@@ -215,16 +216,28 @@ static void options_are_read_strictly(void **state)
         {"render --json --json", "glint render: --json is given twice\n"},
         {"render --json=1", "glint render: --json takes no value\n"},
         {"render --help=1", "glint render: --help takes no value\n"},
-        {"render --n", "glint render: --n needs a value: an integer from 0 to 1023\n"},
-        {"render --n 5000", "glint render: --n: \"5000\" is not an integer from 0 to 1023\n"},
-        {"render --n -1", "glint render: --n: \"-1\" is not an integer from 0 to 1023\n"},
-        {"render --n=", "glint render: --n: \"\" is not an integer from 0 to 1023\n"},
-        {"render --n 5x", "glint render: --n: \"5x\" is not an integer from 0 to 1023\n"},
-        {"render --n 5.0", "glint render: --n: \"5.0\" is not an integer from 0 to 1023\n"},
-        {"render --n 0x5", "glint render: --n: \"0x5\" is not an integer from 0 to 1023\n"},
+        {"render --n", "glint render: --n needs a value: a number from 0 to 1023\n"},
+        {"render --n 5000", "glint render: --n: \"5000\" is not a number from 0 to 1023\n"},
+        {"render --n -1", "glint render: --n: \"-1\" is not a number from 0 to 1023\n"},
+        {"render --n=", "glint render: --n: \"\" is not a number from 0 to 1023\n"},
+        {"render --n 5x", "glint render: --n: \"5x\" is not a number from 0 to 1023\n"},
+        {"render --n 5.0.0", "glint render: --n: \"5.0.0\" is not a number from 0 to 1023\n"},
+        {"render --n 0x5", "glint render: --n: \"0x5\" is not a number from 0 to 1023\n"},
         {"render --n 99999999999999999999",
-         "glint render: --n: \"99999999999999999999\" is not an integer from 0 to 1023\n"},
-        {"render --n --json", "glint render: --n: \"--json\" is not an integer from 0 to 1023\n"},
+         "glint render: --n: \"99999999999999999999\" is not a number from 0 to 1023\n"},
+        {"render --n --json", "glint render: --n: \"--json\" is not a number from 0 to 1023\n"},
+        {"render --ie 1.01", "glint render: --ie: \"1.01\" is not a number from 0 to 1, or R,G,B "
+                             "each from 0 to 255\n"},
+        {"render --ia 1,2,256", "glint render: --ia: \"1,2,256\" is not a number from 0 to 1, or "
+                                "R,G,B each from 0 to 255\n"},
+        {"render --scene figure-3.8 --out x.png",
+         "glint render: --scene: \"figure-3.8\" is not one of default, figure-3.9, listing (did "
+         "you mean figure-3.9?)\n"},
+        {"render --scale 1,2 --out x.png", "glint render: --scale: \"1,2\" is not one or three "
+                                           "comma-separated numbers from -1000 to 1000\n"},
+        {"render --scale 1,0,1 --out x.png",
+         "glint render: --scale: a factor of 0 would flatten the object: give one above or below "
+         "0\n"},
         {"render --ka 1.01", "glint render: --ka: \"1.01\" is not a number from 0 to 1\n"},
         {"render --ka nan", "glint render: --ka: \"nan\" is not a number from 0 to 1\n"},
         {"render --ka 0x1p-1", "glint render: --ka: \"0x1p-1\" is not a number from 0 to 1\n"},
@@ -313,12 +326,12 @@ static void a_message_stays_one_line(void **state)
     char *lengthy[] = {NULL, "render", "--n", longest, NULL};
     outcome done = run_arguments(newline, "", 0, &none);
     assert_outcome(&done, 2,
-                   "glint render: --n: \"1\\x0a2\\x1b[31m\" is not an integer from 0 to 1023\n");
+                   "glint render: --n: \"1\\x0a2\\x1b[31m\" is not a number from 0 to 1023\n");
     forget(&done);
     done = run_arguments(lengthy, "", 0, &none);
     assert_int_equal(done.status, 2);
     assert_true(strlen(done.err) < 200);
-    assert_says(done.err, "xxx...\" is not an integer from 0 to 1023\n");
+    assert_says(done.err, "xxx...\" is not a number from 0 to 1023\n");
     forget(&done);
 }
 

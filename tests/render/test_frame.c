@@ -441,8 +441,10 @@ static void the_picture_is_base_and_highlight(void **state)
     add_square(m, 1.0, 0.0, n);
     glint_scene scene = straight_scene(m, 3.0f);
     scene.n = 40;
-    scene.ia = 0.5f;
-    scene.ie = 0.75f;
+    for (int c = 0; c < 3; c++) {
+        scene.ia[c] = 0.5f;
+        scene.ie[c] = 0.75f;
+    }
     studio s = open_studio(64, 64, 1, GLINT_BACKEND_C);
     glint_backend *backend = NULL;
     const glint_backend_config config = {.kind = GLINT_BACKEND_C};

@@ -244,8 +244,8 @@ static double base_light(const glint_scene *scene, glint_vec3 n, int c)
 {
     const glint_vec3 l = glint_vec3_of(scene->light);
     const double cosine = glint_vec3_dot(n, l) / (glint_vec3_length(n) * glint_vec3_length(l));
-    return scene->color[c] * ((double)scene->ka * (double)scene->ia +
-                              (double)scene->kd * (double)scene->ie * fmax(cosine, 0.0));
+    return scene->color[c] * ((double)scene->ka * (double)scene->ia[c] +
+                              (double)scene->kd * (double)scene->ie[c] * fmax(cosine, 0.0));
 }
 
 /* The pure formula's highlight at the point p (camera axes, the eye in the origin). */
@@ -258,7 +258,7 @@ static double highlight(const glint_scene *scene, glint_vec3 p, glint_vec3 n, in
     const double sigma = (scene->n + 1.0) / 3.0;
     const double t = sigma * (cosine - 1.0) + 1.0;
     const double register_value =
-        floor(scene->highlight[c] * (double)scene->ie * (double)scene->ks + 0.5);
+        floor(scene->highlight[c] * (double)scene->ie[c] * (double)scene->ks + 0.5);
     return t > 0.0 && glint_vec3_dot(n, l) > 0.0 ? t * t * register_value : 0.0;
 }
 

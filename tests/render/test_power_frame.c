@@ -66,7 +66,7 @@ static void compare(studio *device, studio *power, const glint_scene *scene, wor
         found->level = difference.largest;
     if (difference.nmse > found->nmse) {
         found->nmse = difference.nmse;
-        found->n = scene->n;
+        found->n = (uint32_t)scene->n;
     }
 }
 
@@ -84,7 +84,7 @@ static worst worst_of(const char *name, int variant, glint_backend_kind kind)
                 glint_scene scene;
                 glint_frame_scene((glint_frame_light)light, &scene);
                 scene.mesh = mesh;
-                scene.n = (uint16_t)n;
+                scene.n = (double)n;
                 compare(&device, &power, &scene, &found);
             }
         glint_mesh_destroy(mesh);

@@ -206,13 +206,13 @@ static void check_pixels(const steep_triangle *t, const studio *s, const glint_s
             const int got = s->image->rgb[3 * at];
             brightest = got > brightest ? got : brightest;
             if (fabs(expected - got) > tolerance) {
-                fail_msg("%s, n = %d, pixel %d,%d: %d instead of %.3f",
+                fail_msg("%s, n = %g, pixel %d,%d: %d instead of %.3f",
                          glint_reflectance_names[scene->specular], scene->n, x, y, got, expected);
             }
         }
     }
     if (brightest < 50 && info_of((int)scene->specular)->cosine != GLINT_REFLECTANCE_OF_NL) {
-        fail_msg("%s, n = %d: the highlight is not in the frame (%d)",
+        fail_msg("%s, n = %g: the highlight is not in the frame (%d)",
                  glint_reflectance_names[scene->specular], scene->n, brightest);
     }
 }

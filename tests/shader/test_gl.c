@@ -236,7 +236,7 @@ static void every_shading_and_view_is_real_s(void **state)
         scene.shading = views[i].shading;
         scene.yaw = views[i].yaw;
         scene.distance = views[i].distance;
-        scene.ie = 0.7f;
+        scene.ie[0] = scene.ie[1] = scene.ie[2] = 0.7f;
         const verdict v = play(&s, &scene);
         const uint64_t allowed = v.common / (scene.shading == GLINT_SHADING_FLAT ? 200 : 1000);
         if (v.beyond > allowed || v.alone > ALONE) {
