@@ -287,7 +287,7 @@ C_SOURCES  := $(wildcard cmodel/*.c sim/*/*.c tests/*/*.c \
 lint:
 	sim/deps.sh lint
 	+@mode=$$(stat -c %a /dev/null) && \
-	    $(MAKE) $(PARALLEL) lint-verilog lint-c lint-cpp lint-style lint-tidy && \
+	    $(MAKE) $(PARALLEL) lint-verilog lint-c lint-cpp lint-shaders lint-style lint-tidy && \
 	    { [ "$$(stat -c %a /dev/null)" = "$$mode" ] || \
 	        { echo "lint has changed the mode of /dev/null from $$mode" >&2; exit 1; }; }
 
@@ -436,7 +436,7 @@ help:
 	@echo "make bench     fragments, clocks and frames a second"
 	@echo "make report    what the thesis claims, measured: $(BUILD)/report/index.html"
 	@echo "make wave      the waveforms with their GTKWave save files"
-	@echo "make lint      Verilator, Icarus, Yosys, both C compilers, clang-tidy and the style check"
+	@echo "make lint      Verilator, Icarus, Yosys, both C compilers, glslang, clang-tidy, the style check"
 	@echo "make sanitize  the tests under AddressSanitizer and UBSan"
 	@echo "make fuzz      20 s of fuzzing (FUZZ_SECONDS=) for each reader of what comes from outside"
 	@echo "make formats   16 to 20 fraction bits of the cosine, by one edit each (docs/formats.md)"

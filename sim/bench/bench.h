@@ -114,12 +114,17 @@ glint_status glint_bench_units(const char *verilog, double seconds, const volati
 typedef struct glint_bench_frame {
     const char *model; /* "teapot" or "sphere" */
     int width, height;
-    glint_backend_kind backend;
+    int backend;        /* a glint_backend_kind, or GLINT_BENCH_GL */
     uint64_t fragments; /* of one frame */
     double frames;      /* a second */
+    char missing[160];  /* of GLINT_BENCH_GL: why it could not be measured, else "" */
 } glint_bench_frame;
 
-#define GLINT_BENCH_FRAMES 12 /* 2 models × 2 sizes × 3 backends */
+/* Mesa's OpenGL in software (gl/renderer.h): what a user would take instead. */
+#define GLINT_BENCH_GL GLINT_BACKEND_COUNT
+
+#define GLINT_BENCH_BACKENDS (GLINT_BACKEND_COUNT + 1)
+#define GLINT_BENCH_FRAMES   (2 * 2 * GLINT_BENCH_BACKENDS) /* of 2 models in 2 sizes */
 
 /* Measures whole frames on `threads` threads, for about `seconds` each. */
 glint_status glint_bench_frames(const char *verilog, int threads, double seconds,

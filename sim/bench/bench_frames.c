@@ -1,9 +1,11 @@
 /* Frames a second: the whole way from mesh to picture. */
 #define _POSIX_C_SOURCE 200809L
 
+#include <stdio.h>
 #include <time.h>
 
 #include "bench/bench.h"
+#include "gl/renderer.h"
 #include "render/render.h"
 
 static double now(void)
@@ -13,17 +15,30 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+/* One of the two draws. */
+typedef struct renderer {
+    glint_renderer *own;
+    glint_gl_renderer *gl;
+} renderer;
+
+static glint_status render(const renderer *r, const glint_scene *scene, glint_image *image,
+                           const volatile bool *stop, glint_render_stats *stats, glint_error *err)
+{
+    return r->gl != NULL ? glint_gl_render(r->gl, scene, image, stop, stats, err)
+                         : glint_render(r->own, scene, image, stop, stats, err);
+}
+
 /* Renders until `seconds` have passed, the first frame not counted: it warms the caches. */
-static glint_status time_frames(glint_renderer *renderer, const glint_scene *scene,
-                                glint_image *image, double seconds, const volatile bool *stop,
-                                glint_bench_frame *frame, glint_error *err)
+static glint_status time_frames(const renderer *r, const glint_scene *scene, glint_image *image,
+                                double seconds, const volatile bool *stop, glint_bench_frame *frame,
+                                glint_error *err)
 {
     glint_render_stats stats;
-    glint_status status = glint_render(renderer, scene, image, stop, &stats, err);
+    glint_status status = render(r, scene, image, stop, &stats, err);
     uint64_t count = 0;
     double start = now(), end = start;
     while (status == GLINT_OK && end - start < seconds) {
-        status = glint_render(renderer, scene, image, stop, &stats, err);
+        status = render(r, scene, image, stop, &stats, err);
         count++;
         end = now();
     }
@@ -42,26 +57,43 @@ typedef struct effort {
     const volatile bool *stop;
 } effort;
 
+static glint_status open_renderer(const glint_mesh *mesh, const effort *effort,
+                                  glint_bench_frame *frame, renderer *r, glint_error *err)
+{
+    if (frame->backend != GLINT_BENCH_GL) {
+        const glint_backend_config config = {.kind = (glint_backend_kind)frame->backend,
+                                             .gate = GLINT_GATE_COSINE,
+                                             .pipeline = GLINT_PIPELINE_PIPELINED,
+                                             .verilog = effort->verilog};
+        return glint_renderer_create(frame->width, frame->height, effort->threads, &config, &r->own,
+                                     err);
+    }
+    glint_error why;
+    const glint_status status =
+        glint_gl_renderer_create(mesh, frame->width, frame->height, effort->threads, &r->gl, &why);
+    if (status == GLINT_IO_ERROR) { /* there is no OpenGL here: the others are measured still */
+        (void)snprintf(frame->missing, sizeof frame->missing, "%.150s", why.text);
+        return GLINT_OK;
+    }
+    return status == GLINT_OK ? GLINT_OK : glint_fail(err, status, "%s", why.text);
+}
+
 static glint_status bench_frame(const glint_mesh *mesh, const effort *effort,
                                 glint_bench_frame *frame, glint_error *err)
 {
-    const glint_backend_config config = {.kind = frame->backend,
-                                         .gate = GLINT_GATE_COSINE,
-                                         .pipeline = GLINT_PIPELINE_PIPELINED,
-                                         .verilog = effort->verilog};
     glint_scene scene;
-    glint_renderer *renderer = NULL;
+    renderer r = {NULL, NULL};
     glint_image *image = NULL;
     glint_scene_defaults(&scene);
     scene.mesh = mesh;
-    glint_status status = glint_renderer_create(frame->width, frame->height, effort->threads,
-                                                &config, &renderer, err);
+    glint_status status = open_renderer(mesh, effort, frame, &r, err);
     if (status == GLINT_OK)
         status = glint_image_create(frame->width, frame->height, &image, err);
-    if (status == GLINT_OK)
-        status = time_frames(renderer, &scene, image, effort->seconds, effort->stop, frame, err);
+    if (status == GLINT_OK && frame->missing[0] == '\0')
+        status = time_frames(&r, &scene, image, effort->seconds, effort->stop, frame, err);
     glint_image_destroy(image);
-    glint_renderer_destroy(renderer);
+    glint_gl_renderer_destroy(r.gl);
+    glint_renderer_destroy(r.own);
     return status;
 }
 
@@ -71,12 +103,14 @@ static glint_status bench_mesh(const char *model, const glint_mesh *mesh, const 
     static const int sizes[2][2] = {{640, 480}, {1920, 1080}};
     glint_status status = GLINT_OK;
     for (int size = 0; size < 2; size++)
-        for (int kind = 0; status == GLINT_OK && kind < GLINT_BACKEND_COUNT; kind++) {
+        for (int kind = 0; status == GLINT_OK && kind < GLINT_BENCH_BACKENDS; kind++) {
             glint_bench_frame *frame = frames++;
-            frame->model = model;
-            frame->width = sizes[size][0];
-            frame->height = sizes[size][1];
-            frame->backend = (glint_backend_kind)kind;
+            *frame = (glint_bench_frame){
+                .model = model,
+                .width = sizes[size][0],
+                .height = sizes[size][1],
+                .backend = kind,
+            };
             status = bench_frame(mesh, effort, frame, err);
         }
     return status;

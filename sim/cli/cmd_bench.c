@@ -59,7 +59,8 @@ static int parse(int argc, char **argv, bench_options *chosen)
                    "Schlick's formula side by side; then every formula that approximates cos^n, "
                    "scalar and vectorised; every highlight unit, in C and in Verilog; the divider, "
                    "in C and in both forms of its circuit, "
-                   "against the machine's own division; and whole frames with each backend.",
+                   "against the machine's own division; and whole frames with each backend and by "
+                   "OpenGL in software.",
         .examples = examples,
         .options = options,
         .option_count = sizeof options / sizeof options[0],
@@ -141,16 +142,29 @@ static double ratio_to_c(const glint_bench_frame *frames, int i)
     return frames[i].frames / frames[c].frames;
 }
 
+static const char *backend_name(const glint_bench_frame *frame)
+{
+    return frame->backend == GLINT_BENCH_GL ? "gl" : glint_backend_names[frame->backend];
+}
+
+static void print_frame(const glint_bench_frame *frame, double ratio)
+{
+    printf("  %-7s %4dx%-5d %-5s", frame->model, frame->width, frame->height, backend_name(frame));
+    if (frame->missing[0] != '\0') {
+        printf(" %s\n", frame->missing);
+        return;
+    }
+    printf(" %8.1f frames/s %6.2f, %8" PRIu64 " fragments, %6.1f million fragments/s\n",
+           frame->frames, ratio, frame->fragments, frame->frames * (double)frame->fragments * 1e-6);
+}
+
 static void print_frames(const glint_bench_frame *frames, int threads)
 {
-    printf("frames: %d thread%s, every fragment through the backend; ratio to the C model\n",
+    printf("frames: %d thread%s, every fragment through the backend; ratio to the C model\n"
+           "  (gl: OpenGL by Mesa in software, the same formula in a shader)\n",
            threads, threads == 1 ? "" : "s");
     for (int i = 0; i < GLINT_BENCH_FRAMES; i++)
-        printf("  %-7s %4dx%-5d %-5s %8.1f frames/s %6.2f, %8" PRIu64 " fragments, %6.1f million "
-               "fragments/s\n",
-               frames[i].model, frames[i].width, frames[i].height,
-               glint_backend_names[frames[i].backend], frames[i].frames, ratio_to_c(frames, i),
-               frames[i].fragments, frames[i].frames * (double)frames[i].fragments * 1e-6);
+        print_frame(&frames[i], ratio_to_c(frames, i));
 }
 
 static void add_kernels(json_t *json, const glint_bench_rates *rates)
@@ -233,10 +247,14 @@ static void add_frames(json_t *json, const glint_bench_frame *frames)
         glint_json_add_text(entry, "model", frames[i].model);
         glint_json_add_number(entry, "width", frames[i].width);
         glint_json_add_number(entry, "height", frames[i].height);
-        glint_json_add_text(entry, "backend", glint_backend_names[frames[i].backend]);
-        glint_json_add_number(entry, "fragments", (double)frames[i].fragments);
-        glint_json_add_number(entry, "frames_per_second", frames[i].frames);
-        glint_json_add_number(entry, "ratio_to_c", ratio_to_c(frames, i));
+        glint_json_add_text(entry, "backend", backend_name(&frames[i]));
+        if (frames[i].missing[0] != '\0') {
+            glint_json_add_text(entry, "missing", frames[i].missing);
+        } else {
+            glint_json_add_number(entry, "fragments", (double)frames[i].fragments);
+            glint_json_add_number(entry, "frames_per_second", frames[i].frames);
+            glint_json_add_number(entry, "ratio_to_c", ratio_to_c(frames, i));
+        }
         json_array_append_new(list, entry);
     }
 }

@@ -53,7 +53,7 @@ static void the_json_has_all_parts(void **state)
     expect_entries(formulas, "loops", 6, loops);
     expect_entries(json, "units", 7, units);
     expect_entries(json, "divisions", 6, divisions);
-    expect_entries(json, "frames", 12, frames);
+    expect_entries(json, "frames", 16, frames);
     json_decref(json);
     forget(&done);
 }
@@ -82,11 +82,26 @@ static void the_text_has_all_parts(void **state)
     forget(&done);
 }
 
+/* The others are measured all the same. */
+static void a_missing_opengl_has_a_row_that_says_so(void **state)
+{
+    (void)state;
+    scratch_write(scratch_path("libEGL.so.1"), "no library\n", 11);
+    assert_int_equal(setenv("LD_LIBRARY_PATH", scratch_directory, 1), 0);
+    outcome done = run("bench --seconds 0.01 --threads 1", "");
+    assert_outcome(&done, 0, "");
+    assert_says(done.out, " gl    backend gl: libEGL.so.1 is missing: install libegl1 and "
+                          "libgl1-mesa-dri\n  sphere   640x480   c ");
+    forget(&done);
+    assert_int_equal(unsetenv("LD_LIBRARY_PATH"), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_json_has_all_parts),
         cmocka_unit_test(the_text_has_all_parts),
+        cmocka_unit_test(a_missing_opengl_has_a_row_that_says_so),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
