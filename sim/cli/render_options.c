@@ -13,12 +13,13 @@
 #include "cli/parse.h"
 #include "cli/picture.h"
 #include "cli/preset.h"
+#include "cli/slips.h"
 
 /* What the option table fills besides the scene. */
 typedef struct raw_options {
     glint_scene_options scene;
     glint_device_options device;
-    const char *out, *specular, *verilog;
+    const char *out, *specular, *slips, *verilog;
     double n;
     int64_t shifts;
     int shading, backend;
@@ -49,7 +50,9 @@ static const char details[] =
     "Axes: x right, y up, z towards the viewer. --shading flat evaluates this once per\n"
     "triangle; gouraud at the vertices, interpolating on the screen with increments from\n"
     "the divider (--backend real: exactly); gouraud-perspective interpolates on the\n"
-    "object; phong evaluates it at every pixel.\n"
+    "object; phong evaluates it at every pixel. quadratic evaluates it at the corners of\n"
+    "each triangle and the middles of its edges and interpolates by the quadratic through\n"
+    "these six values; quadratic-listing does so as the thesis's listing, with its slips.\n"
     "\n"
     "--specular replaces W with a model's value, computed from unrounded cosines: N.H,\n"
     "or R.V for phong; cook-torrance and torrance-sparrow give Rs of (1.4) with\n"
@@ -63,7 +66,7 @@ static const char details[] =
     "every model; without --specular the device's formula. It needs libegl1 and\n"
     "libgl1-mesa-dri.";
 
-#define OWN_ROWS   9
+#define OWN_ROWS   10
 #define TABLE_ROWS (OWN_ROWS + GLINT_DEVICE_OPTIONS + GLINT_SCENE_OPTIONS)
 
 static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
@@ -99,6 +102,12 @@ static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .help = "the divider's shifts, for --shading gouraud",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&raw->shifts, GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX}},
+        {.name = "slips",
+         .placeholder = "LIST",
+         .help = "for --shading quadratic-listing: all, none, or some of" GLINT_SLIP_NAMES,
+         .usually = "all",
+         .kind = GLINT_OPTION_STRING,
+         .string = &raw->slips},
         GLINT_RTL_OPTION(&raw->verilog),
         GLINT_FORCE_OPTION(&raw->force),
         {.name = "json",
@@ -164,6 +173,17 @@ static int choose_specular(const raw_options *raw, glint_render_options *chosen)
                               "--f0 needs --specular cook-torrance or torrance-sparrow");
     }
     return GLINT_OPTIONS_RUN;
+}
+
+static int choose_slips(const raw_options *raw, glint_scene *scene)
+{
+    if (raw->slips == NULL)
+        return GLINT_OPTIONS_RUN;
+    if (scene->shading != GLINT_SHADING_QUADRATIC_LISTING) {
+        return glint_complain("render", GLINT_EXIT_TROUBLE,
+                              "--slips needs --shading quadratic-listing: no other has any");
+    }
+    return glint_slips_parse("render", raw->slips, &scene->slips);
 }
 
 /* Of the device, and with Gouraud's shading of the divider. */
@@ -240,5 +260,7 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
                               "--backend real --specular MODEL",
                               raw.n);
     }
+    if (status == GLINT_OPTIONS_RUN)
+        status = choose_slips(&raw, &chosen->scene);
     return status == GLINT_OPTIONS_RUN ? check_verilog(chosen) : status;
 }

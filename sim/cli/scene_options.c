@@ -18,6 +18,8 @@ const char *const glint_shading_names[] = {
     [GLINT_SHADING_FLAT] = "flat",
     [GLINT_SHADING_GOURAUD] = "gouraud",
     [GLINT_SHADING_GOURAUD_PERSPECTIVE] = "gouraud-perspective",
+    [GLINT_SHADING_QUADRATIC] = "quadratic",
+    [GLINT_SHADING_QUADRATIC_LISTING] = "quadratic-listing",
     [GLINT_SHADING_PHONG] = "phong",
     [GLINT_SHADING_COUNT] = NULL,
 };

@@ -1,6 +1,8 @@
 /* Light at vertices, on whole triangles, and at points of a caller. */
 #include "render/points.h"
 
+#include "render/quadratic.h"
+
 /* Is lost in any sum but that of a vector without length, whose cosine it makes 0 instead of 0/0.
  */
 #define TINY 1e-300
@@ -134,6 +136,71 @@ glint_status glint_light_triangles(glint_lit_points *points, const glint_point_l
     for (size_t i = 0; status == GLINT_OK && i < list->count; i++) {
         at += i > 0 && list->triangle[i].source != list->triangle[i - 1].source;
         give_color(points, at, &list->triangle[i]);
+    }
+    return status;
+}
+
+/* The point on the frame at (x, y), in subpixels, with the normal n there. Its way to the eye is
+ * that of a fragment. */
+static void add_screen_point(glint_lit_points *points, const glint_point_light *light, double x,
+                             double y, const double n[3])
+{
+    const glint_camera *camera = light->camera;
+    const glint_view_point p = {
+        (x / GLINT_SUBPIXEL_ONE - camera->half_width) / camera->focal,
+        (camera->half_height - y / GLINT_SUBPIXEL_ONE) / camera->focal,
+        1.0,
+    };
+    add_point(points, light->lighting, p, (glint_vec3){n[0], n[1], n[2]});
+}
+
+enum { POINTS_OF_TRIANGLE = 6 };
+
+/* N/w is linear on the screen, so a middle's has the direction of the sum of its ends'. */
+static void add_six_points(glint_lit_points *points, const glint_point_light *light,
+                           const glint_triangle *t)
+{
+    double n[3];
+    for (int i = 0; i < 3; i++) {
+        for (int axis = 0; axis < 3; axis++)
+            n[axis] = (double)t->n[i][axis];
+        add_screen_point(points, light, t->x[i], t->y[i], n);
+    }
+    for (int i = 0; i < 3; i++) {
+        const int a = glint_edge_ends[i][0];
+        const int b = glint_edge_ends[i][1];
+        for (int axis = 0; axis < 3; axis++)
+            n[axis] = (double)t->n[a][axis] + (double)t->n[b][axis];
+        add_screen_point(points, light, 0.5 * ((double)t->x[a] + t->x[b]),
+                         0.5 * ((double)t->y[a] + t->y[b]), n);
+    }
+}
+
+static void give_six_colors(const glint_lit_points *points, size_t at, glint_triangle *t)
+{
+    for (size_t i = 0; i < 3; i++)
+        for (int c = 0; c < 3; c++) {
+            t->color[i][c] = points->base[c][at + i];
+            t->middle[i][c] = points->base[c][at + 3 + i];
+        }
+}
+
+glint_status glint_light_six_points(glint_lit_points *points, const glint_point_light *light,
+                                    glint_backend *backend, glint_triangle_list *list,
+                                    uint64_t *count, glint_error *err)
+{
+    const size_t in_a_run = GLINT_POINTS_RUN / POINTS_OF_TRIANGLE;
+    glint_status status = GLINT_OK;
+    for (size_t first = 0; status == GLINT_OK && first < list->count; first += in_a_run) {
+        const size_t left = list->count - first;
+        const size_t triangles = left < in_a_run ? left : in_a_run;
+        points->count = 0;
+        for (size_t i = 0; i < triangles; i++)
+            add_six_points(points, light, &list->triangle[first + i]);
+        *count += points->count;
+        status = light_points(points, light->lighting, backend, err);
+        for (size_t i = 0; status == GLINT_OK && i < triangles; i++)
+            give_six_colors(points, POINTS_OF_TRIANGLE * i, &list->triangle[first + i]);
     }
     return status;
 }

@@ -52,4 +52,11 @@ glint_status glint_light_triangles(glint_lit_points *points, const glint_point_l
                                    glint_backend *backend, glint_triangle_list *list,
                                    uint64_t *count, glint_error *err);
 
+/* Lights each triangle of the list, parts of clipped ones too, at its corners and at the middles of
+ * its edges on the screen, with the normals interpolated there: as Phong's shading would light
+ * these six points. Adds their number to *count. */
+glint_status glint_light_six_points(glint_lit_points *points, const glint_point_light *light,
+                                    glint_backend *backend, glint_triangle_list *list,
+                                    uint64_t *count, glint_error *err);
+
 #endif

@@ -9,7 +9,9 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "render/listing.h"
 #include "render/paint.h"
+#include "render/quadratic_band.h"
 #include "render/renderer.h"
 #include "render/scene.h"
 
@@ -22,6 +24,7 @@ typedef struct frame {
     const glint_mesh *mesh;
     glint_shading shading;
     int shifts; /* GLINT_SHIFTS_EXACT with backend real */
+    unsigned slips;
     glint_camera camera;
     glint_lighting lighting;
     glint_image *image;
@@ -53,6 +56,12 @@ static glint_point_light point_light(const frame *f)
 static bool colors_at_vertices(const frame *f)
 {
     return f->shading == GLINT_SHADING_GOURAUD || f->shading == GLINT_SHADING_GOURAUD_PERSPECTIVE;
+}
+
+static bool colors_of_triangles(const frame *f)
+{
+    return f->shading == GLINT_SHADING_FLAT || f->shading == GLINT_SHADING_QUADRATIC ||
+           f->shading == GLINT_SHADING_QUADRATIC_LISTING;
 }
 
 /* Takes the next of count pieces; false if none are left or the frame is abandoned. */
@@ -102,7 +111,10 @@ static void light_triangles(frame *f, glint_render_worker *w, glint_triangle_lis
 {
     const glint_point_light light = point_light(f);
     uint64_t count = 0;
-    note(f, w, glint_light_triangles(&w->points, &light, w->backend, list, &count, &w->error));
+    note(f, w,
+         f->shading == GLINT_SHADING_FLAT
+             ? glint_light_triangles(&w->points, &light, w->backend, list, &count, &w->error)
+             : glint_light_six_points(&w->points, &light, w->backend, list, &count, &w->error));
     w->highlights += count;
 }
 
@@ -118,7 +130,7 @@ static void triangle_phase(void *context, int worker_index)
         if (!glint_setup_triangles(&f->camera, f->mesh, r->extent, r->screen, start,
                                    end_of(start, TRIANGLE_RUN, items), &r->lists[piece]))
             fail_worker(f, w, GLINT_NO_MEMORY, "not enough memory for the frame's triangles");
-        else if (f->shading == GLINT_SHADING_FLAT)
+        else if (colors_of_triangles(f))
             light_triangles(f, w, &r->lists[piece]);
     }
 }
@@ -138,6 +150,12 @@ static glint_status shade_band(frame *f, glint_render_worker *w)
         break;
     case GLINT_SHADING_GOURAUD_PERSPECTIVE:
         glint_perspective_band(&w->band, f->image, &fragments);
+        break;
+    case GLINT_SHADING_QUADRATIC:
+        glint_quadratic_band(&w->band, f->image, &fragments);
+        break;
+    case GLINT_SHADING_QUADRATIC_LISTING:
+        glint_listing_band(&w->band, f->slips, f->image, &fragments);
         break;
     default:
         status = glint_shade_band(&w->shader, &f->lighting, &w->band, w->backend,
@@ -343,6 +361,7 @@ static glint_status run_frame(glint_renderer *renderer, const glint_scene *scene
     f->mesh = scene->mesh;
     f->shading = scene->shading;
     f->shifts = renderer->kind == GLINT_BACKEND_REAL ? GLINT_SHIFTS_EXACT : scene->shifts;
+    f->slips = scene->slips;
     atomic_init(&f->next, 0);
     atomic_init(&f->failed, false);
     f->camera = glint_camera_of(scene, renderer->extent.width, renderer->extent.height);

@@ -26,6 +26,8 @@ typedef enum glint_shading {
     GLINT_SHADING_FLAT,                /* once for each triangle */
     GLINT_SHADING_GOURAUD,             /* at vertices; between them by the divider, on the screen */
     GLINT_SHADING_GOURAUD_PERSPECTIVE, /* at vertices; between them on the object */
+    GLINT_SHADING_QUADRATIC,           /* at six points of each triangle; a quadratic between */
+    GLINT_SHADING_QUADRATIC_LISTING,   /* the same as the thesis's listing has it (listing.h) */
     GLINT_SHADING_PHONG,               /* for each pixel, with the interpolated normal */
     GLINT_SHADING_COUNT
 } glint_shading;
@@ -54,6 +56,7 @@ typedef struct glint_scene {
     glint_shading shading; /* [phong] */
     int shifts; /* of the divider, for Gouraud's shading on the screen: GLINT_DIVIDER_SHIFTS_MIN…
                    MAX or GLINT_SHIFTS_EXACT. Backend real is always exact. [default] */
+    unsigned slips; /* of the listing, for its shading: a mask of glint_slip [GLINT_SLIPS_ALL] */
     bool by_model; /* W by a reflectance model from cosines that no code rounds, instead of the
                       device's; backend real only [false] */
     glint_reflectance_model specular; /* that model, n its exponent; what replaces W(N·H) is a
@@ -72,7 +75,8 @@ typedef struct glint_render_stats {
     uint64_t drawn;      /* triangles left after culling and clipping that span a pixel's centre */
     uint64_t fragments;  /* visible pixels of the object */
     uint64_t highlights; /* points whose highlight was computed: with Phong's shading fragments,
-                            with flat shading triangles, else vertices */
+                            with flat shading triangles, with the quadratic ones six for each
+                            triangle drawn, else vertices */
     uint64_t divisions;  /* done by the divider, each of three components */
     uint64_t divider_clocks;          /* of its circuits; 0 for backends without a clock */
     glint_span_operations operations; /* of the span unit */

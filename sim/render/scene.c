@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "render/listing.h"
+
 void glint_scene_defaults(glint_scene *scene)
 {
     const glint_mesh *mesh = scene->mesh;
@@ -23,6 +25,7 @@ void glint_scene_defaults(glint_scene *scene)
         .distance = 0.0f,
         .shading = GLINT_SHADING_PHONG,
         .shifts = GLINT_DIVIDER_SHIFTS_DEFAULT,
+        .slips = GLINT_SLIPS_ALL,
         .f0 = (float)GLINT_F0_DEFAULT,
     };
 }

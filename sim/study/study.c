@@ -11,6 +11,8 @@ static const char *const shadings[] = {
     [GLINT_SHADING_FLAT] = "flat",
     [GLINT_SHADING_GOURAUD] = "gouraud",
     [GLINT_SHADING_GOURAUD_PERSPECTIVE] = "gouraud-perspective",
+    [GLINT_SHADING_QUADRATIC] = "quadratic",
+    [GLINT_SHADING_QUADRATIC_LISTING] = "quadratic-listing",
     [GLINT_SHADING_PHONG] = "phong",
 };
 
