@@ -47,15 +47,15 @@ static glint_listing solve(double i1, const curvature *c, double x2, double y2, 
     double *p = l.p;
     p[4] = ((4.0 * c->c13 * y2 - c->c23 * y3) * d23 - (4.0 * c->c12 * factor - c->c23 * y2) * d32) /
            det;
-    p[5] = ((4.0 * c->c12 * y3 - c->c23 * y2) * e32 - (4.0 * c->c13 * y2 - c->c23 * y3) * e23) /
-           det;
+    p[5] =
+        ((4.0 * c->c12 * y3 - c->c23 * y2) * e32 - (4.0 * c->c13 * y2 - c->c23 * y3) * e23) / det;
     p[0] = i1;
     p[1] = (c->c3 * x2 - c->c2 * x3) / area;
     p[2] = (c->c2 * y3 - c->c3 * y2) / area;
-    p[3] = has(slips, GLINT_SLIP_DIVISION)
-               ? (2.0 * c->c12 - p[5] * x2 * x2 - p[4] * x2 * y2) / y2 * y2
-               : (2.0 * c->c12 * x3 * x3 - c->c23 * x2 * x3 + 2.0 * c->c13 * x2 * x2) /
-                     (area * area);
+    p[3] =
+        has(slips, GLINT_SLIP_DIVISION)
+            ? (2.0 * c->c12 - p[5] * x2 * x2 - p[4] * x2 * y2) / y2 * y2
+            : (2.0 * c->c12 * x3 * x3 - c->c23 * x2 * x3 + 2.0 * c->c13 * x2 * x2) / (area * area);
     return l;
 }
 

@@ -1,4 +1,4 @@
-/* Light at vertices, on whole triangles, and at points of a caller. */
+/* Light at vertices, on whole triangles, at six points of each, and at points of a caller. */
 #include "render/points.h"
 
 #include "render/quadratic.h"
@@ -198,7 +198,7 @@ glint_status glint_light_six_points(glint_lit_points *points, const glint_point_
         for (size_t i = 0; i < triangles; i++)
             add_six_points(points, light, &list->triangle[first + i]);
         *count += points->count;
-        status = light_points(points, light->lighting, backend, err);
+        status = glint_lit_points_light(points, light->lighting, backend, err);
         for (size_t i = 0; status == GLINT_OK && i < triangles; i++)
             give_six_colors(points, POINTS_OF_TRIANGLE * i, &list->triangle[first + i]);
     }

@@ -57,8 +57,8 @@ typedef struct glint_scene {
     int shifts; /* of the divider, for Gouraud's shading on the screen: GLINT_DIVIDER_SHIFTS_MIN…
                    MAX or GLINT_SHIFTS_EXACT. Backend real is always exact. [default] */
     unsigned slips; /* of the listing, for its shading: a mask of glint_slip [GLINT_SLIPS_ALL] */
-    bool by_model; /* W by a reflectance model from cosines that no code rounds, instead of the
-                      device's; backend real only [false] */
+    bool by_model;  /* W by a reflectance model from cosines that no code rounds, instead of the
+                       device's; backend real only [false] */
     glint_reflectance_model specular; /* that model, n its exponent; what replaces W(N·H) is a
                                          lobe's value or Rs (1.4). Lambert's: no highlight */
     float f0; /* of the microfacet models: F at normal incidence, 0…1 [GLINT_F0_DEFAULT] */

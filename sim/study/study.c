@@ -53,10 +53,10 @@ glint_status glint_study_method_parse(const char *text, glint_study_method *meth
     }
     if (colon != NULL) {
         if (!find(shadings, GLINT_SHADING_COUNT, colon + 1, &index)) {
-            return glint_fail(
-                err, GLINT_BAD_ARGUMENT,
-                "\"%.60s\" is not a shading: use flat, gouraud, gouraud-perspective or phong",
-                colon + 1);
+            return glint_fail(err, GLINT_BAD_ARGUMENT,
+                              "\"%.60s\" is not a shading: use flat, gouraud, gouraud-perspective, "
+                              "quadratic, quadratic-listing or phong",
+                              colon + 1);
         }
         parsed.shading = (glint_shading)index;
     }

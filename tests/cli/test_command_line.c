@@ -195,7 +195,7 @@ static void options_are_read_strictly(void **state)
                                   "--shading? see glint render --help)\n"},
         {"render --shading Goraud",
          "glint render: --shading: \"Goraud\" is not one of flat, gouraud, gouraud-perspective, "
-         "phong (did you mean gouraud?)\n"},
+         "quadratic, quadratic-listing, phong (did you mean gouraud?)\n"},
         {"render --n 1e4", "glint render: --n: \"1e4\" is not a number from 0 to 1023\n"},
         {"render --n 2k", "glint render: --n: \"2k\" is not a number from 0 to 1023\n"},
         {"render --n 1.5 --out x.png", "glint render: --n: the device's n is a whole number, not "

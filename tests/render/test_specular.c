@@ -384,6 +384,7 @@ static void lambert_has_no_highlight(void **state)
     for (int shading = 0; shading < GLINT_SHADING_COUNT; shading++) {
         glint_scene scene = scene_of(mesh, GLINT_REFLECTANCE_LAMBERT, 10);
         scene.shading = (glint_shading)shading;
+        scene.slips = 0;
         shoot(&a, &scene);
         scene.specular = GLINT_REFLECTANCE_BLINN;
         shoot(&b, &scene);
