@@ -128,6 +128,12 @@ static inline uint8_t glint_block_mul_by(int w_frac_bits, uint32_t keys12, uint8
     return (uint8_t)GLINT_HALF_UP(uint32_t, keys12 * color, w_frac_bits);
 }
 
+/* W with its last `dropped` places rounded off, half up; 0: as it is. */
+static inline uint32_t glint_block_round_w(int dropped, uint32_t keys12)
+{
+    return (keys12 + (1u << dropped >> 1)) >> dropped;
+}
+
 /* The widths that the arithmetic above relies on. */
 _Static_assert(GLINT_SIGMA_BITS + GLINT_COS_BITS < 64, "multiplier 7 has 64 bits");
 _Static_assert(GLINT_T_BITS <= 32, "t is an int32_t");

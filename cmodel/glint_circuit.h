@@ -33,6 +33,7 @@ typedef struct glint_parameter {
     const char *const *choices; /* names of the values 0…max, with min 0; NULL: a number */
     int min, max;
     int standard;      /* when nothing is said */
+    int goes_unsaid;   /* 1: names and descriptions of settings leave the standard value out */
     const int *listed; /* the listed_count values that `verify` tries by default; NULL: min…max */
     int listed_count;
 } glint_parameter;

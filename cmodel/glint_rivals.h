@@ -39,11 +39,12 @@ uint32_t glint_newton_seed(uint32_t address);
 /* The power by its definition, cosⁿ = 2^(n·log2 cos): the cosine is normalised, its logarithm comes
  * from a table of 128 lines, the power from ROM 33 of the power device (accuracy half) and a shift;
  * U1.12. */
-#define GLINT_LOG2_FRAC_BITS  22 /* of the logarithm */
-#define GLINT_LOG2_TABLE_BITS 7
-#define GLINT_LOG2_SLOPE_FRAC 20 /* the slope is that of a whole interval */
-#define GLINT_LOG2_SLOPE_BITS 14
-#define GLINT_LOG2_L_INT_BITS 5
+#define GLINT_LOG2_W_FRAC_BITS 12
+#define GLINT_LOG2_FRAC_BITS   22 /* of the logarithm */
+#define GLINT_LOG2_TABLE_BITS  7
+#define GLINT_LOG2_SLOPE_FRAC  20 /* the slope is that of a whole interval */
+#define GLINT_LOG2_SLOPE_BITS  14
+#define GLINT_LOG2_L_INT_BITS  5
 extern const glint_unit glint_unit_log2;
 
 /* The line of interval `address`, 0…127: where it begins, U1.22, and how far it rises, U0.20. The

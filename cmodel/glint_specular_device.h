@@ -100,6 +100,11 @@ typedef struct glint_specular_device glint_specular_device;
 /* Creates a device in reset state. GLINT_BAD_ARGUMENT for a setting out of range. */
 glint_status glint_specular_device_create(const glint_specular_config *config,
                                           glint_specular_device **device);
+
+/* The same with the last w_drop places of W rounded off, half up, in front of stage 3, while
+ * GLINT_COLOR_BITS are left: s3_keys12 and out_w have so many fraction bits less. */
+glint_status glint_specular_device_create_narrow(const glint_specular_config *config, int w_drop,
+                                                 glint_specular_device **device);
 void glint_specular_device_destroy(glint_specular_device *device); /* NULL is allowed */
 
 /* One rising edge of the clock. Inputs wider than their pins are truncated. */

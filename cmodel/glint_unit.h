@@ -37,7 +37,7 @@ typedef struct glint_unit_path {
 /* The end of every lane: the first member of a unit's lane. */
 typedef struct glint_unit_end {
     int64_t keys12;   /* W, of stage S − 1 */
-    int64_t s_keys12; /* W, stage S */
+    int64_t s_keys12; /* the same, rounded, stage S */
     int64_t mul13, mul14, mul15;
     int64_t out_w, out_r, out_g, out_b;
 } glint_unit_end;
@@ -47,7 +47,7 @@ typedef struct glint_unit {
     int variants;
     int (*stages)(int variant);      /* S, 2…GLINT_UNIT_STAGES_MAX */
     int (*n_stages)(int variant);    /* the last stage that needs n */
-    int (*w_frac_bits)(int variant); /* W is U1.this */
+    int (*w_frac_bits)(int variant); /* W is U1.this, unless places of it are rounded off */
     size_t lane_size;                /* of its lane, which begins with a glint_unit_end */
 
     /* The registers in front of stage 1 take a code of U1.18, 0…GLINT_COS_CODE_MAX. */
@@ -73,7 +73,14 @@ typedef struct glint_unit_config {
     int variant;
     glint_pipeline pipeline;
     int lanes; /* 1…GLINT_LANES_MAX */
+    int w_drop; /* places of W that are rounded off, half up, in front of stage S; 0…, while W keeps
+                 * GLINT_UNIT_W_FRAC_MIN */
 } glint_unit_config;
+
+#define GLINT_UNIT_W_FRAC_MIN GLINT_COLOR_BITS
+
+/* W is U1.this at the outputs. */
+int glint_unit_w_frac_bits(const glint_unit_config *config);
 
 typedef struct glint_unit_device glint_unit_device;
 
@@ -99,11 +106,12 @@ glint_signal_info glint_unit_signal_info(const glint_unit_config *config, int in
 glint_status glint_unit_eval(const glint_unit *unit, int variant, uint32_t n, uint32_t cos_code,
                              void *lane, uint32_t *w);
 
-/* Computes count points with one material, bit-equal to glint_unit_eval() with multipliers 13 to 15
- * behind it. cos_code: count codes U1.18, each 0…GLINT_COS_CODE_MAX; w_code (may be NULL), r, g, b:
- * count results each, W as U1.w_frac_bits. The arrays may not overlap. GLINT_BAD_ARGUMENT when
- * variant or material->n is out of range (codes are not checked). */
-glint_status glint_unit_batch(const glint_unit *unit, int variant, const glint_material *material,
+/* Computes count points with one material, bit-equal to glint_unit_eval() with the rounding of W
+ * and multipliers 13 to 15 behind it; pipeline and lanes of config do not matter. cos_code: count
+ * codes U1.18, each 0…GLINT_COS_CODE_MAX; w_code (may be NULL), r, g, b: count results each. The
+ * arrays may not overlap. GLINT_BAD_ARGUMENT when the variant, w_drop or material->n is out of
+ * range (codes are not checked). */
+glint_status glint_unit_batch(const glint_unit_config *config, const glint_material *material,
                               const uint32_t *cos_code, size_t count, uint32_t *w_code, uint8_t *r,
                               uint8_t *g, uint8_t *b);
 

@@ -18,7 +18,7 @@ enum {
     P_INT = GLINT_N_BITS + LI,
     EXP = 8, /* address bits of ROM 33 of the power device, accuracy half */
     V_INT = GLINT_POWER_L_INT_BITS,
-    FRAC = 12,
+    FRAC = GLINT_LOG2_W_FRAC_BITS,
     LEAD_BITS = 5,
 };
 

@@ -45,6 +45,6 @@ glint_status glint_power_batch(glint_power_accuracy accuracy, const glint_materi
                                uint32_t *restrict w_code, uint8_t *restrict r, uint8_t *restrict g,
                                uint8_t *restrict b)
 {
-    return glint_unit_batch(&glint_unit_power, (int)accuracy, material, cos_code, count, w_code, r,
-                            g, b);
+    const glint_unit_config config = {.unit = &glint_unit_power, .variant = (int)accuracy};
+    return glint_unit_batch(&config, material, cos_code, count, w_code, r, g, b);
 }

@@ -11,6 +11,7 @@
 
 struct glint_specular_device {
     glint_specular_config config;
+    int w_drop;
     uint32_t rom33[GLINT_N_COUNT], rom9[GLINT_N_COUNT];
     glint_specular_signals signals;
 };
@@ -92,17 +93,18 @@ static void pass_stage3(glint_specular_device *d)
     s->s3_reg4 = s->s2_reg4;
     s->s3_reg5 = s->s2_reg5;
     for (int i = 0; i < d->config.lanes; i++)
-        s->lane[i].s3_keys12 = s->lane[i].keys12;
+        s->lane[i].s3_keys12 = glint_block_round_w(d->w_drop, (uint32_t)s->lane[i].keys12);
 }
 
 static void settle_stage3(glint_specular_device *d)
 {
     glint_specular_signals *s = &d->signals;
+    const int frac = GLINT_W_FRAC_BITS - d->w_drop;
     for (int i = 0; i < d->config.lanes; i++) {
         glint_specular_lane *lane = &s->lane[i];
-        lane->mul13 = glint_block_mul_color((uint32_t)lane->s3_keys12, (uint8_t)s->s3_reg3);
-        lane->mul14 = glint_block_mul_color((uint32_t)lane->s3_keys12, (uint8_t)s->s3_reg4);
-        lane->mul15 = glint_block_mul_color((uint32_t)lane->s3_keys12, (uint8_t)s->s3_reg5);
+        lane->mul13 = glint_block_mul_by(frac, (uint32_t)lane->s3_keys12, (uint8_t)s->s3_reg3);
+        lane->mul14 = glint_block_mul_by(frac, (uint32_t)lane->s3_keys12, (uint8_t)s->s3_reg4);
+        lane->mul15 = glint_block_mul_by(frac, (uint32_t)lane->s3_keys12, (uint8_t)s->s3_reg5);
     }
 }
 
@@ -152,15 +154,23 @@ void glint_specular_device_clock(glint_specular_device *d, const glint_specular_
 glint_status glint_specular_device_create(const glint_specular_config *config,
                                           glint_specular_device **device)
 {
+    return glint_specular_device_create_narrow(config, 0, device);
+}
+
+glint_status glint_specular_device_create_narrow(const glint_specular_config *config, int w_drop,
+                                                 glint_specular_device **device)
+{
     *device = NULL;
     if ((unsigned)config->gate >= GLINT_GATE_COUNT ||
         (unsigned)config->pipeline >= GLINT_PIPELINE_COUNT || config->lanes < 1 ||
-        config->lanes > GLINT_LANES_MAX)
+        config->lanes > GLINT_LANES_MAX || w_drop < 0 ||
+        w_drop > GLINT_W_FRAC_BITS - GLINT_COLOR_BITS)
         return GLINT_BAD_ARGUMENT;
     glint_specular_device *d = calloc(1, sizeof *d);
     if (d == NULL)
         return GLINT_NO_MEMORY;
     d->config = *config;
+    d->w_drop = w_drop;
     for (uint32_t n = 0; n < GLINT_N_COUNT; n++) {
         d->rom33[n] = glint_rom33(n);
         d->rom9[n] = glint_rom9(config->gate, n);

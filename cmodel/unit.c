@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "blocks.h"
+#include "unit_range.h"
 
 struct glint_unit_device {
     glint_unit_config config;
@@ -68,7 +69,7 @@ static void pass_stage(glint_unit_device *d, int stage)
         if (stage < d->stages)
             d->config.unit->pass(d->config.variant, stage, end);
         else
-            end->s_keys12 = end->keys12;
+            end->s_keys12 = glint_block_round_w(d->config.w_drop, (uint32_t)end->keys12);
     }
 }
 
@@ -121,9 +122,8 @@ void glint_unit_device_clock(glint_unit_device *d, const glint_specular_inputs *
 glint_status glint_unit_device_create(const glint_unit_config *config, glint_unit_device **device)
 {
     *device = NULL;
-    if (config->variant < 0 || config->variant >= config->unit->variants ||
-        (unsigned)config->pipeline >= GLINT_PIPELINE_COUNT || config->lanes < 1 ||
-        config->lanes > GLINT_LANES_MAX)
+    if (!glint_unit_is_in_range(config) || (unsigned)config->pipeline >= GLINT_PIPELINE_COUNT ||
+        config->lanes < 1 || config->lanes > GLINT_LANES_MAX)
         return GLINT_BAD_ARGUMENT;
     glint_unit_device *d = calloc(1, offsetof(glint_unit_device, path) + PATH_SIZE +
                                          (size_t)config->lanes * config->unit->lane_size);
@@ -131,7 +131,7 @@ glint_status glint_unit_device_create(const glint_unit_config *config, glint_uni
         return GLINT_NO_MEMORY;
     d->config = *config;
     d->stages = config->unit->stages(config->variant);
-    d->w_frac = config->unit->w_frac_bits(config->variant);
+    d->w_frac = glint_unit_w_frac_bits(config);
     d->lanes = (unsigned char *)&d->path + PATH_SIZE;
     settle(d);
     *device = d;
@@ -146,6 +146,11 @@ void glint_unit_device_destroy(glint_unit_device *device)
 const void *glint_unit_device_signals(const glint_unit_device *device)
 {
     return &device->path;
+}
+
+int glint_unit_w_frac_bits(const glint_unit_config *config)
+{
+    return config->unit->w_frac_bits(config->variant) - config->w_drop;
 }
 
 int glint_unit_latency(const glint_unit_config *config)
@@ -270,7 +275,9 @@ static glint_signal_info end_info(const glint_unit_config *config, int index)
 {
     glint_signal_info info = ends[index];
     if (info.block == 12)
-        info.frac_bits = config->unit->w_frac_bits(config->variant);
+        info.frac_bits = glint_unit_w_frac_bits(config);
+    if (info.offset == offsetof(glint_unit_end, keys12))
+        info.frac_bits += config->w_drop;
     if (info.offset == offsetof(glint_unit_end, s_keys12))
         info.name = names[KEYS12][config->unit->stages(config->variant)];
     return info;

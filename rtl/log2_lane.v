@@ -4,18 +4,20 @@
 //             lines, times n, and the power of two of that read from ROM 33 and shifted
 // Blocks      register 1, normaliser 6, ROM 9 (two tables), multiplier 7, adder 8, multiplier 10,
 //             comparator 11, ROM 33, keys 12
-// Formats     reg1 U1.18    adder8 (L) U5.22    mul10 U15.22    v U4.8    W U1.12    colours U8.0
+// Formats     reg1 U1.18    adder8 (L) U5.22    mul10 U15.22   v U4.8   keys12 U1.12   colours U8.0
 // Rounding    half up at v and at the colours; multiplier 7 and the shift cut off
 // Saturation  a cosine above 1.0 is 1.0; of cosine 0 L is all ones.
 // Latency     1 clock (PIPELINED = 0) or 8 (1). Throughput: one cosine a clock.
 // Reset       synchronous, active high, all registers 0, whatever en says. en = 0 holds them all.
 // Handshake   none here: log2_device carries the valid bits beside the lanes.
 // Parameters  PIPELINED 1 (default) or 0
+//             W_DROP    0 (default), or places of W that color_stage rounds off
 `default_nettype none
 `include "glint_formats.vh"
 
 module log2_lane #(
-    parameter integer PIPELINED = 1
+    parameter integer PIPELINED = 1,
+    parameter integer W_DROP    = 0
 ) (
     input  wire                         clk,
     input  wire                         reset,
@@ -26,7 +28,7 @@ module log2_lane #(
     input  wire [`GLINT_COLOR_BITS-1:0] last_r,
     input  wire [`GLINT_COLOR_BITS-1:0] last_g,
     input  wire [`GLINT_COLOR_BITS-1:0] last_b,
-    output wire [12:0]                  out_w,
+    output wire [12-W_DROP:0] out_w,
     output wire [`GLINT_COLOR_BITS-1:0] out_r,
     output wire [`GLINT_COLOR_BITS-1:0] out_g,
     output wire [`GLINT_COLOR_BITS-1:0] out_b
@@ -127,7 +129,7 @@ module log2_lane #(
     power_exp_rom #(.TABLE_BITS(EXP)) u_rom33 (.address(s6_v[EXP-1:0]), .power(rom33));
     wire [FRAC:0] keys12 = s6_cmp11[0] ? rom33 >> s6_v[V-1:EXP] : {(FRAC + 1){1'b0}};
 
-    color_stage #(.W_FRAC_BITS(FRAC), .PIPELINED(PIPELINED)) colors (
+    color_stage #(.W_FRAC_BITS(FRAC), .W_DROP(W_DROP), .PIPELINED(PIPELINED)) colors (
         .clk(clk), .reset(reset), .en(en), .keys12(keys12), .r(last_r), .g(last_g), .b(last_b),
         .out_w(out_w), .out_r(out_r), .out_g(out_g), .out_b(out_b));
 endmodule

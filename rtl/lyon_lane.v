@@ -2,17 +2,19 @@
 //
 // Function    W = (1 - n x/k)^k, x = 1 - cos, k = 2^LOG2_K: LOG2_K squarings; 0 where n x >= k
 // Blocks      register 1, multiplier 7, adder 8, comparator 11, multiplier 10 (LOG2_K times)
-// Formats     reg1 (x) U1.18    mul7 (p) U10.18    adder8 (t), its squares, W U1.16   colours U8.0
+// Formats     reg1 (x) U1.18  mul7 (p) U10.18  adder8 (t), its squares, keys12 U1.16  colours U8.0
 // Rounding    half up, at adder 8, the squarings and the colours
 // Latency     1 clock (PIPELINED = 0) or LOG2_K + 3 (1). Throughput: one cosine a clock.
 // Reset       synchronous, active high, all registers 0, whatever en says. en = 0 holds them all.
 // Handshake   none here: lyon_device carries the valid bits beside the lanes.
 // Parameters  PIPELINED 1 (default) or 0;  LOG2_K 2 (default) or 3
+//             W_DROP    0 (default), or places of W that color_stage rounds off
 `default_nettype none
 `include "glint_formats.vh"
 
 module lyon_lane #(
     parameter integer PIPELINED = 1,
+    parameter integer W_DROP    = 0,
     parameter integer LOG2_K    = 2
 ) (
     input  wire                         clk,
@@ -24,7 +26,7 @@ module lyon_lane #(
     input  wire [`GLINT_COLOR_BITS-1:0] last_r,
     input  wire [`GLINT_COLOR_BITS-1:0] last_g,
     input  wire [`GLINT_COLOR_BITS-1:0] last_b,
-    output wire [`GLINT_LYON_FRAC_BITS:0] out_w,
+    output wire [`GLINT_LYON_FRAC_BITS-W_DROP:0] out_w,
     output wire [`GLINT_COLOR_BITS-1:0] out_r,
     output wire [`GLINT_COLOR_BITS-1:0] out_g,
     output wire [`GLINT_COLOR_BITS-1:0] out_b
@@ -76,7 +78,7 @@ module lyon_lane #(
         end
     endgenerate
 
-    color_stage #(.W_FRAC_BITS(FRAC), .PIPELINED(PIPELINED)) colors (
+    color_stage #(.W_FRAC_BITS(FRAC), .W_DROP(W_DROP), .PIPELINED(PIPELINED)) colors (
         .clk(clk), .reset(reset), .en(en), .keys12(keys12), .r(last_r), .g(last_g), .b(last_b),
         .out_w(out_w), .out_r(out_r), .out_g(out_g), .out_b(out_b));
 endmodule

@@ -4,18 +4,20 @@
 //             a table, made better by y (2 - m y), multiplied by cos and shifted back
 // Blocks      register 1, multiplier 7, adder 8, ROM 33 (the table), multipliers of the step and of
 //             cos
-// Formats     reg1 U1.18    mul7, adder8 U10.18    m, 2 - m y, y U1.17    W U1.12    colours U8.0
+// Formats     reg1 U1.18   mul7, adder8 U10.18   m, 2 - m y, y U1.17   keys12 U1.12   colours U8.0
 // Rounding    W and the colours half up; m and the products of the step are cut off
 // Saturation  a cosine above 1.0 is 1.0; 0/0, at cos = n = 0, is 1; W is at most 1.
 // Latency     1 clock (PIPELINED = 0) or 10 (1). Throughput: one cosine a clock.
 // Reset       synchronous, active high, all registers 0, whatever en says. en = 0 holds them all.
 // Handshake   none here: newton_device carries the valid bits beside the lanes.
 // Parameters  PIPELINED 1 (default) or 0
+//             W_DROP    0 (default), or places of W that color_stage rounds off
 `default_nettype none
 `include "glint_formats.vh"
 
 module newton_lane #(
-    parameter integer PIPELINED = 1
+    parameter integer PIPELINED = 1,
+    parameter integer W_DROP    = 0
 ) (
     input  wire                         clk,
     input  wire                         reset,
@@ -26,7 +28,7 @@ module newton_lane #(
     input  wire [`GLINT_COLOR_BITS-1:0] last_r,
     input  wire [`GLINT_COLOR_BITS-1:0] last_g,
     input  wire [`GLINT_COLOR_BITS-1:0] last_b,
-    output wire [`GLINT_NEWTON_FRAC_BITS:0]          out_w,
+    output wire [`GLINT_NEWTON_FRAC_BITS-W_DROP:0] out_w,
     output wire [`GLINT_COLOR_BITS-1:0] out_r,
     output wire [`GLINT_COLOR_BITS-1:0] out_g,
     output wire [`GLINT_COLOR_BITS-1:0] out_b
@@ -148,7 +150,7 @@ module newton_lane #(
     wire [FRAC:0]      keys12     = (|rounded[PRODUCT-1:FRAC+1]) ? {1'b1, {FRAC{1'b0}}}
                                                                  : rounded[FRAC+1:1];
 
-    color_stage #(.W_FRAC_BITS(FRAC), .PIPELINED(PIPELINED)) colors (
+    color_stage #(.W_FRAC_BITS(FRAC), .W_DROP(W_DROP), .PIPELINED(PIPELINED)) colors (
         .clk(clk), .reset(reset), .en(en), .keys12(keys12), .r(last_r), .g(last_g), .b(last_b),
         .out_w(out_w), .out_r(out_r), .out_g(out_g), .out_b(out_b));
 endmodule

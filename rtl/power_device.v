@@ -7,7 +7,7 @@
 //             carry the number of the block of figure 3.1 whose place they take: path.reg2,
 //             lane[0].u.mul7 ... A prefix s2_, s3_ names the pipeline stage of a delayed copy.
 // Formats     cos U1.18 (codes above 1.0 saturate), n U10.0, r, g, b U8.0 (already times Ks),
-//             out_w U1.12 (ACCURACY 0) or U1.14 (1), out_r, out_g, out_b U8.0; lane i in bits
+//             out_w U1.(12 + 2 ACCURACY - W_DROP), out_r, out_g, out_b U8.0; lane i in bits
 //             [i*width +: width]
 // Rounding    see power_lane; W is within 0.4981/255 (ACCURACY 0) or 0.2491/255 (1) of cos^n for
 //             every cosine and n, each colour within half a step more
@@ -20,6 +20,7 @@
 //             n_we and rgb_we write the material with or without a cosine; a material written at
 //             the same edge as a cosine applies to it and to later ones, never to earlier ones.
 // Parameters  ACCURACY  0 (default): half an 8-bit step, tables of 256; 1: a quarter, tables of 512
+//             W_DROP    0 (default), or places of W that are rounded off, half up
 //             PIPELINED 1 (default) or 0
 //             LANES     1 or more; tried are 1 to 32
 `default_nettype none
@@ -27,6 +28,7 @@
 
 module power_device #(
     parameter integer ACCURACY  = 0,
+    parameter integer W_DROP    = 0,
     parameter integer PIPELINED = 1,
     parameter integer LANES     = 1
 ) (
@@ -42,13 +44,13 @@ module power_device #(
     input  wire [LANES-1:0]                      in_valid,
     input  wire [LANES*`GLINT_COS_BITS-1:0]      cos,
     output wire [LANES-1:0]                      out_valid,
-    output wire [LANES*(13 + 2 * ACCURACY)-1:0]  out_w,
+    output wire [LANES*(13 + 2 * ACCURACY - W_DROP)-1:0] out_w,
     output wire [LANES*`GLINT_COLOR_BITS-1:0]    out_r,
     output wire [LANES*`GLINT_COLOR_BITS-1:0]    out_g,
     output wire [LANES*`GLINT_COLOR_BITS-1:0]    out_b
 );
     localparam TABLE_BITS = 8 + ACCURACY;
-    localparam W_BITS     = 2 * TABLE_BITS - 3;
+    localparam W_BITS     = 2 * TABLE_BITS - 3 - W_DROP;
 
     wire [`GLINT_N_BITS-1:0]     last_n;
     wire [`GLINT_COLOR_BITS-1:0] last_r;
@@ -62,7 +64,7 @@ module power_device #(
     genvar i;
     generate
         for (i = 0; i < LANES; i = i + 1) begin : lane
-            power_lane #(.PIPELINED(PIPELINED), .TABLE_BITS(TABLE_BITS)) u (
+            power_lane #(.PIPELINED(PIPELINED), .W_DROP(W_DROP), .TABLE_BITS(TABLE_BITS)) u (
                 .clk(clk), .reset(reset), .en(en),
                 .in_valid(in_valid[i]),
                 .cos(cos[i*`GLINT_COS_BITS +: `GLINT_COS_BITS]),

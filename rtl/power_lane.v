@@ -13,12 +13,14 @@
 // Reset       synchronous, active high, all registers 0, whatever en says. en = 0 holds them all.
 // Handshake   none here: power_device carries the valid bits beside the lanes.
 // Parameters  PIPELINED   1 (default) or 0
+//             W_DROP      0 (default), or places of W that color_stage rounds off
 //             TABLE_BITS  8 (default) or 9: address bits of both tables
 `default_nettype none
 `include "glint_formats.vh"
 
 module power_lane #(
     parameter integer PIPELINED  = 1,
+    parameter integer W_DROP     = 0,
     parameter integer TABLE_BITS = 8
 ) (
     input  wire                         clk,
@@ -33,7 +35,7 @@ module power_lane #(
     input  wire [`GLINT_COLOR_BITS-1:0] last_g,
     input  wire [`GLINT_COLOR_BITS-1:0] last_b,
 
-    output wire [2*TABLE_BITS-4:0]      out_w,
+    output wire [2*TABLE_BITS-4-W_DROP:0] out_w,
     output wire [`GLINT_COLOR_BITS-1:0] out_r,
     output wire [`GLINT_COLOR_BITS-1:0] out_g,
     output wire [`GLINT_COLOR_BITS-1:0] out_b
@@ -102,7 +104,7 @@ module power_lane #(
                                         : {W_BITS{1'b0}};
 
     // Stage 4 and the outputs.
-    color_stage #(.W_FRAC_BITS(W_FRAC_BITS), .PIPELINED(PIPELINED)) colors (
+    color_stage #(.W_FRAC_BITS(W_FRAC_BITS), .W_DROP(W_DROP), .PIPELINED(PIPELINED)) colors (
         .clk(clk), .reset(reset), .en(en), .keys12(keys12), .r(last_r), .g(last_g), .b(last_b),
         .out_w(out_w), .out_r(out_r), .out_g(out_g), .out_b(out_b));
 endmodule

@@ -2,8 +2,8 @@
 // of the specular device, behind its pins (docs/highlight-units.md).
 //
 // Function    out = W times (R, G, B) for LANES cosines a clock with one material (n, R, G, B).
-// Formats     cos U1.18 (codes above 1.0 saturate), n U10.0, r, g, b U8.0, out_w U1.18, out_r,
-//             out_g, out_b U8.0; lane i in bits [i*width +: width]
+// Formats     cos U1.18 (codes above 1.0 saturate), n U10.0, r, g, b U8.0, out_w U1.(18 - W_DROP),
+//             out_r, out_g, out_b U8.0; lane i in bits [i*width +: width]
 // Rounding    see quadratic_lane
 // Latency     PIPELINED = 1: 4 clocks; 0: 1. Throughput: LANES cosines a clock.
 // Reset       synchronous, active high; clears every register, whatever en says.
@@ -11,10 +11,12 @@
 //             out_valid[i] marks its result; n_we and rgb_we write the material; en = 0 freezes
 //             everything.
 // Parameters  PIPELINED 1 (default) or 0;  LANES 1 or more
+//             W_DROP    0 (default), or places of W that are rounded off, half up
 `default_nettype none
 `include "glint_formats.vh"
 
 module quadratic_device #(
+    parameter integer W_DROP    = 0,
     parameter integer PIPELINED = 1,
     parameter integer LANES     = 1
 ) (
@@ -30,12 +32,12 @@ module quadratic_device #(
     input  wire [LANES-1:0]                      in_valid,
     input  wire [LANES*`GLINT_COS_BITS-1:0]      cos,
     output wire [LANES-1:0]                      out_valid,
-    output wire [LANES*`GLINT_COS_BITS-1:0] out_w,
+    output wire [LANES*(`GLINT_COS_BITS - W_DROP)-1:0] out_w,
     output wire [LANES*`GLINT_COLOR_BITS-1:0]    out_r,
     output wire [LANES*`GLINT_COLOR_BITS-1:0]    out_g,
     output wire [LANES*`GLINT_COLOR_BITS-1:0]    out_b
 );
-    localparam W_BITS = `GLINT_COS_BITS;
+    localparam W_BITS = `GLINT_COS_BITS - W_DROP;
 
     wire [`GLINT_N_BITS-1:0]     last_n;
     wire [`GLINT_COLOR_BITS-1:0] last_r;
@@ -53,7 +55,7 @@ module quadratic_device #(
     genvar i;
     generate
         for (i = 0; i < LANES; i = i + 1) begin : lane
-            quadratic_lane #(.PIPELINED(PIPELINED)) u (
+            quadratic_lane #(.PIPELINED(PIPELINED), .W_DROP(W_DROP)) u (
                 .clk(clk), .reset(reset), .en(en),
                 .in_valid(in_valid[i]),
                 .cos(cos[i*`GLINT_COS_BITS +: `GLINT_COS_BITS]),

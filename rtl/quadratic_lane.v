@@ -2,18 +2,20 @@
 //
 // Function    W = cos (1 - a (1 - cos)) where the line is not negative, else 0
 // Blocks      register 1, multiplier 7, adder 8, comparator 11, keys 12; ROM 33 (a) is the device's
-// Formats     reg1, adder8 (the line), W U1.18    rom33 (a) U10.13    mul7 U10.18    colours U8.0
+// Formats     reg1, adder8 (the line), keys12 U1.18   rom33 (a) U10.13   mul7 U10.18   colours U8.0
 // Rounding    half up, at multipliers 7, 12, 13, 14, 15
 // Saturation  a cosine above 1.0 is 1.0.
 // Latency     1 clock (PIPELINED = 0) or 4 (1). Throughput: one cosine a clock.
 // Reset       synchronous, active high, all registers 0, whatever en says. en = 0 holds them all.
 // Handshake   none here: quadratic_device carries the valid bits beside the lanes.
 // Parameters  PIPELINED 1 (default) or 0
+//             W_DROP    0 (default), or places of W that color_stage rounds off
 `default_nettype none
 `include "glint_formats.vh"
 
 module quadratic_lane #(
-    parameter integer PIPELINED = 1
+    parameter integer PIPELINED = 1,
+    parameter integer W_DROP    = 0
 ) (
     input  wire                         clk,
     input  wire                         reset,
@@ -24,7 +26,7 @@ module quadratic_lane #(
     input  wire [`GLINT_COLOR_BITS-1:0] last_r,
     input  wire [`GLINT_COLOR_BITS-1:0] last_g,
     input  wire [`GLINT_COLOR_BITS-1:0] last_b,
-    output wire [`GLINT_COS_FRAC_BITS:0]          out_w,
+    output wire [`GLINT_COS_FRAC_BITS-W_DROP:0] out_w,
     output wire [`GLINT_COLOR_BITS-1:0] out_r,
     output wire [`GLINT_COLOR_BITS-1:0] out_g,
     output wire [`GLINT_COLOR_BITS-1:0] out_b
@@ -62,7 +64,7 @@ module quadratic_lane #(
     wire [FRAC-1:0]   low_unused;
     assign {high_unused, keys12, low_unused} = sum12;
 
-    color_stage #(.W_FRAC_BITS(FRAC), .PIPELINED(PIPELINED)) colors (
+    color_stage #(.W_FRAC_BITS(FRAC), .W_DROP(W_DROP), .PIPELINED(PIPELINED)) colors (
         .clk(clk), .reset(reset), .en(en), .keys12(keys12), .r(last_r), .g(last_g), .b(last_b),
         .out_w(out_w), .out_r(out_r), .out_g(out_g), .out_b(out_b));
 endmodule

@@ -2,18 +2,20 @@
 //
 // Function    W = cos / (n (1 - cos) + cos), restoring division, one bit of the quotient a stage
 // Blocks      register 1, multiplier 7, adder 8 (the denominator), step[i]: the divider
-// Formats     reg1 U1.18    mul7, adder8, rest U10.18    W U1.12    colours U8.0
+// Formats     reg1 U1.18    mul7, adder8, rest U10.18    keys12 U1.12    colours U8.0
 // Rounding    W is cut off; the colours half up
 // Saturation  a cosine above 1.0 is 1.0; 0/0, at cos = n = 0, is 1.
 // Latency     1 clock (PIPELINED = 0) or 17 (1). Throughput: one cosine a clock.
 // Reset       synchronous, active high, all registers 0, whatever en says. en = 0 holds them all.
 // Handshake   none here: schlick_device carries the valid bits beside the lanes.
 // Parameters  PIPELINED 1 (default) or 0
+//             W_DROP    0 (default), or places of W that color_stage rounds off
 `default_nettype none
 `include "glint_formats.vh"
 
 module schlick_lane #(
-    parameter integer PIPELINED = 1
+    parameter integer PIPELINED = 1,
+    parameter integer W_DROP    = 0
 ) (
     input  wire                         clk,
     input  wire                         reset,
@@ -24,7 +26,7 @@ module schlick_lane #(
     input  wire [`GLINT_COLOR_BITS-1:0] last_r,
     input  wire [`GLINT_COLOR_BITS-1:0] last_g,
     input  wire [`GLINT_COLOR_BITS-1:0] last_b,
-    output wire [`GLINT_SCHLICK_FRAC_BITS:0] out_w,
+    output wire [`GLINT_SCHLICK_FRAC_BITS-W_DROP:0] out_w,
     output wire [`GLINT_COLOR_BITS-1:0] out_r,
     output wire [`GLINT_COLOR_BITS-1:0] out_g,
     output wire [`GLINT_COLOR_BITS-1:0] out_b
@@ -77,7 +79,7 @@ module schlick_lane #(
     wire [FRAC:0] keys12     = states[(FRAC+1)*STATE +: FRAC + 1];
     wire          end_unused = &{1'b0, states[(FRAC+1)*STATE + FRAC + 1 +: 2 * DEN]};
 
-    color_stage #(.W_FRAC_BITS(FRAC), .PIPELINED(PIPELINED)) colors (
+    color_stage #(.W_FRAC_BITS(FRAC), .W_DROP(W_DROP), .PIPELINED(PIPELINED)) colors (
         .clk(clk), .reset(reset), .en(en), .keys12(keys12), .r(last_r), .g(last_g), .b(last_b),
         .out_w(out_w), .out_r(out_r), .out_g(out_g), .out_b(out_b));
 endmodule

@@ -7,7 +7,7 @@
 //             Signals carry the block's number: reg2, rom33, lane[0].adder6, lane[0].keys12 ...
 //             A prefix s2_, s3_ names the pipeline stage that a delayed copy belongs to.
 // Formats     cos U1.18 (codes above 1.0 saturate), n U10.0, r, g, b U8.0 (already times Ks),
-//             out_w U1.18, out_r, out_g, out_b U8.0; lane i in bits [i*width +: width]
+//             out_w U1.(18 - W_DROP), out_r, out_g, out_b U8.0; lane i in bits [i*width +: width]
 // Rounding    half up, see specular_lane; each output within 0.52 of an 8-bit step of the formula
 // Latency     PIPELINED = 1: 4 clocks; 0: 1 clock, registers 1-5 and then combinational.
 //             Counted from the edge that accepts the cosine to the edge after which its result is
@@ -21,6 +21,7 @@
 //             PIPELINED 1 (default) or 0
 //             LANES     1 or more; 1 to 32 are tested
 //             LEAN      0 (default) or 1, smaller multipliers: see specular_lane
+//             W_DROP    0 (default), or places of W that are rounded off, half up
 // Example     n = 80, r = 255, g = 190, b = 110, cos = 259523 (0.99): rom33 = 221184 (27),
 //             rom9 = 252435 (0.963), and 4 clocks after the cosine out_w = 139714 (0.533),
 //             out_r = 136, out_g = 101, out_b = 59
@@ -31,7 +32,8 @@ module specular_device #(
     parameter integer GATE      = `GLINT_GATE_COSINE,
     parameter integer PIPELINED = 1,
     parameter integer LANES     = 1,
-    parameter integer LEAN      = 0
+    parameter integer LEAN      = 0,
+    parameter integer W_DROP    = 0
 ) (
     input  wire                               clk,
     input  wire                               reset,
@@ -45,12 +47,13 @@ module specular_device #(
     input  wire [LANES-1:0]                   in_valid,
     input  wire [LANES*`GLINT_COS_BITS-1:0]   cos,      // information input 32
     output wire [LANES-1:0]                   out_valid,
-    output wire [LANES*`GLINT_W_BITS-1:0]     out_w,
+    output wire [LANES*(`GLINT_W_BITS - W_DROP)-1:0] out_w,
     output wire [LANES*`GLINT_COLOR_BITS-1:0] out_r,
     output wire [LANES*`GLINT_COLOR_BITS-1:0] out_g,
     output wire [LANES*`GLINT_COLOR_BITS-1:0] out_b
 );
     localparam RGB_BITS = 3 * `GLINT_COLOR_BITS;
+    localparam W_BITS   = `GLINT_W_BITS - W_DROP;
 
     // Stage 1: registers 2 to 5 and the ROMs.
     wire [`GLINT_N_BITS-1:0]     reg2;
@@ -113,13 +116,15 @@ module specular_device #(
     genvar i;
     generate
         for (i = 0; i < LANES; i = i + 1) begin : lane
-            specular_lane #(.GATE(GATE), .PIPELINED(PIPELINED), .LEAN(LEAN)) u (
+            specular_lane #(
+                .GATE(GATE), .PIPELINED(PIPELINED), .LEAN(LEAN), .W_DROP(W_DROP)
+            ) u (
                 .clk(clk), .reset(reset), .en(en),
                 .in_valid(in_valid[i]),
                 .cos(cos[i*`GLINT_COS_BITS +: `GLINT_COS_BITS]),
                 .rom33(rom33), .rom9(rom9), .s2_rom9(s2_rom9),
                 .s3_reg3(s3_reg3), .s3_reg4(s3_reg4), .s3_reg5(s3_reg5),
-                .out_w(out_w[i*`GLINT_W_BITS +: `GLINT_W_BITS]),
+                .out_w(out_w[i*W_BITS +: W_BITS]),
                 .out_r(out_r[i*`GLINT_COLOR_BITS +: `GLINT_COLOR_BITS]),
                 .out_g(out_g[i*`GLINT_COLOR_BITS +: `GLINT_COLOR_BITS]),
                 .out_b(out_b[i*`GLINT_COLOR_BITS +: `GLINT_COLOR_BITS]));

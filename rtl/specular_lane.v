@@ -19,6 +19,7 @@
 //             LEAN 0 (default): multipliers 7 and 10 as drawn, of full width
 //                  1: of 23 x 18 and 18 x 18 bits (lean_product, lean_square). All registers and
 //                  outputs are the same; mul10 is another where comparator 11 does not pass it.
+//             W_DROP 0 (default), or places of W that are rounded off for s3_keys12, half up
 // Example     n = 80, r = 255, g = 190, b = 110, cos = 259523 (0.99): reg1 = 259523,
 //             rom33 = 221184 (27), rom9 = 252435 (0.963), adder6 = -2621 (-0.01),
 //             mul7 = -70767 (-0.27), adder8 = 191377 (0.73), cmp11 = 1, mul10 = 139714 (0.533),
@@ -29,7 +30,8 @@
 module specular_lane #(
     parameter integer GATE      = `GLINT_GATE_COSINE,
     parameter integer PIPELINED = 1,
-    parameter integer LEAN      = 0
+    parameter integer LEAN      = 0,
+    parameter integer W_DROP    = 0
 ) (
     input  wire                        clk,
     input  wire                        reset,
@@ -45,7 +47,7 @@ module specular_lane #(
     input  wire [`GLINT_COLOR_BITS-1:0] s3_reg4,
     input  wire [`GLINT_COLOR_BITS-1:0] s3_reg5,
 
-    output wire [`GLINT_W_BITS-1:0]     out_w,
+    output wire [`GLINT_W_FRAC_BITS-W_DROP:0] out_w,
     output wire [`GLINT_COLOR_BITS-1:0] out_r,
     output wire [`GLINT_COLOR_BITS-1:0] out_g,
     output wire [`GLINT_COLOR_BITS-1:0] out_b
@@ -163,20 +165,27 @@ module specular_lane #(
     wire                     pass12 = DRAWN ? cmp11 : s2_cmp11;
     wire [`GLINT_W_BITS-1:0] keys12 = pass12 ? sat10 : {`GLINT_W_BITS{1'b0}};
 
+    localparam FRAC = `GLINT_W_FRAC_BITS - W_DROP;
+    wire [FRAC:0] rounded12;
+    w_rounder #(.W_DROP(W_DROP)) u_rounded12 (.w(keys12), .rounded(rounded12));
+
     // Stage 3: multipliers 13, 14, 15.
-    wire [`GLINT_W_BITS-1:0]     s3_keys12;
+    wire [FRAC:0]                s3_keys12;
     wire [`GLINT_COLOR_BITS-1:0] mul13;
     wire [`GLINT_COLOR_BITS-1:0] mul14;
     wire [`GLINT_COLOR_BITS-1:0] mul15;
-    stage_register #(.WIDTH(`GLINT_W_BITS), .CLOCKED(PIPELINED)) u_s3_keys12 (
-        .clk(clk), .reset(reset), .en(en), .d(keys12), .q(s3_keys12));
+    stage_register #(.WIDTH(1 + FRAC), .CLOCKED(PIPELINED)) u_s3_keys12 (
+        .clk(clk), .reset(reset), .en(en), .d(rounded12), .q(s3_keys12));
 
-    color_multiplier u_mul13 (.w(s3_keys12), .color(s3_reg3), .product(mul13));
-    color_multiplier u_mul14 (.w(s3_keys12), .color(s3_reg4), .product(mul14));
-    color_multiplier u_mul15 (.w(s3_keys12), .color(s3_reg5), .product(mul15));
+    color_multiplier #(.W_FRAC_BITS(FRAC)) u_mul13 (
+        .w(s3_keys12), .color(s3_reg3), .product(mul13));
+    color_multiplier #(.W_FRAC_BITS(FRAC)) u_mul14 (
+        .w(s3_keys12), .color(s3_reg4), .product(mul14));
+    color_multiplier #(.W_FRAC_BITS(FRAC)) u_mul15 (
+        .w(s3_keys12), .color(s3_reg5), .product(mul15));
 
     // Stage 4: the outputs.
-    stage_register #(.WIDTH(`GLINT_W_BITS), .CLOCKED(PIPELINED)) u_out_w (
+    stage_register #(.WIDTH(1 + FRAC), .CLOCKED(PIPELINED)) u_out_w (
         .clk(clk), .reset(reset), .en(en), .d(s3_keys12), .q(out_w));
     stage_register #(.WIDTH(3 * `GLINT_COLOR_BITS), .CLOCKED(PIPELINED)) u_out_rgb (
         .clk(clk), .reset(reset), .en(en), .d({mul13, mul14, mul15}), .q({out_r, out_g, out_b}));

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "circuit/circuits.h"
+#include "circuit/highlight.h"
 #include "circuit/units.h"
 
 struct glint_backend {
@@ -22,10 +23,10 @@ glint_setting glint_backend_setting(const glint_backend_config *config)
 {
     const int lanes = config->lanes != 0 ? config->lanes : FAST_LANES;
     const glint_specular_config specular = {config->gate, config->pipeline, lanes};
-    glint_setting setting =
-        config->device == NULL || config->device == &glint_circuit_specular
-            ? glint_setting_specular(&specular)
-            : glint_setting_unit(config->device, config->variant, config->pipeline, lanes);
+    glint_setting setting = config->device == NULL || config->device == &glint_circuit_specular
+                                ? glint_setting_specular(&specular)
+                                : glint_setting_unit(config->device, config->variant,
+                                                     config->w_drop, config->pipeline, lanes);
     setting.verilog = config->verilog;
     return setting;
 }
@@ -38,6 +39,7 @@ glint_backend_config glint_backend_config_of(glint_backend_kind kind, const glin
         .kind = kind,
         .device = setting->circuit,
         .variant = has_variant ? setting->values[0] : 0,
+        .w_drop = glint_setting_value(setting, GLINT_HIGHLIGHT_W_DROP_NAME, 0),
         .gate = is_specular ? (glint_gate)setting->values[GLINT_SPECULAR_GATE] : GLINT_GATE_COSINE,
         .pipeline = (glint_pipeline)glint_setting_value(setting, "pipeline", 0),
         .lanes = glint_highlight_lanes(setting),

@@ -31,6 +31,7 @@ typedef struct glint_backend_config {
     glint_backend_kind kind;
     const glint_circuit *device; /* a highlight unit (circuit/units.h); NULL: the specular device */
     int variant;                 /* the value of the unit's own parameter, if it has one */
+    int w_drop;                  /* places of its W that are rounded off */
     glint_gate gate;             /* of the specular device */
     glint_pipeline pipeline;
     int lanes;           /* kind rtl: 1…GLINT_LANES_MAX; 0: the fastest lane count */

@@ -11,6 +11,7 @@
     X(specular)                                                                                    \
     X(divider)                                                                                     \
     X(lean)                                                                                        \
+    X(narrow)                                                                                      \
     GLINT_UNITS(X)                                                                                 \
     /* no more */
 

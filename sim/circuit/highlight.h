@@ -21,6 +21,22 @@
         .max = GLINT_LANES_MAX, .standard = 1, GLINT_LISTED(__VA_ARGS__)                           \
     }
 
+/* The width of W, U1.this, at which units are compared besides their own: the least of those. */
+#define GLINT_HIGHLIGHT_COMMON_W_FRAC_BITS 12
+
+/* Of least…most places; listed are those that follow. */
+#define GLINT_HIGHLIGHT_W_DROP(...)                                                                \
+    {                                                                                              \
+        GLINT_HIGHLIGHT_W_DROP_MEMBERS(__VA_ARGS__), .goes_unsaid = 1                              \
+    }
+#define GLINT_HIGHLIGHT_W_DROP_MEMBERS(least, most, ...)                                           \
+    .name = GLINT_HIGHLIGHT_W_DROP_NAME, .verilog = "W_DROP",                                      \
+    .meaning = "places of W rounded off", .min = (least), .max = (most), GLINT_LISTED(__VA_ARGS__)
+#define GLINT_HIGHLIGHT_W_DROP_NAME "w-drop"
+
+/* What takes a W of U1.own to the common width. */
+#define GLINT_HIGHLIGHT_COMMON_DROP(own) ((own)-GLINT_HIGHLIGHT_COMMON_W_FRAC_BITS)
+
 extern const char *const glint_highlight_pipelines[GLINT_PIPELINE_COUNT];
 
 /* The pins of a unit with so many lanes: 0…count−1, in glint_specular_inputs. */

@@ -10,6 +10,7 @@ static const glint_parameter parameters[] = {
      .meaning = "power that the line is raised to",
      .choices = ks,
      .max = GLINT_LYON_VARIANTS - 1},
+    GLINT_HIGHLIGHT_W_DROP(0, 4, 0, GLINT_HIGHLIGHT_COMMON_DROP(GLINT_LYON_FRAC_BITS)),
     GLINT_HIGHLIGHT_PIPELINE,
     GLINT_HIGHLIGHT_FEW_LANES,
 };

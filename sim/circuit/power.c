@@ -13,6 +13,8 @@ static const glint_parameter parameters[] = {
      .choices = accuracies,
      .max = GLINT_POWER_ACCURACY_COUNT - 1,
      .standard = GLINT_POWER_HALF},
+    GLINT_HIGHLIGHT_W_DROP(
+        0, 4, 0, GLINT_HIGHLIGHT_COMMON_DROP(GLINT_POWER_W_FRAC_BITS(GLINT_POWER_QUARTER))),
     GLINT_HIGHLIGHT_PIPELINE,
     GLINT_HIGHLIGHT_LANES,
 };

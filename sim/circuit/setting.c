@@ -78,6 +78,12 @@ int glint_setting_value(const glint_setting *setting, const char *name, int othe
     return otherwise;
 }
 
+bool glint_setting_leaves_out(const glint_setting *setting, int parameter)
+{
+    const glint_parameter *of = &setting->circuit->parameters[parameter];
+    return of->goes_unsaid && setting->values[parameter] == of->standard;
+}
+
 const char *glint_setting_top(const glint_setting *setting)
 {
     const glint_circuit *circuit = setting->circuit;
@@ -120,8 +126,9 @@ void glint_setting_describe(const glint_setting *setting, char text[GLINT_SETTIN
     }
     (void)snprintf(text, GLINT_SETTING_TEXT, "%s", circuit->name);
     for (int i = 0; i < circuit->parameter_count; i++)
-        append(text, GLINT_SETTING_TEXT, ", %s %s", circuit->parameters[i].name,
-               value_text(&circuit->parameters[i], setting->values[i], value));
+        if (!glint_setting_leaves_out(setting, i))
+            append(text, GLINT_SETTING_TEXT, ", %s %s", circuit->parameters[i].name,
+                   value_text(&circuit->parameters[i], setting->values[i], value));
 }
 
 void glint_setting_name(const glint_setting *setting, char text[GLINT_SETTING_TEXT])
@@ -130,8 +137,9 @@ void glint_setting_name(const glint_setting *setting, char text[GLINT_SETTING_TE
     char value[VALUE_TEXT];
     (void)snprintf(text, GLINT_SETTING_TEXT, "%s", circuit->name);
     for (int i = 0; i < circuit->parameter_count; i++)
-        append(text, GLINT_SETTING_TEXT, "_%s",
-               value_text(&circuit->parameters[i], setting->values[i], value));
+        if (!glint_setting_leaves_out(setting, i))
+            append(text, GLINT_SETTING_TEXT, "_%s",
+                   value_text(&circuit->parameters[i], setting->values[i], value));
 }
 
 void glint_setting_options(const glint_setting *setting, char text[GLINT_SETTING_OPTIONS])
@@ -140,6 +148,7 @@ void glint_setting_options(const glint_setting *setting, char text[GLINT_SETTING
     char value[VALUE_TEXT];
     (void)snprintf(text, GLINT_SETTING_OPTIONS, "--circuit %s", circuit->name);
     for (int i = 0; i < circuit->parameter_count; i++)
-        append(text, GLINT_SETTING_OPTIONS, " --%s %s", circuit->parameters[i].name,
-               value_text(&circuit->parameters[i], setting->values[i], value));
+        if (!glint_setting_leaves_out(setting, i))
+            append(text, GLINT_SETTING_OPTIONS, " --%s %s", circuit->parameters[i].name,
+                   value_text(&circuit->parameters[i], setting->values[i], value));
 }

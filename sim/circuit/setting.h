@@ -25,6 +25,9 @@ bool glint_setting_equal(const glint_setting *a, const glint_setting *b);
 /* The value of the parameter of that name; `otherwise` when the circuit has none. */
 int glint_setting_value(const glint_setting *setting, const char *name, int otherwise);
 
+/* A parameter at the standard value that goes without saying. */
+bool glint_setting_leaves_out(const glint_setting *setting, int parameter);
+
 /* The Verilog's top module. */
 const char *glint_setting_top(const glint_setting *setting);
 

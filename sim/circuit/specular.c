@@ -1,5 +1,5 @@
-/* The specular-colour device of figure 3.1, described; and the same with lean multipliers, a
- * circuit on request. Both have one C model. */
+/* The specular-colour device of figure 3.1, described; and on request the same with lean
+ * multipliers, and with a narrower W. All have one C model. */
 #include <stdio.h>
 #include <string.h>
 
@@ -11,10 +11,12 @@
 static const char *const gates[] = {"cosine", "sign", "drawn"};
 _Static_assert(sizeof gates / sizeof gates[0] == GLINT_GATE_COUNT, "a name for each gate");
 
+#define GATE_MEMBERS                                                                               \
+    .name = "gate", .verilog = "GATE", .meaning = "what cuts off the highlight", .choices = gates, \
+    .max = GLINT_GATE_COUNT - 1, .standard = GLINT_GATE_COSINE
 #define GATE                                                                                       \
     {                                                                                              \
-        .name = "gate", .verilog = "GATE", .meaning = "what cuts off the highlight",               \
-        .choices = gates, .max = GLINT_GATE_COUNT - 1, .standard = GLINT_GATE_COSINE               \
+        GATE_MEMBERS                                                                               \
     }
 
 static const glint_parameter parameters[] = {
@@ -327,6 +329,64 @@ const glint_circuit glint_circuit_lean = {
     GLINT_HEADINGS(headings),
     .latency = latency,
     .create = create,
+    .destroy = destroy,
+    .clock = clock_model,
+    .signals = signals,
+    .stimulus_size = sizeof(glint_stimulus),
+    .stimulus_begin = stimulus_begin,
+    .stimulus_next = stimulus_next,
+    .domain = &domain,
+};
+
+/* ---- With a narrower W -------------------------------------------------------------------------
+ */
+
+enum { W_DROP = GLINT_SPECULAR_LANES + 1 };
+
+#define COMMON_DROP GLINT_HIGHLIGHT_COMMON_DROP(GLINT_W_FRAC_BITS)
+
+/* Listed with the gate that the device has by default, and W at the common width. */
+static const glint_parameter narrow_parameters[] = {
+    [GLINT_SPECULAR_GATE] = {GATE_MEMBERS, GLINT_LISTED(GLINT_GATE_COSINE)},
+    [GLINT_SPECULAR_PIPELINE] = GLINT_HIGHLIGHT_PIPELINE,
+    [GLINT_SPECULAR_LANES] = GLINT_HIGHLIGHT_FEW_LANES,
+    [W_DROP] = {GLINT_HIGHLIGHT_W_DROP_MEMBERS(1, 6, COMMON_DROP), .standard = COMMON_DROP},
+};
+
+/* Behind the rounding there is less of W. */
+static glint_signal_info narrow_signal(const int *values, int index)
+{
+    glint_signal_info info = signal(values, index);
+    if (strcmp(info.name, "s3_keys12") == 0 || strcmp(info.name, "out_w") == 0)
+        info.frac_bits -= values[W_DROP];
+    return info;
+}
+
+static glint_status create_narrow(const int *values, void **model)
+{
+    const glint_specular_config config = glint_specular_config_of(values);
+    glint_specular_device *device;
+    const glint_status status =
+        glint_specular_device_create_narrow(&config, values[W_DROP], &device);
+    *model = device;
+    return status;
+}
+
+const glint_circuit glint_circuit_narrow = {
+    .name = "narrow",
+    .title = "Specular-colour device with a narrower W",
+    .on_request = 1,
+    .clock_port = "clk",
+    .top = top,
+    GLINT_PARAMETERS(narrow_parameters),
+    GLINT_PINS(glint_specular_inputs, pin),
+    .signal = narrow_signal,
+    .signal_count = signal_count,
+    .lane_name = "lane",
+    .lane_scope = "lane[%d].u",
+    GLINT_HEADINGS(headings),
+    .latency = latency,
+    .create = create_narrow,
     .destroy = destroy,
     .clock = clock_model,
     .signals = signals,

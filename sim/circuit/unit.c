@@ -8,8 +8,9 @@ glint_unit_config glint_unit_config_of(const glint_unit *unit, const int *values
     const int has_variant = unit->variants > 1;
     return (glint_unit_config){.unit = unit,
                                .variant = has_variant ? values[0] : 0,
-                               .pipeline = (glint_pipeline)values[has_variant],
-                               .lanes = values[has_variant + 1]};
+                               .w_drop = values[has_variant],
+                               .pipeline = (glint_pipeline)values[has_variant + 1],
+                               .lanes = values[has_variant + 2]};
 }
 
 void glint_unit_config_values(const glint_unit_config *config, int *values)
@@ -17,8 +18,9 @@ void glint_unit_config_values(const glint_unit_config *config, int *values)
     const int has_variant = config->unit->variants > 1;
     if (has_variant)
         values[0] = config->variant;
-    values[has_variant] = (int)config->pipeline;
-    values[has_variant + 1] = config->lanes;
+    values[has_variant] = config->w_drop;
+    values[has_variant + 1] = (int)config->pipeline;
+    values[has_variant + 2] = config->lanes;
 }
 
 static const char *heading_of(const glint_unit_circuit *of, const glint_signal_info *signal)

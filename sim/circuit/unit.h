@@ -3,6 +3,7 @@
  *
  *     static const glint_parameter parameters[] = {
  *         {.name = "accuracy", …},   the unit's variants, where it has more than one
+ *         GLINT_HIGHLIGHT_W_DROP(…),
  *         GLINT_HIGHLIGHT_PIPELINE,
  *         GLINT_HIGHLIGHT_LANES,
  *     };
@@ -36,7 +37,7 @@ typedef struct glint_unit_circuit {
     int heading_count;
 } glint_unit_circuit;
 
-/* From values and back: the pipeline and the lanes stand behind the variant, where there is one. */
+/* From values and back: the others stand behind the variant, where there is one. */
 glint_unit_config glint_unit_config_of(const glint_unit *unit, const int *values);
 
 void glint_unit_config_values(const glint_unit_config *config, int *values);

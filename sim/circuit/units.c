@@ -37,15 +37,17 @@ const glint_parameter *glint_highlight_parameter(const glint_circuit *circuit)
     return unit != NULL && unit->variants > 1 ? &circuit->parameters[0] : NULL;
 }
 
-glint_setting glint_setting_unit(const glint_circuit *circuit, int variant, glint_pipeline pipeline,
-                                 int lanes)
+glint_setting glint_setting_unit(const glint_circuit *circuit, int variant, int w_drop,
+                                 glint_pipeline pipeline, int lanes)
 {
     const glint_unit *unit = unit_of(circuit);
     glint_setting setting = {.circuit = circuit};
-    glint_unit_config_values(
-        &(glint_unit_config){
-            .unit = unit, .variant = variant, .pipeline = pipeline, .lanes = lanes},
-        setting.values);
+    glint_unit_config_values(&(glint_unit_config){.unit = unit,
+                                                  .variant = variant,
+                                                  .w_drop = w_drop,
+                                                  .pipeline = pipeline,
+                                                  .lanes = lanes},
+                             setting.values);
     return setting;
 }
 
@@ -63,8 +65,10 @@ void glint_highlight_set_lanes(glint_setting *setting, int lanes)
 int glint_highlight_w_frac_bits(const glint_setting *setting)
 {
     const glint_unit *unit = unit_of(setting->circuit);
-    return unit == NULL ? GLINT_W_FRAC_BITS
-                        : unit->w_frac_bits(glint_unit_config_of(unit, setting->values).variant);
+    if (unit == NULL)
+        return GLINT_W_FRAC_BITS;
+    const glint_unit_config config = glint_unit_config_of(unit, setting->values);
+    return glint_unit_w_frac_bits(&config);
 }
 
 static glint_gate gate_of(const glint_setting *setting)
@@ -79,8 +83,8 @@ glint_status glint_highlight_batch(const glint_setting *setting, const glint_mat
     const glint_unit *unit = unit_of(setting->circuit);
     if (unit == NULL)
         return glint_specular_batch(gate_of(setting), material, cos_code, count, w_code, r, g, b);
-    return glint_unit_batch(unit, glint_unit_config_of(unit, setting->values).variant, material,
-                            cos_code, count, w_code, r, g, b);
+    const glint_unit_config config = glint_unit_config_of(unit, setting->values);
+    return glint_unit_batch(&config, material, cos_code, count, w_code, r, g, b);
 }
 
 double glint_highlight_real(const glint_setting *setting, uint32_t n, uint32_t cos_code)

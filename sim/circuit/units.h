@@ -27,9 +27,10 @@ int glint_highlight_lanes(const glint_setting *setting);
 void glint_highlight_set_lanes(glint_setting *setting, int lanes);
 int glint_highlight_w_frac_bits(const glint_setting *setting); /* W is U1.this */
 
-/* A setting of one of GLINT_UNITS; variant: the value of its own parameter, if it has one. */
-glint_setting glint_setting_unit(const glint_circuit *circuit, int variant, glint_pipeline pipeline,
-                                 int lanes);
+/* A setting of one of GLINT_UNITS; variant: the value of its own parameter, if it has one; w_drop:
+ * places of W that are rounded off. */
+glint_setting glint_setting_unit(const glint_circuit *circuit, int variant, int w_drop,
+                                 glint_pipeline pipeline, int lanes);
 
 /* Points of one material by the C model, as glint_specular_batch() and glint_unit_batch(). */
 glint_status glint_highlight_batch(const glint_setting *setting, const glint_material *material,

@@ -233,17 +233,28 @@ int glint_circuit_options_begin(glint_circuit_options *options, const glint_circ
     return GLINT_OPTIONS_RUN;
 }
 
+/* "one of specular divider …", which is what a shell's completion looks for. */
+static void describe_circuits(glint_circuit_options *options)
+{
+    (void)snprintf(options->help, sizeof options->help, "one of");
+    for (int i = 0; options->names[i] != NULL; i++)
+        append_choice(options->help, sizeof options->help, " ", options->names[i]);
+    append_text(options->help, sizeof options->help,
+                options->use.takes_all
+                    ? "; circuits that lack one of the options given are skipped"
+                    : "; may be left out if an option belongs to one circuit only");
+}
+
 size_t glint_circuit_options_add(glint_circuit_options *options, glint_option *rows)
 {
     size_t count = 0;
-    rows[count++] = (glint_option){
-        .name = "circuit",
-        .given = &options->is_named,
-        .help = options->use.takes_all
-                    ? "which one; circuits that lack one of the options given are skipped"
-                    : "which one; may be left out if an option belongs to one circuit only",
-        .kind = GLINT_OPTION_CHOICE,
-        .choice = {&options->named, options->names}};
+    describe_circuits(options);
+    rows[count++] = (glint_option){.name = "circuit",
+                                   .placeholder = "CIRCUIT",
+                                   .given = &options->is_named,
+                                   .help = options->help,
+                                   .kind = GLINT_OPTION_CHOICE,
+                                   .choice = {&options->named, options->names}};
     rows[count++] = (glint_option){.name = "device",
                                    .placeholder = "NAME",
                                    .given = &options->is_device,

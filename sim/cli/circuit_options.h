@@ -51,6 +51,7 @@ typedef struct glint_circuit_options {
     int circuit_count; /* that there are */
     const glint_circuit *circuit[GLINT_CIRCUITS_MAX];
     const char *names[GLINT_CIRCUITS_MAX + 2]; /* theirs, "all", NULL */
+    char help[256];                            /* of --circuit */
     int named, device;                         /* of names, by --circuit and --device */
     bool is_named, is_device;
     int parameter_count;

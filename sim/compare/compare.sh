@@ -103,8 +103,9 @@ plan() { # LANES KIND FLOWS SEEDS
     plan 1 size "$sizes" 0
     plan 1 clock "$clocks" "$seeds"
     plan 1 size "$slow" 0
-    plan 4 size "$sizes" 0
     plan 1 clock "$slow" "$seeds"
+    plan 4 size "$sizes" 0
+    plan 1 clock "$late" "$seeds"
     plan 4 size "$slow" 0
     plan 1 debian "$sizes_debian" 0
 } >"$home/plan"

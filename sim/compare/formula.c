@@ -18,12 +18,18 @@ static const struct {
     {"lyon", &glint_unit_lyon},       {"quadratic", &glint_unit_quadratic},
 };
 
+/* The thesis's device or another form of it, whose parameters begin with the device's. */
+static bool is_specular(const glint_circuit *circuit)
+{
+    return circuit == &glint_circuit_specular || strcmp(circuit->name, "lean") == 0 ||
+           strcmp(circuit->name, "narrow") == 0;
+}
+
 glint_status glint_compare_formula_of(const glint_setting *setting, glint_compare_formula *formula,
                                       glint_error *err)
 {
     *formula = (glint_compare_formula){.unit = NULL};
-    if (setting->circuit == &glint_circuit_specular ||
-        strcmp(setting->circuit->name, "lean") == 0) { /* its parameters begin with the device's */
+    if (is_specular(setting->circuit)) {
         formula->gate = glint_specular_config_of(setting->values).gate;
         return GLINT_OK;
     }

@@ -55,7 +55,7 @@ static void write_instance(FILE *out, const glint_setting *setting)
     const char *comma = "";
     fprintf(out, "    %s #(", glint_setting_top(setting));
     for (int i = 0; i < circuit->parameter_count; i++) {
-        if (circuit->parameters[i].verilog == NULL)
+        if (circuit->parameters[i].verilog == NULL || glint_setting_leaves_out(setting, i))
             continue;
         fprintf(out, "%s.%s(%d)", comma, circuit->parameters[i].verilog, setting->values[i]);
         comma = ", ";

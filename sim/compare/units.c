@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "circuit/circuits.h"
+#include "circuit/highlight.h"
 #include "glint_specular_device.h"
 
 #define PIPELINE "pipeline"
@@ -24,9 +25,20 @@ static bool is_named(const glint_parameter *parameter, const char *name)
     return strcmp(parameter->name, name) == 0;
 }
 
+/* All that there are: is_compared() takes W as it is, and at the common width. */
+static candidates candidate_drops(const glint_parameter *parameter)
+{
+    candidates found = {.count = 0};
+    for (int drop = parameter->min; drop <= parameter->max && found.count < CANDIDATES_MAX; drop++)
+        found.value[found.count++] = drop;
+    return found;
+}
+
 static candidates candidates_of(const glint_parameter *parameter)
 {
     candidates found = {{parameter->standard}, 1};
+    if (is_named(parameter, GLINT_HIGHLIGHT_W_DROP_NAME))
+        return candidate_drops(parameter);
     if (is_named(parameter, PIPELINE))
         return (candidates){{GLINT_PIPELINE_PIPELINED}, 1};
     if (is_named(parameter, LANES))
@@ -73,11 +85,26 @@ static bool setting_of(const glint_circuit *circuit, int *index, glint_setting *
     return turn == 0;
 }
 
-bool glint_compare_setting(int index, glint_setting *setting)
+static bool is_compared(const glint_setting *setting)
+{
+    return glint_setting_value(setting, GLINT_HIGHLIGHT_W_DROP_NAME, 0) == 0 ||
+           glint_compare_w_frac_bits(setting) == GLINT_HIGHLIGHT_COMMON_W_FRAC_BITS;
+}
+
+/* Any candidate. */
+static bool candidate_number(int index, glint_setting *setting)
 {
     const glint_circuit *circuit;
     for (int i = 0; (circuit = glint_circuit_number(i)) != NULL; i++)
         if (is_highlight_unit(circuit) && setting_of(circuit, &index, setting))
+            return true;
+    return false;
+}
+
+bool glint_compare_setting(int index, glint_setting *setting)
+{
+    for (int i = 0; candidate_number(i, setting); i++)
+        if (is_compared(setting) && index-- == 0)
             return true;
     return false;
 }
@@ -99,9 +126,13 @@ void glint_compare_label(const glint_setting *setting, char text[GLINT_SETTING_T
     size_t length = (size_t)snprintf(text, GLINT_SETTING_TEXT, "%s", circuit->name);
     for (int i = 0; i < circuit->parameter_count; i++) {
         const glint_parameter *parameter = &circuit->parameters[i];
-        if (candidates_of(parameter).count < 2 || is_named(parameter, LANES))
+        if (candidates_of(parameter).count < 2 || is_named(parameter, LANES) ||
+            glint_setting_leaves_out(setting, i))
             continue;
-        if (parameter->choices != NULL)
+        if (is_named(parameter, GLINT_HIGHLIGHT_W_DROP_NAME))
+            length += (size_t)snprintf(text + length, GLINT_SETTING_TEXT - length, ", W U1.%d",
+                                       glint_compare_w_frac_bits(setting));
+        else if (parameter->choices != NULL)
             length += (size_t)snprintf(text + length, GLINT_SETTING_TEXT - length, ", %s %s",
                                        parameter->name, parameter->choices[setting->values[i]]);
         else

@@ -1,8 +1,9 @@
 /* What `make compare` compares: the highlight units, out of their descriptions.
  *
  * A highlight unit is any circuit that has the parameters pipeline and lanes and gives W (out_w).
- * Its settings are taken pipelined, with 1 and with 4 lanes, in each of its own variants; a gate
- * only as it is by default, since it does not change what a highlight is inside. */
+ * Its settings are taken pipelined, with 1 and with 4 lanes, in each of its own variants, with W as
+ * wide as the unit makes it and rounded to the common width, GLINT_HIGHLIGHT_COMMON_W_FRAC_BITS; a
+ * gate only as it is by default, since it does not change what a highlight is inside. */
 #ifndef GLINT_SIM_COMPARE_UNITS_H
 #define GLINT_SIM_COMPARE_UNITS_H
 

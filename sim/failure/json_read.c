@@ -42,6 +42,8 @@ static void read_circuit(reader *r, const json_t *json)
 
 static int read_value(reader *r, const json_t *json, const glint_parameter *parameter)
 {
+    if (parameter->goes_unsaid && json_object_get(json, parameter->name) == NULL)
+        return parameter->standard;
     if (parameter->choices != NULL)
         return glint_json_choice(&r->json, json, parameter->name, parameter->choices,
                                  parameter->max + 1);

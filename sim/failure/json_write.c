@@ -49,7 +49,8 @@ static void add_setting(json_t *json, const glint_failure *failure)
                      ? json
                      : glint_json_add(json, GLINT_JSON_PARAMETERS, json_object());
     for (int i = 0; i < circuit->parameter_count; i++)
-        add_value(to, &circuit->parameters[i], failure->setting.values[i]);
+        if (!glint_setting_leaves_out(&failure->setting, i))
+            add_value(to, &circuit->parameters[i], failure->setting.values[i]);
 }
 
 static void add_bits(json_t *json, const char *name, const glint_signal_info *signal,

@@ -6,7 +6,7 @@ BEGIN { FS = "\t" }
 # The words that a value may be: the lower-case ones of a|b|FILE, or what the help names.
 function words_of(value, help,    parts, count, i, words) {
     words = ""
-    if (value == "MODEL" && match(help, /one of [a-z0-9 -]+/)) {
+    if ((value == "MODEL" || value == "CIRCUIT") && match(help, /one of [a-z0-9 -]+/)) {
         return substr(help, RSTART + 7, RLENGTH - 7)
     }
     if (index(value, "|") == 0)

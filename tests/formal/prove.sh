@@ -56,7 +56,7 @@ pipeline_number() {
     esac
 }
 
-device='specular_device specular_lane color_multiplier stage_register'
+device='specular_device specular_lane w_rounder color_multiplier stage_register'
 flow='uninvited in_order once frozen'
 clocked=yes
 cut= # wires whose drivers are taken off

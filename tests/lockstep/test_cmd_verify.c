@@ -123,15 +123,17 @@ static void assert_verified(const char *line, int settings)
 static void what_is_on_request_can_be_verified(void **state)
 {
     (void)state;
-    assert_verified("verify --circuit power --accuracy half --pipeline pipelined --lanes 1 "
-                    "--clocks 100",
+    assert_verified("verify --circuit power --accuracy half --w-drop 0 --pipeline pipelined "
+                    "--lanes 1 --clocks 100",
                     1);
-    assert_verified("verify --accuracy half --pipeline pipelined --lanes 1 --clocks 100", 1);
+    /* W as it is and at the common width. */
+    assert_verified("verify --accuracy half --pipeline pipelined --lanes 1 --clocks 100", 2);
     assert_verified("verify --circuit all --accuracy half --pipeline pipelined --lanes 1 "
                     "--clocks 100",
-                    1);
+                    2);
     /* Against the specular device's own model. */
     assert_verified("verify --circuit lean --lanes 1 --clocks 2000", 6);
+    assert_verified("verify --circuit narrow --lanes 1 --clocks 2000", 2);
 }
 
 static void one_setting_can_be_chosen(void **state)

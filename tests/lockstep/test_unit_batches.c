@@ -1,6 +1,7 @@
 /* Runs of points through every highlight unit besides the specular device: by the C model's batch,
  * and by its Verilog through the backend, against the unit's stages point by point; lengths around
  * multiples of the lanes. */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -65,14 +66,16 @@ static uint8_t times(uint32_t w, int w_frac_bits, uint8_t color)
 }
 
 /* What a run of count has to hold; what lies behind it stays as it is. */
-static void expect(const glint_unit *unit, int variant, const glint_material *material,
-                   size_t count, run *run)
+static void expect(const glint_unit *unit, const glint_backend_config *config,
+                   const glint_material *material, size_t count, run *run)
 {
-    const int bits = unit->w_frac_bits(variant);
+    const int bits = unit->w_frac_bits(config->variant) - config->w_drop;
     for (size_t i = 0; i < count; i++) {
         uint32_t w;
-        assert_int_equal(glint_unit_eval(unit, variant, material->n, run->cosine[i], NULL, &w),
-                         GLINT_OK);
+        assert_int_equal(
+            glint_unit_eval(unit, config->variant, material->n, run->cosine[i], NULL, &w),
+            GLINT_OK);
+        w = (uint32_t)floor(ldexp(w, -config->w_drop) + 0.5);
         run->w[i] = w;
         run->r[i] = times(w, bits, material->r);
         run->g[i] = times(w, bits, material->g);
@@ -80,19 +83,21 @@ static void expect(const glint_unit *unit, int variant, const glint_material *ma
     }
 }
 
-static void check_run(const known *of, int variant, glint_backend *backend, size_t count)
+static void check_run(const known *of, const glint_backend_config *config, glint_backend *backend,
+                      size_t count)
 {
     static run found, expected;
     const glint_material material = draw_material();
     glint_error err;
     draw_run(&found);
     expected = found;
-    expect(of->unit, variant, &material, count, &expected);
+    expect(of->unit, config, &material, count, &expected);
     const glint_points points = {found.cosine, count, found.w, found.r, found.g, found.b};
     if (glint_backend_shade(backend, &material, &points, &err) != GLINT_OK)
         fail_msg("%s: %s", of->name, err.text);
     if (memcmp(&found, &expected, sizeof found) != 0)
-        fail_msg("%s, variant %d: %zu points of n %u", of->name, variant, count, material.n);
+        fail_msg("%s, variant %d, %d places rounded off: %zu points of n %u", of->name,
+                 config->variant, config->w_drop, count, material.n);
 }
 
 static glint_backend_config config_of(const known *of, int variant, glint_backend_kind kind,
@@ -105,17 +110,23 @@ static glint_backend_config config_of(const known *of, int variant, glint_backen
                                   .lanes = lanes};
 }
 
+static void check_config(const known *of, const glint_backend_config *config)
+{
+    glint_backend *backend;
+    glint_error err;
+    if (glint_backend_create(config, &backend, &err) != GLINT_OK)
+        fail_msg("%s: %s", of->name, err.text);
+    check_run(of, config, backend, LONGEST);
+    for (int i = 0; i < ROUNDS; i++)
+        check_run(of, config, backend,
+                  glint_random_below(&draw, (uint32_t)(3 * config->lanes + 2)));
+    glint_backend_destroy(backend);
+}
+
 static void check_backend(const known *of, int variant, glint_backend_kind kind, int lanes)
 {
     const glint_backend_config config = config_of(of, variant, kind, lanes);
-    glint_backend *backend;
-    glint_error err;
-    if (glint_backend_create(&config, &backend, &err) != GLINT_OK)
-        fail_msg("%s: %s", of->name, err.text);
-    check_run(of, variant, backend, LONGEST);
-    for (int i = 0; i < ROUNDS; i++)
-        check_run(of, variant, backend, glint_random_below(&draw, (uint32_t)(3 * lanes + 2)));
-    glint_backend_destroy(backend);
+    check_config(of, &config);
 }
 
 static void every_unit_in_c(void **state)
@@ -131,6 +142,25 @@ static void every_unit_in_verilog(void **state)
     (void)state;
     for (int u = 0; u < UNITS; u++)
         check_backend(&units[u], units[u].unit->variants - 1, GLINT_BACKEND_RTL, 1);
+}
+
+/* In C any number of places, in the Verilog as many as make the common width of the quadratic. */
+static void places_of_w_rounded_off(void **state)
+{
+    enum { MOST = 4, TO_COMMON = 6 };
+    (void)state;
+    for (int u = 0; u < UNITS; u++)
+        for (int drop = 1; drop <= MOST; drop++) {
+            glint_backend_config config = config_of(&units[u], 0, GLINT_BACKEND_C, 1);
+            config.w_drop = drop;
+            check_config(&units[u], &config);
+        }
+    for (int u = 0; u < UNITS; u++)
+        if (units[u].unit == &glint_unit_quadratic) {
+            glint_backend_config config = config_of(&units[u], 0, GLINT_BACKEND_RTL, 4);
+            config.w_drop = TO_COMMON;
+            check_config(&units[u], &config);
+        }
 }
 
 /* W across words of the port: 3 × 13 bits, 3 × 19 bits. */
@@ -175,6 +205,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_unit_in_c),
         cmocka_unit_test(every_unit_in_verilog),
+        cmocka_unit_test(places_of_w_rounded_off),
         cmocka_unit_test(lanes_that_end_within_a_word),
         cmocka_unit_test(the_formula_is_the_units_own),
         cmocka_unit_test(what_is_no_unit_is_refused),

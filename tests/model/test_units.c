@@ -77,6 +77,38 @@ static void test_bounds(void **state)
         check_unit(&bounds[i]);
 }
 
+/* With places of W rounded off it still rises, is 1 at 1, and is half a last place further off. */
+static void check_rounded(const bound *of, int drop)
+{
+    enum { COUNT = GLINT_COS_ONE / STEP + 2 };
+    static uint32_t code[COUNT], w[COUNT];
+    static uint8_t r[COUNT], g[COUNT], b[COUNT];
+    const glint_unit_config config = {.unit = of->unit, .variant = of->variant, .w_drop = drop};
+    const double one = 1 << glint_unit_w_frac_bits(&config);
+    assert_true(one == ldexp(1, of->unit->w_frac_bits(of->variant) - drop));
+    for (uint32_t i = 0; i < COUNT; i++)
+        code[i] = i + 1 < COUNT ? i * STEP : GLINT_COS_ONE;
+    for (uint32_t n = 0; n <= GLINT_N_MAX; n += 33) {
+        const glint_material material = {(uint16_t)n, 255, 3, 200};
+        assert_int_equal(glint_unit_batch(&config, &material, code, COUNT, w, r, g, b), GLINT_OK);
+        for (uint32_t i = 0; i < COUNT; i++) {
+            const double own = of->unit->real(of->variant, n, code[i]);
+            assert_true(fabs(w[i] / one - own) * 255 <= of->own + 255 * 0.5 / one);
+            assert_true(i == 0 || w[i] >= w[i - 1]);
+            assert_int_equal(g[i], (int)floor(w[i] * 3 / one + 0.5));
+        }
+        assert_true(w[COUNT - 1] == one && r[COUNT - 1] == 255 && b[COUNT - 1] == 200);
+    }
+}
+
+static void test_rounded(void **state)
+{
+    (void)state;
+    for (int i = 0; i < UNITS; i++)
+        for (int drop = 0; drop <= 4; drop++)
+            check_rounded(&bounds[i], drop);
+}
+
 /* An error is an error: a bound that a right unit does not keep is noticed. */
 static void test_bounds_are_tight(void **state)
 {
@@ -150,7 +182,11 @@ static void test_out_of_range(void **state)
         assert_int_equal(glint_unit_eval(unit, 0, GLINT_N_COUNT, 1, NULL, &w), GLINT_BAD_ARGUMENT);
         assert_int_equal(glint_unit_eval(unit, 0, 1, GLINT_COS_CODE_MAX + 1, NULL, &w),
                          GLINT_BAD_ARGUMENT);
-        const glint_unit_config config = {unit, 0, GLINT_PIPELINE_PIPELINED, 0};
+        glint_unit_config config = {.unit = unit, .pipeline = GLINT_PIPELINE_PIPELINED};
+        assert_int_equal(glint_unit_device_create(&config, &device), GLINT_BAD_ARGUMENT);
+        assert_null(device);
+        config.lanes = 1;
+        config.w_drop = unit->w_frac_bits(0) - GLINT_UNIT_W_FRAC_MIN + 1;
         assert_int_equal(glint_unit_device_create(&config, &device), GLINT_BAD_ARGUMENT);
         assert_null(device);
     }
@@ -159,9 +195,9 @@ static void test_out_of_range(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bounds),       cmocka_unit_test(test_bounds_are_tight),
-        cmocka_unit_test(test_power_batch),  cmocka_unit_test(test_power_tables),
-        cmocka_unit_test(test_out_of_range),
+        cmocka_unit_test(test_bounds),           cmocka_unit_test(test_rounded),
+        cmocka_unit_test(test_bounds_are_tight), cmocka_unit_test(test_power_batch),
+        cmocka_unit_test(test_power_tables),     cmocka_unit_test(test_out_of_range),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
