@@ -39,8 +39,9 @@ VECTOR     := $(addprefix sim/,bench/kernels bench/formulas lockstep/exhaustive 
               cmodel/specular_batch cmodel/power_batch cmodel/unit_batch
 HOT        := cmodel/ $(addprefix sim/,backend/ bench/ circuit/random circuit/schedule \
               circuit/stimulus circuit/divider_stimulus color/ compare/errors energy/ image/ \
-              lockstep/ reflectance/ rtl/needed rtl/rtl thread/ $(addprefix render/,camera clip \
-              detail gouraud mesh paint pick render scene setup span transform)) tests/reference/
+              lockstep/ reflectance/ rtl/needed rtl/rtl thread/ trace/ $(addprefix render/,camera \
+              clip detail gouraud mesh paint pick render scene setup span transform)) \
+              tests/reference/
 among       = $(filter $(addsuffix %,$1),$<)
 OPTIMIZE    = $(if $(call among,$(VECTOR)),$(if $(SANITIZE),-O1,-O3),\
               $(if $(call among,$(HOT)),$(if $(SANITIZE),-O1,-O2),\
@@ -153,6 +154,7 @@ $(BUILD)/glint: $(CLI_OBJECTS) $(LIBRARIES) | $(BUILD)/tree
 # What the demo's picture and verdict need of it, two thirds: main.c goes without the others.
 LATER          := $(wildcard $(addprefix sim/,bench/*.c compare/*.c draw/*.c energy/*.c \
                     gl/*.c report/*.c study/*.c)) \
+                  $(filter-out %/names.c,$(wildcard sim/trace/*.c)) \
                   $(addprefix sim/,image/png_read.c image/text.c lockstep/exhaustive.c \
                     reflectance/accuracy.c render/table21.c)
 LATER_OF_CLI   := $(addprefix sim/cli/,cmd_%.c eval_%.c exhaustive_options.c input.c number_list.c \

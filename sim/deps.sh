@@ -11,7 +11,7 @@ set -u
 
 build='gcc g++ make pkg-config verilator zlib1g-dev libpng-dev libfreetype-dev'
 build="$build fonts-dejavu-core libassimp-dev libjansson-dev libcmark-gfm-dev"
-build="$build libcmark-gfm-extensions-dev nettle-dev libegl-dev libgl-dev"
+build="$build libcmark-gfm-extensions-dev nettle-dev libegl-dev libgl-dev libembree-dev"
 checks="$build libcmocka-dev libgmp-dev bc musl-tools help2man iverilog yosys clang valgrind"
 view='gtkwave xvfb xauth imagemagick'
 meshes='assimp-testmodels glmark2-data'

@@ -15,6 +15,7 @@
 #include "cli/render_gl.h"
 #include "cli/render_options.h"
 #include "cli/render_report.h"
+#include "cli/trace_frame.h"
 #include "failure/frame.h"
 #include "file/new_file.h"
 #include "file/same.h"
@@ -84,6 +85,8 @@ static glint_status render_frame(const glint_render_options *chosen, glint_backe
     glint_backend_config config = chosen->backend;
     config.kind = kind;
     frame->backend = glint_backend_names[kind];
+    if (chosen->trace.traced)
+        return glint_trace_frame(chosen, &config, scene, frame, err);
     glint_status status =
         glint_renderer_create(chosen->what.width, chosen->what.height, (int)chosen->what.threads,
                               &config, &frame->renderer, err);
@@ -200,12 +203,15 @@ static bool explain(const glint_render_options *chosen, const char *command, con
     glint_scene scene = chosen->scene;
     scene.mesh = mesh;
     const bool differs = glint_render_differs(result);
+    glint_trace_again again = {chosen, &scene};
     const glint_packet_frames frames = {result->frame[0].image, result->frame[1].image};
     const glint_frame_pair pair = {.scene = &scene,
                                    .backend = &chosen->backend,
                                    .model = frames.model,
                                    .rtl = frames.rtl,
-                                   .difference = differs ? &result->difference : NULL};
+                                   .difference = differs ? &result->difference : NULL,
+                                   .ask = chosen->trace.traced ? glint_trace_frame_again : NULL,
+                                   .context = &again};
     glint_failure *failure;
     glint_error err;
     if (glint_failure_of_frame(&pair, glint_stop_flag(), &failure, &err) != GLINT_OK) {
@@ -277,6 +283,8 @@ int glint_cmd_render(int argc, char **argv)
     const int parsed = glint_render_options_parse(argc, argv, &chosen);
     if (parsed != GLINT_OPTIONS_RUN)
         return parsed;
+    if (chosen.trace.traced && glint_trace_frame == NULL)
+        return glint_subcommand_is_not_here("render --method trace");
     char command[GLINT_FAILURE_COMMAND];
     glint_failure_command(argc, argv, command, sizeof command);
     if (chosen.gl && glint_render_by_gl == NULL)

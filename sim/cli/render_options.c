@@ -19,6 +19,7 @@
 typedef struct raw_options {
     glint_scene_options scene;
     glint_device_options device;
+    glint_trace_options trace;
     const char *out, *specular, *slips, *verilog;
     double n;
     int64_t shifts;
@@ -53,7 +54,7 @@ static const char details[] =
     "object; phong evaluates it at every pixel. quadratic evaluates it at the corners of\n"
     "each triangle and the middles of its edges and interpolates by the quadratic through\n"
     "these six values; quadratic-listing does so as the thesis's listing, with its slips.\n"
-    "\n"
+    "\n" GLINT_TRACE_DETAILS "\n"
     "--specular replaces W with a model's value, computed from unrounded cosines: N.H,\n"
     "or R.V for phong; cook-torrance and torrance-sparrow give Rs of (1.4) with\n"
     "roughness sqrt(2/(n+2)); lambert gives diffuse light only, no highlight.\n"
@@ -67,7 +68,7 @@ static const char details[] =
     "libgl1-mesa-dri.";
 
 #define OWN_ROWS   10
-#define TABLE_ROWS (OWN_ROWS + GLINT_DEVICE_OPTIONS + GLINT_SCENE_OPTIONS)
+#define TABLE_ROWS (OWN_ROWS + GLINT_TRACE_OPTIONS + GLINT_DEVICE_OPTIONS + GLINT_SCENE_OPTIONS)
 
 static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
 {
@@ -116,7 +117,10 @@ static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .flag = &raw->json},
     };
     memcpy(table, own, sizeof own);
-    const size_t count = OWN_ROWS + glint_device_options_add(&raw->device, table + OWN_ROWS);
+    size_t count = OWN_ROWS;
+    glint_trace_options_add(&raw->trace, table + count);
+    count += GLINT_TRACE_OPTIONS;
+    count += glint_device_options_add(&raw->device, table + count);
     glint_scene_options_add(&raw->scene, table + count);
     return count + GLINT_SCENE_OPTIONS;
 }
@@ -130,6 +134,8 @@ static int parse_raw(int argc, char **argv, raw_options *raw)
         {"C against Verilog", "glint render --backend both --n 50 --out b.png"},
         {"by the accurate power device", "glint render --device power --n 50 --out p.png"},
         {"your own mesh", "glint render mesh.obj --color '#3060a0' --out c.png"},
+        {"by rays, seven pixels of eight interpolated where they may be",
+         "glint render --method trace --segment 7 --shadows --out t.png"},
         {"to standard output", "glint render --size 320x240 --out - > d.png"},
         {"by OpenGL, in software", "glint render --backend gl --specular blinn --out e.png"},
         {NULL, NULL},
@@ -218,6 +224,7 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
 {
     raw_options raw = defaults();
     glint_device_options_begin(&raw.device);
+    glint_trace_options_begin(&raw.trace);
     int status = parse_raw(argc, argv, &raw);
     if (status == GLINT_OPTIONS_RUN)
         status = glint_scene_options_settle("render", &raw.scene);
@@ -262,5 +269,8 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
     }
     if (status == GLINT_OPTIONS_RUN)
         status = choose_slips(&raw, &chosen->scene);
+    if (status == GLINT_OPTIONS_RUN)
+        status = glint_trace_options_settle("render", &chosen->scene, gl, &raw.trace);
+    chosen->trace = raw.trace;
     return status == GLINT_OPTIONS_RUN ? check_verilog(chosen) : status;
 }

@@ -4,6 +4,7 @@
 
 #include "backend/backend.h"
 #include "cli/scene_options.h"
+#include "cli/trace_options.h"
 
 typedef struct glint_render_options {
     glint_scene_options what;
@@ -11,6 +12,7 @@ typedef struct glint_render_options {
     bool gl;   /* by OpenGL, as backend.kind real and scene.specular have it */
     glint_backend_config backend;
     glint_scene scene; /* all but the mesh */
+    glint_trace_options trace;
     const char *out;
     bool json, force;
 } glint_render_options;

@@ -8,6 +8,7 @@
 #include "circuit/units.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/trace_frame.h"
 
 bool glint_render_differs(const glint_render_result *result)
 {
@@ -40,7 +41,7 @@ void glint_render_report_text(FILE *out, const glint_render_options *chosen,
     const glint_render_stats *stats = &result->frame[0].stats;
     fprintf(out, "%s, %dx%d: %" PRIu64 " triangles", chosen->what.model, chosen->what.width,
             chosen->what.height, stats->triangles);
-    if (!chosen->gl) /* OpenGL does not say */
+    if (!chosen->gl && !chosen->trace.traced) /* OpenGL does not say, rays draw none */
         fprintf(out, ", %" PRIu64 " drawn", stats->drawn);
     fprintf(out, ", %" PRIu64 " fragments\n", stats->fragments);
     fprintf(out, "%s: %" PRIu64 " highlights", glint_shading_names[chosen->scene.shading],
@@ -56,6 +57,8 @@ void glint_render_report_text(FILE *out, const glint_render_options *chosen,
     if (chosen->gl)
         fprintf(out, ", drawn by %s", result->frame[0].driver);
     fputc('\n', out);
+    if (chosen->trace.traced)
+        glint_trace_frame_print(out, chosen, &result->frame[0]);
     for (int i = 0; i < result->frame_count; i++)
         print_frame(out, &result->frame[i]);
     if (result->frame_count == 2) {
@@ -65,7 +68,8 @@ void glint_render_report_text(FILE *out, const glint_render_options *chosen,
     }
 }
 
-static void add_frame(json_t *frames, const glint_render_frame *frame)
+static void add_frame(json_t *frames, const glint_render_options *chosen,
+                      const glint_render_frame *frame)
 {
     const glint_render_stats *stats = &frame->stats;
     json_t *json = json_object();
@@ -78,6 +82,8 @@ static void add_frame(json_t *frames, const glint_render_frame *frame)
                           per_second((double)stats->fragments, stats));
     if (stats->divider_clocks > 0)
         glint_json_add_number(json, "divider_clocks", (double)stats->divider_clocks);
+    if (chosen->trace.traced)
+        glint_trace_frame_json(glint_json_add(json, "trace", json_object()), chosen, frame);
     json_array_append_new(frames, json);
 }
 
@@ -115,20 +121,21 @@ bool glint_render_report_json(const glint_render_options *chosen, const glint_re
     add_parameter(json, &chosen->backend);
     glint_json_add_text(json, "pipeline", glint_pipeline_names[chosen->backend.pipeline]);
     glint_json_add_text(json, "shading", glint_shading_names[chosen->scene.shading]);
+    glint_json_add_text(json, "method", chosen->trace.traced ? "trace" : "raster");
     if (chosen->scene.by_model)
         glint_json_add_text(json, "specular", glint_reflectance_names[chosen->scene.specular]);
     if (divider_works(chosen))
         glint_json_add_number(json, "shifts", chosen->scene.shifts);
     glint_json_add_number(json, "threads", (double)chosen->what.threads);
     glint_json_add_number(json, "triangles", (double)stats->triangles);
-    if (!chosen->gl)
+    if (!chosen->gl && !chosen->trace.traced)
         glint_json_add_number(json, "drawn", (double)stats->drawn);
     glint_json_add_number(json, "fragments", (double)stats->fragments);
     glint_json_add_number(json, "highlights", (double)stats->highlights);
     glint_json_add_number(json, "divisions", (double)stats->divisions);
     json_t *frames = glint_json_add(json, "frames", json_array());
     for (int i = 0; i < result->frame_count; i++)
-        add_frame(frames, &result->frame[i]);
+        add_frame(frames, chosen, &result->frame[i]);
     if (result->frame_count == 2)
         add_comparison(json, &result->difference);
     if (packet != NULL)

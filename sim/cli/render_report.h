@@ -5,6 +5,14 @@
 #include <stdio.h>
 
 #include "cli/render_options.h"
+#include "trace/trace.h"
+
+/* Of a frame that was traced. */
+typedef struct glint_trace_result {
+    glint_trace_stats joined, full; /* the frame, and the full trace of it */
+    glint_image_difference error;   /* from the full trace to the frame */
+    double build_seconds;           /* of the tree */
+} glint_trace_result;
 
 /* One frame by one backend. */
 typedef struct glint_render_frame {
@@ -13,6 +21,7 @@ typedef struct glint_render_frame {
     glint_renderer *renderer;
     glint_image *image;
     glint_render_stats stats;
+    glint_trace_result trace; /* with --method trace; there is no renderer then */
 } glint_render_frame;
 
 typedef struct glint_render_result {

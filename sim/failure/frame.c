@@ -8,7 +8,7 @@
 
 /* The frame rendered again. */
 typedef struct again {
-    glint_renderer *renderer;
+    glint_renderer *renderer; /* NULL if something else asked the circuit */
     glint_image *image;
     glint_backend_watch watch;
 } again;
@@ -16,6 +16,8 @@ typedef struct again {
 static glint_status render_again(const glint_frame_pair *pair, const volatile bool *stop,
                                  again *again, glint_error *err)
 {
+    if (pair->ask != NULL)
+        return pair->ask(pair->context, &again->watch, err);
     glint_status status = glint_renderer_create(pair->rtl->width, pair->rtl->height, 1,
                                                 pair->backend, &again->renderer, err);
     if (status == GLINT_OK)
@@ -53,6 +55,8 @@ static void describe_frame(const glint_frame_pair *pair, const again *again,
     const size_t at = (size_t)frame->y * (size_t)width + (size_t)frame->x;
     memcpy(frame->model, &pair->model->rgb[3 * at], sizeof frame->model);
     memcpy(frame->rtl, &pair->rtl->rgb[3 * at], sizeof frame->rtl);
+    if (again->renderer == NULL)
+        return;
     frame->has_fragment = glint_renderer_fragment(again->renderer, frame->x, frame->y,
                                                   &frame->cos_code, &frame->material);
     find_triangle(pair, again, frame);

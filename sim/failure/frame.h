@@ -11,6 +11,9 @@ typedef struct glint_frame_pair {
     const glint_image *model, *rtl;
     const glint_image_difference *difference; /* of the two, not equal; NULL: the circuit failed to
                                                * answer, so there is no rtl frame */
+    /* What asks the circuit again, which it has watched; NULL: the rasterizer. */
+    glint_status (*ask)(void *context, glint_backend_watch *watch, glint_error *err);
+    void *context;
 } glint_frame_pair;
 
 /* Renders the scene once more with the Verilog, comparing every answer with the C model's. stop:

@@ -155,7 +155,7 @@ static void no_debian_is_said(void **state)
                        "equivalents of: gcc g++ make pkg-config verilator zlib1g-dev libpng-dev "
                        "libfreetype-dev fonts-dejavu-core libassimp-dev libjansson-dev "
                        "libcmark-gfm-dev libcmark-gfm-extensions-dev "
-                       "nettle-dev libegl-dev libgl-dev\n");
+                       "nettle-dev libegl-dev libgl-dev libembree-dev\n");
 }
 
 /* The advice never uses a missing program, and always gives the complete command. */
