@@ -152,8 +152,8 @@ $(BUILD)/glint: $(CLI_OBJECTS) $(LIBRARIES) | $(BUILD)/tree
 	$Q$(CC) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 # What the demo's picture and verdict need of it, two thirds: main.c goes without the others.
-LATER          := $(wildcard $(addprefix sim/,bench/*.c compare/*.c draw/*.c energy/*.c \
-                    gl/*.c report/*.c study/*.c)) \
+LATER          := $(wildcard $(addprefix sim/,bench/*.c compare/*.c convert/*.c draw/*.c \
+                    energy/*.c gl/*.c report/*.c study/*.c)) \
                   $(filter-out %/names.c,$(wildcard sim/trace/*.c)) \
                   $(addprefix sim/,image/png_read.c image/text.c lockstep/exhaustive.c \
                     reflectance/accuracy.c render/table21.c)

@@ -11,6 +11,7 @@ GLINT_SUBCOMMAND(models);
 GLINT_SUBCOMMAND(eval);
 GLINT_SUBCOMMAND(render);
 GLINT_SUBCOMMAND(compare);
+GLINT_SUBCOMMAND(convert);
 GLINT_SUBCOMMAND(study);
 GLINT_SUBCOMMAND(verify);
 GLINT_SUBCOMMAND(verify_exhaustive); /* verify with --exhaustive */

@@ -22,6 +22,7 @@ static const struct {
     {"divide", "the divider's answers to divisions on standard input, as CSV", glint_cmd_divide},
     {"render", "a lit mesh as a PNG, every highlight computed by the device", glint_cmd_render},
     {"compare", "how two PNG pictures differ", glint_cmd_compare},
+    {"convert", "a mesh as a .3ds, .obj, .ply, .stl or .glb file", glint_cmd_convert},
     {"study", "a scene by two methods, compared and timed", glint_cmd_study},
     {"verify", "C model and Verilog in lockstep: every register, every clock", glint_cmd_verify},
     {"replay", "a mismatch from verify or render, replayed from its packet", glint_cmd_replay},

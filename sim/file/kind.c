@@ -30,6 +30,11 @@ static const kind kinds[] = {
     {".md", "Markdown document", BEGINS("#")},
     {".svg", "drawing", BEGINS("<svg")},
     {".dot", "graph", BEGINS("digraph ")},
+    {".3ds", "3DS mesh", BEGINS("MM")},
+    {".glb", "binary glTF mesh", BEGINS("glTF")},
+    {".ply", "PLY mesh", BEGINS("ply")},
+    {".obj", "OBJ mesh of assimp's", BEGINS("# File produced ")},
+    {".stl", "STL mesh of assimp's", BEGINS("AssimpScene")},
     {".html", "HTML document", BEGINS("<!DOCTYPE html>")},
 };
 

@@ -14,6 +14,7 @@ static const char *const understood[] = {
     "EXT_lights_image_based",
     "EXT_texture_webp",
     "EXT_texture_avif",
+    "FB_ngon_encoding",
     "KHR_animation_pointer",
     "KHR_audio",
     "KHR_draco_mesh_compression",

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "render/mesh_build.h"
+#include "render/places.h"
 
 /* cos 66 degrees */
 #define CREASE_COSINE 0.40673664307580015
@@ -29,92 +30,12 @@ typedef struct finished {
 typedef struct work {
     const glint_smoothing *smoothing;
     const glint_mesh *from;
-    size_t points;
-    uint32_t *point;    /* of each vertex */
-    uint32_t *start;    /* of each point, and one more: where its corners begin in */
-    uint32_t *corner;   /* all corners, point after point */
-    size_t most;        /* corners of one point */
-    wedge *wedges;      /* room for so many */
+    glint_places points;
+    wedge *wedges;      /* room for as many as corners of one point */
     finished *finished; /* likewise */
     glint_mesh *to;     /* its triangles, with room for their vertices */
     size_t room;        /* for so many */
 } work;
-
-/* ---- Points ------------------------------------------------------------------------------------
- */
-
-static uint32_t hash_of(const float p[3])
-{
-    uint32_t hash = 2166136261u;
-    for (int i = 0; i < 3; i++) {
-        const float value = p[i] + 0.0f; /* −0 is 0 */
-        uint32_t bits;
-        memcpy(&bits, &value, sizeof bits);
-        hash = (hash ^ bits) * 2654435761u;
-        hash ^= hash >> 15;
-    }
-    return hash;
-}
-
-static bool same_place(const float *p, const float *q)
-{
-    return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
-}
-
-/* The slot of the vertex's place: empty, or with the first vertex that was there. */
-static size_t find_slot(const glint_mesh *mesh, const uint32_t *table, size_t mask, size_t vertex)
-{
-    const float *p = &mesh->position[3 * vertex];
-    size_t slot = hash_of(p) & mask;
-    while (table[slot] != NOWHERE && !same_place(&mesh->position[3 * (size_t)table[slot]], p))
-        slot = (slot + 1) & mask;
-    return slot;
-}
-
-/* Numbers the places in the order of their first vertices. */
-static bool find_points(work *w)
-{
-    const glint_mesh *mesh = w->from;
-    size_t size = 16;
-    while (size < 2 * mesh->vertex_count)
-        size *= 2;
-    uint32_t *table = malloc(size * sizeof *table);
-    if (table == NULL)
-        return false;
-    memset(table, 0xff, size * sizeof *table);
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        const size_t slot = find_slot(mesh, table, size - 1, i);
-        if (table[slot] == NOWHERE) {
-            table[slot] = (uint32_t)i;
-            w->point[i] = (uint32_t)w->points++;
-        } else {
-            w->point[i] = w->point[table[slot]];
-        }
-    }
-    free(table);
-    return true;
-}
-
-/* Sorts the corners by their points. */
-static bool find_corners(work *w)
-{
-    const glint_mesh *mesh = w->from;
-    const size_t corners = 3 * mesh->triangle_count;
-    w->start = calloc(w->points + 2, sizeof *w->start);
-    w->corner = malloc(corners * sizeof *w->corner);
-    if (w->start == NULL || w->corner == NULL)
-        return false;
-    uint32_t *next = w->start + 1; /* moves on to where the following point begins */
-    for (size_t i = 0; i < corners; i++)
-        next[w->point[mesh->index[i]] + 1]++;
-    for (size_t i = 1; i <= w->points; i++) {
-        w->most = next[i] > w->most ? next[i] : w->most;
-        next[i] += next[i - 1];
-    }
-    for (size_t i = 0; i < corners; i++)
-        w->corner[next[w->point[mesh->index[i]]]++] = (uint32_t)i;
-    return true;
-}
 
 /* ---- One point's normals -----------------------------------------------------------------------
  */
@@ -314,7 +235,7 @@ static bool join_corners(work *w, size_t count)
         return false;
     for (size_t i = 0; i < count; i++) {
         const finished *f = &w->finished[i];
-        if (i == 0 || !same_place(f->normal, f[-1].normal)) {
+        if (i == 0 || !glint_same_place(f->normal, f[-1].normal)) {
             const uint32_t vertex = w->from->index[f->corner];
             glint_mesh_add_vertex(w->to, glint_vec3_of(&w->from->position[3 * (size_t)vertex]),
                                   glint_vec3_of(f->normal));
@@ -326,19 +247,19 @@ static bool join_corners(work *w, size_t count)
 
 static bool find_all(work *w)
 {
-    w->point = malloc((w->from->vertex_count + 1) * sizeof *w->point);
-    if (w->point == NULL || !find_points(w) || !find_corners(w))
+    if (!glint_places_find(w->from, &w->points))
         return false;
-    w->wedges = malloc(w->most * sizeof *w->wedges);
-    w->finished = malloc(w->most * sizeof *w->finished);
+    w->wedges = malloc(w->points.most * sizeof *w->wedges);
+    w->finished = malloc(w->points.most * sizeof *w->finished);
     return w->wedges != NULL && w->finished != NULL;
 }
 
 static bool finish_all(work *w)
 {
-    for (size_t i = 0; i < w->points; i++) {
-        const size_t count = w->start[i + 1] - w->start[i];
-        finish_corners(w, &w->corner[w->start[i]], count);
+    const glint_places *points = &w->points;
+    for (size_t i = 0; i < points->count; i++) {
+        const size_t count = points->start[i + 1] - points->start[i];
+        finish_corners(w, &points->corner[points->start[i]], count);
         if (count > 0 && !join_corners(w, count))
             return false;
     }
@@ -355,9 +276,7 @@ glint_status glint_smooth(const char *what, const glint_smoothing *smoothing, gl
     w.to->triangle_count = w.from->triangle_count;
     if (!find_all(&w) || !finish_all(&w))
         status = glint_fail(err, GLINT_NO_MEMORY, "%s: not enough memory for its normals", what);
-    free(w.point);
-    free(w.start);
-    free(w.corner);
+    glint_places_clear(&w.points);
     free(w.wedges);
     free(w.finished);
     glint_mesh_destroy(status == GLINT_OK ? *mesh : w.to);

@@ -12,9 +12,9 @@
 #include "../scratch.h"
 #include "run.h"
 
-static const char *const subcommands[] = {"info",    "models", "eval",   "divide", "render",
-                                          "compare", "study",  "verify", "replay", "wave",
-                                          "draw",    "energy", "report", "bench"};
+static const char *const subcommands[] = {"info",    "models",  "eval",   "divide", "render",
+                                          "compare", "convert", "study",  "verify", "replay",
+                                          "wave",    "draw",    "energy", "report", "bench"};
 #define SUBCOMMAND_COUNT (sizeof subcommands / sizeof subcommands[0])
 
 static void help_lists_every_subcommand(void **state)
