@@ -94,6 +94,8 @@ GENERATED := rtl/glint_formats.vh:formats rtl/sigma_rom.v:sigma-rom rtl/limit_ro
              rtl/power_exp_rom.v:power-exp-rom cmodel/power_tables.h:power-tables \
              rtl/newton_rom.v:newton-rom rtl/log2_base_rom.v:log2-base-rom \
              rtl/log2_slope_rom.v:log2-slope-rom rtl/quadratic_rom.v:quadratic-rom \
+             rtl/bipartite_value_rom.v:bipartite-value-rom \
+             rtl/bipartite_offset_rom.v:bipartite-offset-rom \
              cmodel/rival_tables.h:rival-tables
 
 .PHONY: generate-verilog

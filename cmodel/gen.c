@@ -72,6 +72,11 @@ static void write_formats(FILE *out)
     WRITE_CONSTANT(out, GLINT_LOG2_L_INT_BITS);
     WRITE_CONSTANT(out, GLINT_QUADRATIC_A_FRAC_BITS);
     WRITE_CONSTANT(out, GLINT_QUADRATIC_A_BITS);
+    WRITE_CONSTANT(out, GLINT_BIPARTITE_FRAC_BITS);
+    WRITE_CONSTANT(out, GLINT_BIPARTITE_A_BITS);
+    WRITE_CONSTANT(out, GLINT_BIPARTITE_B_BITS);
+    WRITE_CONSTANT(out, GLINT_BIPARTITE_C_BITS);
+    WRITE_CONSTANT(out, GLINT_BIPARTITE_OFFSET_BITS);
     fprintf(out, "\n`endif\n");
 }
 
@@ -380,6 +385,140 @@ static void write_quadratic_rom(FILE *out)
     write_table(out, &rival_tables[3]);
 }
 
+/* ---- The bipartite table ----------------------------------------------------------------------
+ */
+
+enum { PART_B = 1 << GLINT_BIPARTITE_B_BITS, PART_C = 1 << GLINT_BIPARTITE_C_BITS };
+
+static int bipartite_bits(int variant)
+{
+    return GLINT_BIPARTITE_A_BITS + variant + GLINT_BIPARTITE_B_BITS + GLINT_BIPARTITE_C_BITS;
+}
+
+/* cosⁿ in last places of W, of the middle of the codes that begin with these bits. */
+static double bipartite_power(int variant, uint32_t a, uint32_t b, uint32_t c)
+{
+    const uint32_t abc = (a * PART_B + b) * PART_C + c;
+    const int left = GLINT_COS_FRAC_BITS - bipartite_bits(variant);
+    const double code = abc * ldexp(1, left) + (ldexp(1, left) - 1) / 2;
+    double power = code / GLINT_COS_ONE;
+    for (uint32_t n = 1; n < GLINT_BIPARTITE_N(variant); n *= 2)
+        power *= power;
+    return ldexp(power, GLINT_BIPARTITE_FRAC_BITS);
+}
+
+typedef struct range {
+    double least, most;
+} range;
+
+static void widen(range *range, int is_first, double value)
+{
+    range->least = is_first ? value : fmin(range->least, value);
+    range->most = is_first ? value : fmax(range->most, value);
+}
+
+/* The middle of what is added within the intervals b of an a. */
+static uint32_t bipartite_offset(int variant, uint32_t address)
+{
+    const uint32_t a = address / PART_C, c = address % PART_C;
+    range added = {0, 0};
+    for (uint32_t b = 0; b < PART_B; b++)
+        widen(&added, b == 0,
+              bipartite_power(variant, a, b, c) - bipartite_power(variant, a, b, 0));
+    return half_up((added.least + added.most) / 2);
+}
+
+/* The middle of what the sum then wants here. */
+static uint32_t bipartite_value(int variant, uint32_t address)
+{
+    const uint32_t a = address / PART_B, b = address % PART_B;
+    range wanted = {0, 0};
+    for (uint32_t c = 0; c < PART_C; c++)
+        widen(&wanted, c == 0,
+              bipartite_power(variant, a, b, c) - bipartite_offset(variant, a * PART_C + c));
+    return half_up(fmax(0, (wanted.least + wanted.most) / 2));
+}
+
+typedef struct bipartite {
+    const char *what, *module, *output, *low_bits, *width, *c_name;
+    int low, bits;
+    uint32_t (*entry)(int variant, uint32_t address);
+} bipartite;
+
+static const bipartite bipartite_value_rom = {
+    "bipartite_value_rom: the bipartite table of cos^n, n = 8 << EXPONENT: the first bits of the\n"
+    "// cosine -> the value where their interval begins, U0.12; combinational.",
+    "bipartite_value_rom",
+    "value",
+    "`GLINT_BIPARTITE_B_BITS",
+    "`GLINT_BIPARTITE_FRAC_BITS",
+    "bipartite_values",
+    GLINT_BIPARTITE_B_BITS,
+    GLINT_BIPARTITE_FRAC_BITS,
+    bipartite_value};
+static const bipartite bipartite_offset_rom = {
+    "bipartite_offset_rom: the bipartite table of cos^n, n = 8 << EXPONENT: the first and the\n"
+    "// last bits of the cosine -> last places of W that are added; combinational.",
+    "bipartite_offset_rom",
+    "offset",
+    "`GLINT_BIPARTITE_C_BITS",
+    "`GLINT_BIPARTITE_OFFSET_BITS",
+    "bipartite_offsets",
+    GLINT_BIPARTITE_C_BITS,
+    GLINT_BIPARTITE_OFFSET_BITS,
+    bipartite_offset};
+
+static void write_bipartite_rom(FILE *out, const bipartite *rom)
+{
+    write_header(out, rom->what);
+    fprintf(out,
+            "`default_nettype none\n`include \"glint_formats.vh\"\n\n"
+            "module %s #(\n    parameter integer EXPONENT = 0\n) (\n"
+            "    input  wire [`GLINT_BIPARTITE_A_BITS+EXPONENT+%s-1:0] address,\n"
+            "    output reg  [%s-1:0] %s\n);\n    generate\n",
+            rom->module, rom->low_bits, rom->width, rom->output);
+    for (int v = 0; v < GLINT_BIPARTITE_VARIANTS; v++) {
+        const int bits = GLINT_BIPARTITE_A_BITS + v + rom->low;
+        fprintf(out,
+                "        %sif (EXPONENT == %d) begin : g_table\n            always @*\n"
+                "                case (address)\n",
+                v == 0 ? "" : "end else ", v);
+        for (uint32_t i = 0; i < 1u << bits; i++)
+            fprintf(out, "                    %d'd%-4u: %s = %d'd%u;\n", bits, i, rom->output,
+                    rom->bits, rom->entry(v, i));
+        fprintf(out, "                endcase\n");
+    }
+    fprintf(out,
+            "        end else begin : g_table\n"
+            "            // There is no such module: elaboration stops here.\n"
+            "            EXPONENT_must_be_0_to_%d error();\n"
+            "        end\n    endgenerate\nendmodule\n\n`default_nettype wire\n",
+            GLINT_BIPARTITE_VARIANTS - 1);
+}
+
+static void write_bipartite_value_rom(FILE *out)
+{
+    write_bipartite_rom(out, &bipartite_value_rom);
+}
+
+static void write_bipartite_offset_rom(FILE *out)
+{
+    write_bipartite_rom(out, &bipartite_offset_rom);
+}
+
+static void write_bipartite_table(FILE *out, const bipartite *rom)
+{
+    fprintf(out, "\nstatic const uint16_t %s[%d][%u] = {", rom->c_name, GLINT_BIPARTITE_VARIANTS,
+            1u << (GLINT_BIPARTITE_A_BITS + GLINT_BIPARTITE_VARIANTS - 1 + rom->low));
+    for (int v = 0; v < GLINT_BIPARTITE_VARIANTS; v++) {
+        fprintf(out, "\n    {");
+        for (uint32_t i = 0; i < 1u << (GLINT_BIPARTITE_A_BITS + v + rom->low); i++)
+            fprintf(out, "%s%u,", i % 16 == 0 ? "\n        " : " ", rom->entry(v, i));
+        fprintf(out, "\n    },");
+    }
+    fprintf(out, "\n};\n");
+}
+
 static void write_rival_tables(FILE *out)
 {
     fprintf(out, "/* The tables of the rivals' circuits, by address.\n *\n"
@@ -395,6 +534,8 @@ static void write_rival_tables(FILE *out)
             fprintf(out, "%s%u,", i % 10 == 0 ? "\n    " : " ", table->entry(i));
         fprintf(out, "\n};\n");
     }
+    write_bipartite_table(out, &bipartite_value_rom);
+    write_bipartite_table(out, &bipartite_offset_rom);
     fprintf(out, "\n#endif\n");
 }
 
@@ -415,6 +556,8 @@ static writer *find_writer(const char *kind)
         {"log2-base-rom", write_log2_base_rom},
         {"log2-slope-rom", write_log2_slope_rom},
         {"quadratic-rom", write_quadratic_rom},
+        {"bipartite-value-rom", write_bipartite_value_rom},
+        {"bipartite-offset-rom", write_bipartite_offset_rom},
         {"rival-tables", write_rival_tables},
     };
     for (size_t i = 0; i < sizeof writers / sizeof writers[0]; i++)

@@ -62,6 +62,26 @@ extern const glint_unit glint_unit_quadratic;
 /* ROM 33: a(n) by (2.4) and (2.7), rounded half up. */
 uint32_t glint_quadratic_rom33(uint32_t n);
 
+/* cosⁿ of one n by a bipartite table: the bits of the cosine in three parts a, b, c, and W the sum
+ * of two words, one at (a, b), the value where the interval begins, and one at (a, c), how much is
+ * added within it, which is that of all b alike. U1.12, not rounded again, so that W may fall by a
+ * last place where b steps. The n of the pins is not used.
+ *
+ * Variant v: n = 8·2^v. As cosⁿ gets steeper with n, a has a bit more for each; the cosine's last
+ * bits are left away. */
+#define GLINT_BIPARTITE_FRAC_BITS   12
+#define GLINT_BIPARTITE_VARIANTS    3
+#define GLINT_BIPARTITE_N(v)        (8u << (v))
+#define GLINT_BIPARTITE_A_BITS      5 /* of variant 0 */
+#define GLINT_BIPARTITE_B_BITS      4
+#define GLINT_BIPARTITE_C_BITS      3
+#define GLINT_BIPARTITE_OFFSET_BITS 6 /* of a word that is added: last places of W */
+extern const glint_unit glint_unit_bipartite;
+
+/* The two tables: address (a, b) gives U0.12, (a, c) gives last places of that. */
+uint32_t glint_bipartite_value(int variant, uint32_t address);
+uint32_t glint_bipartite_offset(int variant, uint32_t address);
+
 #ifdef __cplusplus
 }
 #endif

@@ -66,6 +66,9 @@ typedef struct glint_unit {
 
     /* What it computes without rounding, 0…1: its own formula. */
     double (*real)(int variant, uint32_t n, uint32_t cos_code);
+
+    /* The one n that it is made for, whatever its pins say. NULL: that of its pins. */
+    uint32_t (*fixed_n)(int variant);
 } glint_unit;
 
 typedef struct glint_unit_config {

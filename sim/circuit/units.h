@@ -14,6 +14,7 @@
     X(schlick)                                                                                     \
     X(newton)                                                                                      \
     X(lyon)                                                                                        \
+    X(bipartite)                                                                                   \
     X(quadratic)
 
 /* The specular device, or one of GLINT_UNITS. */

@@ -68,12 +68,18 @@ static void clock_once(measuring *m, const batch *points, uint32_t n, double w[L
     }
 }
 
-static void compare(measuring *m, batch *points, uint32_t n)
+static void raise(batch *points)
+{
+    for (int i = 0; i < points->count; i++)
+        points->power[i] *= points->cosine[i];
+}
+
+static void compare(measuring *m, const batch *points, uint32_t n)
 {
     double w[LANES];
     clock_once(m, points, n, w);
     for (int i = 0; i < points->count; i++) {
-        const double power = points->power[i] *= points->cosine[i];
+        const double power = points->power[i];
         const double difference = w[i] - power;
         m->squares[n] += difference * difference;
         m->reference[n] += power * power;
@@ -100,14 +106,18 @@ static uint32_t fill(batch *points, uint32_t first, uint32_t stride)
 
 static void measure(measuring *m, uint32_t stride)
 {
+    const uint32_t only = glint_compare_formula_n(&m->formula);
     batch points;
     for (uint32_t first = 0; first < GLINT_COS_ONE + stride;) {
         first = fill(&points, first, stride);
-        for (uint32_t n = GLINT_COMPARE_N_MIN; n <= GLINT_COMPARE_N_MAX; n++)
-            compare(m, &points, n);
+        for (uint32_t n = GLINT_COMPARE_N_MIN; n <= GLINT_COMPARE_N_MAX; n++) {
+            raise(&points);
+            if (only == 0 || n == only)
+                compare(m, &points, n);
+        }
     }
     for (uint32_t n = GLINT_COMPARE_N_MIN; n <= GLINT_COMPARE_N_MAX; n++)
-        if (m->squares[n] / m->reference[n] > m->errors->nmse) {
+        if (m->reference[n] > 0 && m->squares[n] / m->reference[n] > m->errors->nmse) {
             m->errors->nmse = m->squares[n] / m->reference[n];
             m->errors->nmse_n = n;
         }

@@ -26,7 +26,8 @@ typedef struct glint_compare_errors {
     uint32_t nmse_n;
 } glint_compare_errors;
 
-/* Every n with codes 0, stride, 2·stride … and 1.0; stride 1 is every point. */
+/* Every n, or the one that the unit is made for, with codes 0, stride, 2·stride … and 1.0; stride 1
+ * is every point. */
 glint_status glint_compare_measure(const glint_setting *setting, uint32_t stride,
                                    glint_compare_errors *errors, glint_error *err);
 

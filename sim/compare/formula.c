@@ -13,9 +13,10 @@ static const struct {
     const char *circuit;
     const glint_unit *unit;
 } units[] = {
-    {"power", &glint_unit_power},     {"log2", &glint_unit_log2},
-    {"schlick", &glint_unit_schlick}, {"newton", &glint_unit_newton},
-    {"lyon", &glint_unit_lyon},       {"quadratic", &glint_unit_quadratic},
+    {"power", &glint_unit_power},         {"log2", &glint_unit_log2},
+    {"schlick", &glint_unit_schlick},     {"newton", &glint_unit_newton},
+    {"lyon", &glint_unit_lyon},           {"quadratic", &glint_unit_quadratic},
+    {"bipartite", &glint_unit_bipartite},
 };
 
 /* The thesis's device or another form of it, whose parameters begin with the device's. */
@@ -41,6 +42,12 @@ glint_status glint_compare_formula_of(const glint_setting *setting, glint_compar
         }
     return glint_fail(err, GLINT_BAD_ARGUMENT, "%s: its formula is unknown",
                       setting->circuit->name);
+}
+
+uint32_t glint_compare_formula_n(const glint_compare_formula *formula)
+{
+    const glint_unit *unit = formula->unit;
+    return unit != NULL && unit->fixed_n != NULL ? unit->fixed_n(formula->variant) : 0;
 }
 
 double glint_compare_formula_w(const glint_compare_formula *formula, uint32_t n, uint32_t cos_code)

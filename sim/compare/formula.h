@@ -19,6 +19,9 @@ typedef struct glint_compare_formula {
 glint_status glint_compare_formula_of(const glint_setting *setting, glint_compare_formula *formula,
                                       glint_error *err);
 
+/* The one n that the unit is made for; 0: it takes any. */
+uint32_t glint_compare_formula_n(const glint_compare_formula *formula);
+
 /* W, 0…1; n and the code in range. */
 double glint_compare_formula_w(const glint_compare_formula *formula, uint32_t n, uint32_t cos_code);
 

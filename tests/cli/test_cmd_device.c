@@ -25,7 +25,7 @@ static void frames_in_c_and_verilog_are_equal(void **state)
 {
     (void)state;
     static const char *const devices[] = {
-        "power --accuracy quarter", "log2", "schlick", "newton", "lyon", "quadratic",
+        "power --accuracy quarter", "log2", "schlick", "newton", "lyon", "bipartite", "quadratic",
         "specular --gate sign"};
     for (size_t i = 0; i < sizeof devices / sizeof devices[0]; i++) {
         char line[512];
