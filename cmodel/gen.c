@@ -513,7 +513,7 @@ static void write_bipartite_table(FILE *out, const bipartite *rom)
     for (int v = 0; v < GLINT_BIPARTITE_VARIANTS; v++) {
         fprintf(out, "\n    {");
         for (uint32_t i = 0; i < 1u << (GLINT_BIPARTITE_A_BITS + v + rom->low); i++)
-            fprintf(out, "%s%u,", i % 16 == 0 ? "\n        " : " ", rom->entry(v, i));
+            fprintf(out, "%s%u,", i % 12 == 0 ? "\n        " : " ", rom->entry(v, i));
         fprintf(out, "\n    },");
     }
     fprintf(out, "\n};\n");

@@ -1,11 +1,11 @@
 // bipartite_lane: the blocks of the unit by a bipartite table that every cosine needs for itself.
 //
-// Function    W = value(a, b) + offset(a, c): a, b, c are the first bits of the cosine, and of
-//             cos^n, n = 8 << EXPONENT, the sum is what both tables can have together; W = 1 where
-//             the cosine is 1
+// Function    W = value(a, b) + offset(a, c), which is cos^n, n = 8 << EXPONENT; a, b, c are the
+//             first bits of the cosine. W = 1 where the cosine is 1.
 // Blocks      register 1, ROM 9 (value), ROM 33 (offset), comparator 11, adder 8, keys 12
-// Formats     reg1 U1.18   rom9 U0.12   rom33 U6.0, last places   adder8, keys12 U1.12   colours U8.0
-// Rounding    of the tables' words alone; the colours half up. The cosine's last bits are left away.
+// Formats     reg1 U1.18   rom9 U0.12   rom33 last places of that   adder8, keys12 U1.12
+//             colours U8.0
+// Rounding    of the tables' words; the colours half up. The cosine's last bits are not used.
 // Saturation  a cosine above 1.0 is 1.0.
 // Latency     1 clock (PIPELINED = 0) or 4 (1). Throughput: one cosine a clock.
 // Reset       synchronous, active high, all registers 0, whatever en says. en = 0 holds them all.
