@@ -13,12 +13,14 @@
 #include "cli/output.h"
 #include "cli/picture.h"
 #include "cli/render_gl.h"
+#include "cli/render_isc.h"
 #include "cli/render_options.h"
 #include "cli/render_report.h"
 #include "cli/trace_frame.h"
 #include "failure/frame.h"
 #include "file/new_file.h"
 #include "file/same.h"
+#include "render/shadings.h"
 
 /* The files that a run may write; all allocated. */
 typedef struct outputs {
@@ -117,7 +119,7 @@ static glint_status build(const glint_render_options *chosen, glint_error *err)
     if (chosen->backend.kind != GLINT_BACKEND_RTL)
         return GLINT_OK;
     return glint_build_first("render", settings,
-                             chosen->scene.shading == GLINT_SHADING_GOURAUD ? 2 : 1, GLINT_RTL_FAST,
+                             glint_shading_divides(chosen->scene.shading) ? 2 : 1, GLINT_RTL_FAST,
                              0, err);
 }
 
@@ -133,6 +135,8 @@ static glint_status render_all(const glint_render_options *chosen, const glint_m
     glint_status status = build(chosen, err);
     if (status == GLINT_OK)
         status = render_frame(chosen, first, &scene, &result->frame[0], err);
+    if (status == GLINT_OK && scene.isc)
+        status = glint_render_measure_isc(&scene, result, err);
     if (status != GLINT_OK || !chosen->both)
         return status;
     status = render_frame(chosen, GLINT_BACKEND_RTL, &scene, &result->frame[1], err);
@@ -259,6 +263,8 @@ static int report(const glint_render_options *chosen, const char *command, const
         !glint_render_report_json(chosen, result, explained ? files->failure : NULL))
         return glint_complain("render", GLINT_EXIT_TROUBLE, "out of memory");
     const int status = glint_output_finish("render", GLINT_EXIT_OK);
+    if (status == GLINT_EXIT_OK && result->isc.difference.differing_pixels > 0)
+        return glint_complain("render", GLINT_EXIT_DIFFERENT, "--isc on changes the picture");
     if (status != GLINT_EXIT_OK || !differs)
         return status;
     if (!explained) {

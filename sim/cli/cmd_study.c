@@ -13,6 +13,7 @@
 #include "cli/picture.h"
 #include "cli/scene_options.h"
 #include "file/kind.h"
+#include "render/shadings.h"
 #include "study/make.h"
 #include "study/table.h"
 
@@ -177,7 +178,7 @@ static int circuits_of(const glint_study_setup *setup, glint_setting settings[2]
     for (int i = 0; i < 2; i++) {
         const glint_study_method *method = &setup->method[i];
         const bool is_rtl = !method->by_model && method->backend == GLINT_BACKEND_RTL;
-        const int needed = !is_rtl ? 0 : method->shading == GLINT_SHADING_GOURAUD ? 2 : 1;
+        const int needed = !is_rtl ? 0 : glint_shading_divides(method->shading) ? 2 : 1;
         count = needed > count ? needed : count;
     }
     return count;

@@ -148,7 +148,7 @@ static bool store(const glint_option *option, const char *text)
 static int refuse_value(const glint_command_line *line, const glint_option *option,
                         const char *text)
 {
-    char expected[160];
+    char expected[320];
     glint_quoted quoted;
     glint_suggestion suggestion = {""};
     glint_option_expectation(option, expected, sizeof expected);
@@ -194,7 +194,7 @@ static int refuse_token(const glint_command_line *line, int result, const char *
         return glint_complain(line->command, GLINT_EXIT_TROUBLE, "--%s takes no value",
                               option->name);
     }
-    char expected[160];
+    char expected[320];
     glint_option_expectation(option, expected, sizeof expected);
     return glint_complain(line->command, GLINT_EXIT_TROUBLE, "--%s needs a value: %s", option->name,
                           expected);

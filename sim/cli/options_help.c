@@ -24,7 +24,7 @@ static void join_names(const char *const *names, const char *separator, char *te
 
 void glint_option_expectation(const glint_option *option, char *text, size_t size)
 {
-    char names[128];
+    char names[256];
     switch (option->kind) {
     case GLINT_OPTION_FLAG:
         snprintf(text, size, "a flag");

@@ -13,13 +13,16 @@
 #include "cli/parse.h"
 #include "cli/picture.h"
 #include "cli/preset.h"
+#include "cli/shading_options.h"
 #include "cli/slips.h"
+#include "render/shadings.h"
 
 /* What the option table fills besides the scene. */
 typedef struct raw_options {
     glint_scene_options scene;
     glint_device_options device;
     glint_trace_options trace;
+    glint_shading_options shadings;
     const char *out, *specular, *slips, *verilog;
     double n;
     int64_t shifts;
@@ -39,6 +42,7 @@ static raw_options defaults(void)
     glint_scene_defaults(&scene);
     return (raw_options){
         .scene = glint_scene_options_default(),
+        .shadings = glint_shading_options_default(),
         .n = scene.n,
         .shifts = scene.shifts,
         .shading = (int)scene.shading,
@@ -54,6 +58,13 @@ static const char details[] =
     "object; phong evaluates it at every pixel. quadratic evaluates it at the corners of\n"
     "each triangle and the middles of its edges and interpolates by the quadratic through\n"
     "these six values; quadratic-listing does so as the thesis's listing, with its slips.\n"
+    "\n"
+    "More shadings, after the thesis's appendix A: mixed is gouraud in triangles without\n"
+    "a highlight and phong in the others; gouraud-4 cuts each triangle through the lit\n"
+    "middles of its edges; cosine-linear interpolates N.L and N.H themselves;\n"
+    "phong-unnormalised and phong-newton save normalising the normal, the latter with one\n"
+    "Newton step; reflection-map looks the light up in a table over normals. wires and\n"
+    "normals show the triangulation and the normals, with --backend real.\n"
     "\n" GLINT_TRACE_DETAILS "\n"
     "--specular replaces W with a model's value, computed from unrounded cosines: N.H,\n"
     "or R.V for phong; cook-torrance and torrance-sparrow give Rs of (1.4) with\n"
@@ -67,8 +78,10 @@ static const char details[] =
     "every model; without --specular the device's formula. It needs libegl1 and\n"
     "libgl1-mesa-dri.";
 
-#define OWN_ROWS   10
-#define TABLE_ROWS (OWN_ROWS + GLINT_TRACE_OPTIONS + GLINT_DEVICE_OPTIONS + GLINT_SCENE_OPTIONS)
+#define OWN_ROWS 10
+#define TABLE_ROWS                                                                                 \
+    (OWN_ROWS + GLINT_SHADING_OPTIONS + GLINT_TRACE_OPTIONS + GLINT_DEVICE_OPTIONS +               \
+     GLINT_SCENE_OPTIONS)
 
 static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
 {
@@ -80,11 +93,14 @@ static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .kind = GLINT_OPTION_STRING,
          .string = &raw->out},
         {.name = "shading",
-         .help = "where the light is computed: per triangle, vertex or pixel",
+         .placeholder = "SHADING",
+         .help = "where the light is computed: flat, gouraud, gouraud-perspective, phong, or "
+                 "another that is named below",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&raw->shading, glint_shading_names}},
         {.name = "backend",
-         .help = "what computes the highlights, and divides for --shading gouraud",
+         .help =
+             "what computes the highlights, and divides for --shading gouraud, gouraud-4 and mixed",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&raw->backend, backend_names}},
         {.name = "specular",
@@ -100,7 +116,7 @@ static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .kind = GLINT_OPTION_REAL,
          .real = {&raw->n, 0, GLINT_N_MAX}},
         {.name = "shifts",
-         .help = "the divider's shifts, for --shading gouraud",
+         .help = "the divider's shifts, for the same",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&raw->shifts, GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX}},
         {.name = "slips",
@@ -118,6 +134,8 @@ static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
     };
     memcpy(table, own, sizeof own);
     size_t count = OWN_ROWS;
+    glint_shading_options_add(&raw->shadings, table + count);
+    count += GLINT_SHADING_OPTIONS;
     glint_trace_options_add(&raw->trace, table + count);
     count += GLINT_TRACE_OPTIONS;
     count += glint_device_options_add(&raw->device, table + count);
@@ -200,18 +218,22 @@ static int check_verilog(const glint_render_options *chosen)
     glint_setting divider = glint_setting_divider(GLINT_DIVIDER_PIPELINED, chosen->scene.shifts);
     int status = glint_rtl_option_settle("render", &device, is_used);
     divider.verilog = chosen->backend.verilog;
-    if (status == GLINT_OPTIONS_RUN && chosen->scene.shading == GLINT_SHADING_GOURAUD)
+    if (status == GLINT_OPTIONS_RUN && glint_shading_divides(chosen->scene.shading))
         status = glint_rtl_option_settle("render", &divider, is_used);
     return status;
 }
 
 /* What computes the highlights there is a shader, by default of the device's formula. */
-static int settle_gl(glint_render_options *chosen)
+static int settle_gl(const raw_options *raw, glint_render_options *chosen)
 {
     if (chosen->backend.device != &glint_circuit_specular) {
         return glint_complain("render", GLINT_EXIT_TROUBLE,
                               "--device needs another backend: --backend gl has a shader for each "
                               "model of --specular");
+    }
+    if (raw->shadings.isc != 0) {
+        return glint_complain("render", GLINT_EXIT_TROUBLE,
+                              "--isc needs another backend: --backend gl draws every pixel alike");
     }
     if (!chosen->scene.by_model) {
         chosen->scene.by_model = true;
@@ -260,7 +282,9 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
     if (status == GLINT_OPTIONS_RUN)
         status = choose_specular(&raw, chosen);
     if (status == GLINT_OPTIONS_RUN && gl)
-        status = settle_gl(chosen);
+        status = settle_gl(&raw, chosen);
+    if (status == GLINT_OPTIONS_RUN)
+        status = glint_shading_options_settle("render", &raw.shadings, &chosen->scene);
     if (status == GLINT_OPTIONS_RUN && !chosen->scene.by_model && raw.n != floor(raw.n)) {
         return glint_complain("render", GLINT_EXIT_TROUBLE,
                               "--n: the device's n is a whole number, not %g; fractions need "

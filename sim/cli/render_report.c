@@ -9,6 +9,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/trace_frame.h"
+#include "render/shadings.h"
 
 bool glint_render_differs(const glint_render_result *result)
 {
@@ -24,15 +25,32 @@ static double per_second(double count, const glint_render_stats *stats)
 static void print_frame(FILE *out, const glint_render_frame *frame)
 {
     const glint_render_stats *stats = &frame->stats;
-    fprintf(out, "%-5s%10.6f s, %8.1f frames/s, %8.2f million fragments/s\n", frame->backend,
+    fprintf(out, "%-5s%10.6f s, %8.1f frames/s, %8.2f million fragments/s", frame->backend,
             stats->seconds, per_second(1.0, stats),
             1e-6 * per_second((double)stats->fragments, stats));
+    if (stats->shading_seconds > 0.0) /* OpenGL does not say */
+        fprintf(out, "; shading %.6f s", stats->shading_seconds);
+    fputc('\n', out);
 }
 
 static bool divider_works(const glint_render_options *chosen)
 {
-    return chosen->scene.shading == GLINT_SHADING_GOURAUD &&
+    return glint_shading_divides(chosen->scene.shading) &&
            chosen->backend.kind != GLINT_BACKEND_REAL;
+}
+
+static bool tells_triangles_apart(const glint_render_options *chosen)
+{
+    return chosen->scene.isc || chosen->scene.shading == GLINT_SHADING_MIXED;
+}
+
+static void print_isc(FILE *out, const glint_render_isc *isc)
+{
+    fprintf(out, "ISC: shading %.6f s, without %.6f s (%+.0f %%), ", isc->seconds_with,
+            isc->seconds_without, 100.0 * (isc->seconds_with / isc->seconds_without - 1.0));
+    glint_print_verdict(out, isc->difference.differing_pixels == 0, "%" PRIu64 " differing pixels",
+                        isc->difference.differing_pixels);
+    fprintf(out, " of %" PRIu64 "\n", isc->difference.pixels);
 }
 
 void glint_render_report_text(FILE *out, const glint_render_options *chosen,
@@ -59,8 +77,14 @@ void glint_render_report_text(FILE *out, const glint_render_options *chosen,
     fputc('\n', out);
     if (chosen->trace.traced)
         glint_trace_frame_print(out, chosen, &result->frame[0]);
+    if (tells_triangles_apart(chosen)) {
+        fprintf(out, "%" PRIu64 " / %" PRIu64 " triangles drawn / with a highlight\n", stats->drawn,
+                stats->sheen);
+    }
     for (int i = 0; i < result->frame_count; i++)
         print_frame(out, &result->frame[i]);
+    if (result->isc.measured)
+        print_isc(out, &result->isc);
     if (result->frame_count == 2) {
         glint_print_verdict(out, !glint_render_differs(result), "%" PRIu64 " differing pixels",
                             result->difference.differing_pixels);
@@ -77,6 +101,8 @@ static void add_frame(json_t *frames, const glint_render_options *chosen,
     if (frame->driver[0] != '\0')
         glint_json_add_text(json, "driver", frame->driver);
     glint_json_add_number(json, "seconds", stats->seconds);
+    if (stats->shading_seconds > 0.0)
+        glint_json_add_number(json, "shading_seconds", stats->shading_seconds);
     glint_json_add_number(json, "frames_per_second", per_second(1.0, stats));
     glint_json_add_number(json, "fragments_per_second",
                           per_second((double)stats->fragments, stats));
@@ -96,6 +122,14 @@ static void add_comparison(json_t *json, const glint_image_difference *differenc
     glint_json_add_number(compared, "largest", difference->largest);
     glint_json_add_number(compared, "first_x", difference->first_x);
     glint_json_add_number(compared, "first_y", difference->first_y);
+}
+
+static void add_isc(json_t *json, const glint_render_isc *isc)
+{
+    json_t *added = glint_json_add(json, "isc", json_object());
+    glint_json_add_number(added, "shading_seconds", isc->seconds_with);
+    glint_json_add_number(added, "shading_seconds_without", isc->seconds_without);
+    glint_json_add_number(added, "differing_pixels", (double)isc->difference.differing_pixels);
 }
 
 /* The device's own: the gate of the specular device. */
@@ -132,12 +166,16 @@ bool glint_render_report_json(const glint_render_options *chosen, const glint_re
         glint_json_add_number(json, "drawn", (double)stats->drawn);
     glint_json_add_number(json, "fragments", (double)stats->fragments);
     glint_json_add_number(json, "highlights", (double)stats->highlights);
+    if (tells_triangles_apart(chosen))
+        glint_json_add_number(json, "with_highlight", (double)stats->sheen);
     glint_json_add_number(json, "divisions", (double)stats->divisions);
     json_t *frames = glint_json_add(json, "frames", json_array());
     for (int i = 0; i < result->frame_count; i++)
         add_frame(frames, chosen, &result->frame[i]);
     if (result->frame_count == 2)
         add_comparison(json, &result->difference);
+    if (result->isc.measured)
+        add_isc(json, &result->isc);
     if (packet != NULL)
         glint_json_add_text(json, "packet", packet);
     return glint_output_json(json);

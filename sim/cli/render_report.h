@@ -24,10 +24,18 @@ typedef struct glint_render_frame {
     glint_trace_result trace; /* with --method trace; there is no renderer then */
 } glint_render_frame;
 
+/* With --isc on: the same frame with and without. */
+typedef struct glint_render_isc {
+    bool measured;
+    double seconds_with, seconds_without; /* of shading, the least of some frames */
+    glint_image_difference difference;    /* between the two */
+} glint_render_isc;
+
 typedef struct glint_render_result {
     glint_render_frame frame[2]; /* --backend both: c, then rtl; else one */
     int frame_count;
     glint_image_difference difference; /* from frame[0] to frame[1] */
+    glint_render_isc isc;
 } glint_render_result;
 
 /* True when there are two frames and they are not the same picture. */

@@ -14,16 +14,6 @@
 #include "cli/suggest.h"
 #include "render/transform.h"
 
-const char *const glint_shading_names[] = {
-    [GLINT_SHADING_FLAT] = "flat",
-    [GLINT_SHADING_GOURAUD] = "gouraud",
-    [GLINT_SHADING_GOURAUD_PERSPECTIVE] = "gouraud-perspective",
-    [GLINT_SHADING_QUADRATIC] = "quadratic",
-    [GLINT_SHADING_QUADRATIC_LISTING] = "quadratic-listing",
-    [GLINT_SHADING_PHONG] = "phong",
-    [GLINT_SHADING_COUNT] = NULL,
-};
-
 #define LIGHT_MAX 1e6
 
 static int online_cores(void)

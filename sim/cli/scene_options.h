@@ -63,9 +63,6 @@ int glint_scene_options_density(const glint_scene_options *chosen);
 glint_status glint_scene_options_mesh(const glint_scene_options *chosen, glint_mesh **mesh,
                                       glint_error *err);
 
-/* The names of the shadings, in the order of the enum; ends with NULL. */
-extern const char *const glint_shading_names[];
-
 /* " lambert phong blinn …" */
 #define GLINT_SPECULAR_NAME(id, definition, name) " " name
 #define GLINT_SPECULAR_NAMES                      GLINT_REFLECTANCE_MODELS(GLINT_SPECULAR_NAME)

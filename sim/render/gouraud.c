@@ -126,7 +126,6 @@ static uint64_t gather(glint_gouraud *g, const glint_visibility *band, glint_ima
     g->triangle_count = 0;
     g->piece_count = 0;
     for (int32_t y = band->first_y; y <= band->last_y; y++) {
-        glint_paint_begin_row(image, y);
         int32_t x = 0;
         glint_pixels pixels;
         const glint_triangle *t;

@@ -16,8 +16,8 @@ typedef struct glint_gouraud glint_gouraud;
 glint_gouraud *glint_gouraud_create(int32_t width);
 void glint_gouraud_destroy(glint_gouraud *gouraud); /* NULL is allowed */
 
-/* Shades the band into the image. divider has that many shifts; NULL: the values of a run are
- * exact, without a circuit. Adds to *fragments and *operations. */
+/* Shades the band into the image, whose rows are empty. divider has that many shifts; NULL: the
+ * values of a run are exact, without a circuit. Adds to *fragments and *operations. */
 glint_status glint_gouraud_band(glint_gouraud *gouraud, const glint_visibility *band,
                                 glint_divider_backend *divider, int shifts, glint_image *image,
                                 uint64_t *fragments, glint_span_operations *operations,

@@ -4,7 +4,6 @@
 void glint_flat_band(const glint_visibility *band, glint_image *image, uint64_t *fragments)
 {
     for (int32_t y = band->first_y; y <= band->last_y; y++) {
-        glint_paint_begin_row(image, y);
         int32_t x = 0;
         glint_pixels pixels;
         const glint_triangle *t;
@@ -38,7 +37,6 @@ static void perspective_pixels(const glint_triangle *t, int32_t y, glint_pixels 
 void glint_perspective_band(const glint_visibility *band, glint_image *image, uint64_t *fragments)
 {
     for (int32_t y = band->first_y; y <= band->last_y; y++) {
-        glint_paint_begin_row(image, y);
         int32_t x = 0;
         glint_pixels pixels;
         const glint_triangle *t;

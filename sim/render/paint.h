@@ -29,7 +29,8 @@ static inline uint8_t *glint_paint_pixel(const glint_image *image, int32_t x, in
     return &image->rgb[3 * ((size_t)y * (size_t)image->width + (size_t)x)];
 }
 
-/* Each pixel has its triangle's colour. Adds to *fragments. */
+/* Into rows that are empty, like the next. Each pixel has its triangle's colour. Adds to
+ * *fragments. */
 void glint_flat_band(const glint_visibility *band, glint_image *image, uint64_t *fragments);
 
 /* Each pixel gets the colour of the object's point seen in it: corner colours interpolated on the

@@ -7,13 +7,17 @@
 
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
+#include "render/approximate.h"
 #include "render/listing.h"
 #include "render/paint.h"
 #include "render/quadratic_band.h"
 #include "render/renderer.h"
 #include "render/scene.h"
+#include "render/shadings.h"
+#include "render/show.h"
 
 #define VERTEX_RUN   GLINT_POINTS_RUN
 #define TRIANGLE_RUN 256
@@ -25,6 +29,8 @@ typedef struct frame {
     glint_shading shading;
     int shifts; /* GLINT_SHIFTS_EXACT with backend real */
     unsigned slips;
+    bool sheen; /* triangles are told apart by their highlight */
+    uint8_t color[3];
     glint_camera camera;
     glint_lighting lighting;
     glint_image *image;
@@ -32,6 +38,21 @@ typedef struct frame {
     atomic_size_t next; /* piece of the current phase to be taken */
     atomic_bool failed;
 } frame;
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Of this thread alone: what others do meanwhile does not count. */
+static double processor_seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
 
 static void fail_worker(frame *f, glint_render_worker *w, glint_status status, const char *why)
 {
@@ -51,11 +72,6 @@ static void note(frame *f, glint_render_worker *w, glint_status status)
 static glint_point_light point_light(const frame *f)
 {
     return (glint_point_light){f->mesh, &f->camera, &f->lighting};
-}
-
-static bool colors_at_vertices(const frame *f)
-{
-    return f->shading == GLINT_SHADING_GOURAUD || f->shading == GLINT_SHADING_GOURAUD_PERSPECTIVE;
 }
 
 static bool colors_of_triangles(const frame *f)
@@ -87,6 +103,17 @@ static size_t end_of(size_t start, size_t run, size_t items)
     return items - start < run ? items : start + run;
 }
 
+static void light_vertices(frame *f, glint_render_worker *w, size_t start, size_t end)
+{
+    const double begin = processor_seconds();
+    const glint_point_light light = point_light(f);
+    note(f, w,
+         glint_light_vertices(&w->points, &light, start, end, w->backend, f->renderer->screen,
+                              &w->error));
+    w->highlights += end - start;
+    w->shading_seconds += processor_seconds() - begin;
+}
+
 static void vertex_phase(void *context, int worker_index)
 {
     frame *f = context;
@@ -97,13 +124,8 @@ static void vertex_phase(void *context, int worker_index)
         const size_t start = piece * VERTEX_RUN;
         const size_t end = end_of(start, VERTEX_RUN, items);
         glint_setup_vertices(&f->camera, f->mesh, start, end, f->renderer->screen);
-        if (colors_at_vertices(f)) {
-            const glint_point_light light = point_light(f);
-            note(f, w,
-                 glint_light_vertices(&w->points, &light, start, end, w->backend,
-                                      f->renderer->screen, &w->error));
-            w->highlights += end - start;
-        }
+        if (glint_shading_lights_vertices(f->shading))
+            light_vertices(f, w, start, end);
     }
 }
 
@@ -118,6 +140,34 @@ static void light_triangles(frame *f, glint_render_worker *w, glint_triangle_lis
     w->highlights += count;
 }
 
+static void setup_triangles(frame *f, glint_render_worker *w, size_t start, size_t end,
+                            glint_triangle_list *list)
+{
+    glint_renderer *r = f->renderer;
+    if (f->shading == GLINT_SHADING_GOURAUD_4) {
+        const double begin = processor_seconds();
+        const glint_point_light light = point_light(f);
+        note(f, w,
+             glint_split_triangles(w->split, &light, r->extent, r->screen, start, end, &w->points,
+                                   w->backend, list, &w->highlights, &w->error));
+        w->shading_seconds += processor_seconds() - begin;
+    } else if (!glint_setup_triangles(&f->camera, f->mesh, r->extent, r->screen, start, end, list))
+        fail_worker(f, w, GLINT_NO_MEMORY, "not enough memory for the frame's triangles");
+}
+
+/* What a shading does with triangles once they are on the frame. */
+static void prepare_triangles(frame *f, glint_render_worker *w, glint_triangle_list *list)
+{
+    const double begin = processor_seconds();
+    if (colors_of_triangles(f))
+        light_triangles(f, w, list);
+    if (f->sheen)
+        w->sheen += glint_sheen_mark(&f->renderer->tables.sheen, &f->lighting, list);
+    if (f->lighting.cosines != GLINT_COSINES_EXACT)
+        glint_approximate_corners(&f->lighting, list);
+    w->shading_seconds += processor_seconds() - begin;
+}
+
 static void triangle_phase(void *context, int worker_index)
 {
     frame *f = context;
@@ -127,12 +177,67 @@ static void triangle_phase(void *context, int worker_index)
     size_t piece;
     while (take(f, w, r->list_count, &piece)) {
         const size_t start = piece * TRIANGLE_RUN;
-        if (!glint_setup_triangles(&f->camera, f->mesh, r->extent, r->screen, start,
-                                   end_of(start, TRIANGLE_RUN, items), &r->lists[piece]))
-            fail_worker(f, w, GLINT_NO_MEMORY, "not enough memory for the frame's triangles");
-        else if (colors_of_triangles(f))
-            light_triangles(f, w, &r->lists[piece]);
+        setup_triangles(f, w, start, end_of(start, TRIANGLE_RUN, items), &r->lists[piece]);
+        if (w->status == GLINT_OK)
+            prepare_triangles(f, w, &r->lists[piece]);
     }
+}
+
+/* Rows of the reflection map, before the bands. */
+static void map_phase(void *context, int worker_index)
+{
+    frame *f = context;
+    glint_render_worker *w = &f->renderer->workers[worker_index];
+    glint_reflection_map *map = &f->renderer->tables.map;
+    const double begin = processor_seconds();
+    size_t row;
+    while (take(f, w, (size_t)map->size, &row)) {
+        note(f, w,
+             glint_reflection_map_fill(map, (int)row, &w->points, &f->lighting, w->backend,
+                                       &w->error));
+        w->highlights += (uint64_t)map->size;
+    }
+    w->shading_seconds += processor_seconds() - begin;
+}
+
+static uint16_t *columns_of_band(const frame *f, const glint_render_worker *w)
+{
+    const glint_renderer *r = f->renderer;
+    return &r->record.x[(size_t)w->band.first_y * (size_t)r->extent.width];
+}
+
+static glint_status gouraud_band(frame *f, glint_render_worker *w, const glint_visibility *band,
+                                 uint64_t *fragments)
+{
+    return glint_gouraud_band(w->gouraud, band, f->shifts == GLINT_SHIFTS_EXACT ? NULL : w->divider,
+                              f->shifts, f->image, fragments, &w->operations, &w->error);
+}
+
+static glint_status phong_band(frame *f, glint_render_worker *w, const glint_visibility *band,
+                               uint64_t *fragments)
+{
+    uint64_t shaded = 0;
+    const glint_status status =
+        glint_shade_band(&w->shader, &f->lighting, band, w->backend, &f->renderer->record, f->image,
+                         &shaded, &w->error);
+    w->highlights += shaded;
+    *fragments += shaded;
+    return status;
+}
+
+/* The dull triangles' pixels are done first: the record is of the others. */
+static glint_status band_in_parts(frame *f, glint_render_worker *w, uint64_t *fragments)
+{
+    const int32_t width = f->renderer->extent.width;
+    glint_status status = GLINT_OK;
+    glint_sheen_part(&w->band, width, true, &w->part);
+    if (f->shading == GLINT_SHADING_MIXED)
+        status = gouraud_band(f, w, &w->part, fragments);
+    else
+        glint_dull_band(&w->shader, &f->lighting, &w->part, columns_of_band(f, w), f->image,
+                        fragments);
+    glint_sheen_part(&w->band, width, false, &w->part);
+    return status == GLINT_OK ? phong_band(f, w, &w->part, fragments) : status;
 }
 
 static glint_status shade_band(frame *f, glint_render_worker *w)
@@ -144,9 +249,8 @@ static glint_status shade_band(frame *f, glint_render_worker *w)
         glint_flat_band(&w->band, f->image, &fragments);
         break;
     case GLINT_SHADING_GOURAUD:
-        status = glint_gouraud_band(w->gouraud, &w->band,
-                                    f->shifts == GLINT_SHIFTS_EXACT ? NULL : w->divider, f->shifts,
-                                    f->image, &fragments, &w->operations, &w->error);
+    case GLINT_SHADING_GOURAUD_4:
+        status = gouraud_band(f, w, &w->band, &fragments);
         break;
     case GLINT_SHADING_GOURAUD_PERSPECTIVE:
         glint_perspective_band(&w->band, f->image, &fragments);
@@ -157,10 +261,19 @@ static glint_status shade_band(frame *f, glint_render_worker *w)
     case GLINT_SHADING_QUADRATIC_LISTING:
         glint_listing_band(&w->band, f->slips, f->image, &fragments);
         break;
+    case GLINT_SHADING_REFLECTION_MAP:
+        glint_reflection_map_band(&f->renderer->tables.map, &w->shader, &w->band,
+                                  columns_of_band(f, w), f->image, &fragments);
+        break;
+    case GLINT_SHADING_WIRES:
+        glint_wires_band(&w->band, f->color, f->image, &fragments);
+        break;
+    case GLINT_SHADING_NORMALS:
+        glint_normals_band(&w->shader, &w->band, columns_of_band(f, w), f->image, &fragments);
+        break;
     default:
-        status = glint_shade_band(&w->shader, &f->lighting, &w->band, w->backend,
-                                  &f->renderer->record, f->image, &fragments, &w->error);
-        w->highlights += fragments;
+        status =
+            f->sheen ? band_in_parts(f, w, &fragments) : phong_band(f, w, &w->band, &fragments);
     }
     w->fragments += fragments;
     return status;
@@ -178,7 +291,11 @@ static void draw_band(frame *f, glint_render_worker *w, size_t band)
             return; /* take() sees it too */
         glint_visibility_draw(&w->band, r->extent, &r->lists[i]);
     }
+    const double begin = processor_seconds();
+    for (int32_t y = first_y; y <= last_y; y++)
+        glint_paint_begin_row(f->image, y);
     note(f, w, shade_band(f, w));
+    w->shading_seconds += processor_seconds() - begin;
 }
 
 static void band_phase(void *context, int worker_index)
@@ -247,10 +364,10 @@ static glint_status prepare_gouraud(const frame *f, glint_render_worker *w, glin
     if (f->shifts == GLINT_SHIFTS_EXACT || (w->divider != NULL && w->divider_shifts == f->shifts))
         return GLINT_OK;
     const glint_divider_config config = {
-        .kind = f->renderer->kind,
+        .kind = f->renderer->config.kind,
         .form = GLINT_DIVIDER_PIPELINED,
         .shifts = f->shifts,
-        .verilog = f->renderer->verilog,
+        .verilog = f->renderer->config.verilog,
     };
     glint_divider_backend_destroy(w->divider);
     w->divider_shifts = f->shifts;
@@ -268,7 +385,7 @@ static glint_status prepare_specular(glint_renderer *r, const glint_scene *scene
     *specular = NULL;
     if (!scene->by_model)
         return GLINT_OK;
-    if (r->kind != GLINT_BACKEND_REAL) {
+    if (r->config.kind != GLINT_BACKEND_REAL) {
         return glint_fail(err, GLINT_BAD_ARGUMENT,
                           "highlights from a reflectance model need backend real: the other two "
                           "are the device itself");
@@ -286,6 +403,27 @@ static glint_status prepare_specular(glint_renderer *r, const glint_scene *scene
     return status;
 }
 
+/* The second view of a band that parts of it are drawn through. */
+static glint_status prepare_part(const frame *f, glint_render_worker *w, glint_error *err)
+{
+    if (w->part.triangle == NULL) {
+        glint_visibility_destroy(&w->part);
+        glint_visibility_create(&w->part, f->renderer->extent.width);
+    }
+    return w->part.triangle != NULL
+               ? GLINT_OK
+               : glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a band %d pixels wide",
+                            f->renderer->extent.width);
+}
+
+static glint_status prepare_split(glint_render_worker *w, glint_error *err)
+{
+    if (w->split == NULL)
+        w->split = glint_split_create();
+    return w->split != NULL ? GLINT_OK
+                            : glint_fail(err, GLINT_NO_MEMORY, "not enough memory for triangles");
+}
+
 static glint_status prepare_workers(const frame *f, glint_error *err)
 {
     glint_status status = GLINT_OK;
@@ -294,19 +432,18 @@ static glint_status prepare_workers(const frame *f, glint_error *err)
         w->status = GLINT_OK;
         w->fragments = 0;
         w->highlights = 0;
+        w->sheen = 0;
+        w->shading_seconds = 0.0;
         w->operations = (glint_span_operations){0};
-        if (f->shading == GLINT_SHADING_GOURAUD)
+        if (glint_shading_divides(f->shading))
             status = prepare_gouraud(f, w, err);
+        if (status == GLINT_OK && f->sheen)
+            status = prepare_part(f, w, err);
+        if (status == GLINT_OK && f->shading == GLINT_SHADING_GOURAUD_4)
+            status = prepare_split(w, err);
         w->clocks_before = w->divider != NULL ? glint_divider_backend_clocks(w->divider) : 0;
     }
     return status;
-}
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 static glint_status run_phases(frame *f, glint_error *err)
@@ -337,6 +474,8 @@ static void collect_stats(const frame *f, double seconds, glint_render_stats *st
         const glint_render_worker *w = &r->workers[i];
         stats->fragments += w->fragments;
         stats->highlights += w->highlights;
+        stats->sheen += w->sheen;
+        stats->shading_seconds += w->shading_seconds / r->threads;
         add_operations(&stats->operations, &w->operations);
         if (w->divider != NULL)
             stats->divider_clocks += glint_divider_backend_clocks(w->divider) - w->clocks_before;
@@ -346,11 +485,25 @@ static void collect_stats(const frame *f, double seconds, glint_render_stats *st
                        GLINT_DIVIDER_COMPONENTS;
 }
 
+static glint_status prepare_map(frame *f, const glint_scene *scene, glint_error *err)
+{
+    bool fill;
+    glint_status status = glint_tables_map(&f->renderer->tables, scene, &f->lighting, &fill, err);
+    if (status != GLINT_OK || !fill)
+        return status;
+    status = run_phase(f, map_phase, err);
+    if (status == GLINT_OK)
+        glint_tables_map_filled(&f->renderer->tables);
+    return status;
+}
+
 static glint_status run_frame(glint_renderer *renderer, const glint_scene *scene, frame *f,
                               glint_error *err)
 {
     glint_status status = glint_scene_check(scene, err);
     const glint_reflectance *specular = NULL;
+    if (status == GLINT_OK)
+        status = glint_shading_check(scene, renderer->config.kind, err);
     if (status == GLINT_OK)
         status = prepare_specular(renderer, scene, &specular, err);
     if (status == GLINT_OK)
@@ -360,13 +513,20 @@ static glint_status run_frame(glint_renderer *renderer, const glint_scene *scene
     f->renderer = renderer;
     f->mesh = scene->mesh;
     f->shading = scene->shading;
-    f->shifts = renderer->kind == GLINT_BACKEND_REAL ? GLINT_SHIFTS_EXACT : scene->shifts;
+    f->shifts = renderer->config.kind == GLINT_BACKEND_REAL ? GLINT_SHIFTS_EXACT : scene->shifts;
     f->slips = scene->slips;
     atomic_init(&f->next, 0);
     atomic_init(&f->failed, false);
     f->camera = glint_camera_of(scene, renderer->extent.width, renderer->extent.height);
     f->lighting = glint_lighting_of(scene, &f->camera, specular);
+    f->lighting.cosines = glint_shading_cosines(scene->shading);
+    f->sheen = scene->isc || scene->shading == GLINT_SHADING_MIXED;
+    memcpy(f->color, scene->color, sizeof f->color);
     status = prepare_workers(f, err);
+    if (status == GLINT_OK && f->sheen)
+        status = glint_tables_sheen(&renderer->tables, &renderer->config, scene, &f->lighting, err);
+    if (status == GLINT_OK && scene->shading == GLINT_SHADING_REFLECTION_MAP)
+        status = prepare_map(f, scene, err);
     return status == GLINT_OK ? run_phases(f, err) : status;
 }
 
@@ -391,7 +551,9 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene, gl
     if (status != GLINT_OK)
         return status;
     renderer->material = f.lighting.material;
-    renderer->recorded = f.shading == GLINT_SHADING_PHONG && !scene->by_model;
+    renderer->recorded =
+        !scene->by_model && (f.lighting.cosines != GLINT_COSINES_EXACT ||
+                             f.shading == GLINT_SHADING_PHONG || f.shading == GLINT_SHADING_MIXED);
     if (stats != NULL)
         collect_stats(&f, now() - start, stats);
     return GLINT_OK;
@@ -447,8 +609,7 @@ glint_status glint_renderer_create(int width, int height, int threads,
         return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a renderer");
     r->extent = (glint_extent){width, height};
     r->threads = threads;
-    r->kind = config->kind;
-    r->verilog = config->verilog;
+    r->config = *config;
     const glint_status status = create_parts(r, config, err);
     if (status != GLINT_OK) {
         glint_renderer_destroy(r);
@@ -468,12 +629,15 @@ void glint_renderer_destroy(glint_renderer *renderer)
         glint_divider_backend_destroy(renderer->workers[i].divider);
         glint_gouraud_destroy(renderer->workers[i].gouraud);
         glint_visibility_destroy(&renderer->workers[i].band);
+        glint_visibility_destroy(&renderer->workers[i].part);
+        glint_split_destroy(renderer->workers[i].split);
         glint_shader_destroy(&renderer->workers[i].shader);
     }
     for (size_t i = 0; i < renderer->list_capacity; i++)
         free(renderer->lists[i].triangle);
     free(renderer->lists);
     free(renderer->screen);
+    glint_tables_free(&renderer->tables);
     free(renderer->record.cos_code);
     free(renderer->record.x);
     free(renderer->record.in_row);

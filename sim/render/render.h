@@ -29,8 +29,21 @@ typedef enum glint_shading {
     GLINT_SHADING_QUADRATIC,           /* at six points of each triangle; a quadratic between */
     GLINT_SHADING_QUADRATIC_LISTING,   /* the same as the thesis's listing has it (listing.h) */
     GLINT_SHADING_PHONG,               /* for each pixel, with the interpolated normal */
+    GLINT_SHADING_MIXED,         /* gouraud in triangles without a highlight, phong in others */
+    GLINT_SHADING_GOURAUD_4,     /* gouraud in four quarters of each triangle (split.h) */
+    GLINT_SHADING_COSINE_LINEAR, /* phong, N·L and N·H interpolated (approximate.h) */
+    GLINT_SHADING_PHONG_UNNORMALISED, /* phong, the interpolated normal not normalised */
+    GLINT_SHADING_PHONG_NEWTON,       /* phong, that after one of Newton's steps */
+    GLINT_SHADING_REFLECTION_MAP,     /* looked up in a table over normals (reflection_map.h) */
+    GLINT_SHADING_WIRES,              /* nowhere: the triangulation (show.h) */
+    GLINT_SHADING_NORMALS,            /* nowhere: normals as colours; both with backend real only */
     GLINT_SHADING_COUNT
 } glint_shading;
+
+/* In the order of the enum; ends with NULL. */
+extern const char *const glint_shading_names[];
+
+#define GLINT_DELTA_MAX 255
 
 /* In place of a number of shifts: values are exact and rounded half up, without the divider. */
 #define GLINT_SHIFTS_EXACT 0
@@ -57,8 +70,12 @@ typedef struct glint_scene {
     int shifts; /* of the divider, for Gouraud's shading on the screen: GLINT_DIVIDER_SHIFTS_MIN…
                    MAX or GLINT_SHIFTS_EXACT. Backend real is always exact. [default] */
     unsigned slips; /* of the listing, for its shading: a mask of glint_slip [GLINT_SLIPS_ALL] */
-    bool by_model;  /* W by a reflectance model from cosines that no code rounds, instead of the
-                       device's; backend real only [false] */
+    int delta;      /* for mixed: a highlight of so many levels counts as none, 0…255 [0] */
+    int map_size;   /* of the reflection map, 2…1024 entries each way [256] */
+    bool isc;      /* for phong: the highlight is not computed in triangles that have none, with the
+                      same picture; the thesis's ISC as read in sheen.h [false] */
+    bool by_model; /* W by a reflectance model from cosines that no code rounds, instead of the
+                      device's; backend real only [false] */
     glint_reflectance_model specular; /* that model, n its exponent; what replaces W(N·H) is a
                                          lobe's value or Rs (1.4). Lambert's: no highlight */
     float f0; /* of the microfacet models: F at normal incidence, 0…1 [GLINT_F0_DEFAULT] */
@@ -77,10 +94,12 @@ typedef struct glint_render_stats {
     uint64_t highlights; /* points whose highlight was computed: with Phong's shading fragments,
                             with flat shading triangles, with the quadratic ones six for each
                             triangle drawn, else vertices */
+    uint64_t sheen;      /* of drawn: those that may have a highlight, with isc or mixed */
     uint64_t divisions;  /* done by the divider, each of three components */
     uint64_t divider_clocks;          /* of its circuits; 0 for backends without a clock */
     glint_span_operations operations; /* of the span unit */
     double seconds;
+    double shading_seconds; /* of the processor for light and colours: the mean of the threads */
 } glint_render_stats;
 
 typedef struct glint_renderer glint_renderer;

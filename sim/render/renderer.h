@@ -9,18 +9,24 @@
 #include "render/render.h"
 #include "render/setup.h"
 #include "render/shade.h"
+#include "render/split.h"
+#include "render/tables.h"
 #include "thread/crew.h"
 
 /* One thread's own things. */
 typedef struct glint_render_worker {
     glint_backend *backend;
     glint_visibility band;
+    glint_visibility part; /* of it, dull or not; made for the first frame that needs it */
+    glint_split *split;    /* likewise */
     glint_shader shader;
     glint_lit_points points;
     glint_gouraud *gouraud; /* made, with the divider, for the first frame that needs it */
     glint_divider_backend *divider;
     int divider_shifts;
-    uint64_t fragments, highlights; /* of this frame, like the next two */
+    uint64_t fragments, highlights; /* of this frame, like the next four */
+    uint64_t sheen;
+    double shading_seconds;
     glint_span_operations operations;
     uint64_t clocks_before; /* of the divider */
     glint_status status;
@@ -30,8 +36,7 @@ typedef struct glint_render_worker {
 struct glint_renderer {
     glint_extent extent;
     int threads;
-    glint_backend_kind kind;
-    const char *verilog;             /* as in the configuration of the backends */
+    glint_backend_config config;     /* of the backends */
     glint_backend_watch *watch;      /* of one thread, or NULL */
     glint_render_progress *progress; /* or NULL */
     void *progress_context;
@@ -43,6 +48,7 @@ struct glint_renderer {
     bool prepared;           /* specular is of some frame, with f0 its parameter */
     glint_reflectance specular;
     float f0;
+    glint_tables tables;
     glint_screen_vertex *screen;
     size_t screen_capacity;
     glint_triangle_list *lists; /* one for each run of the mesh's triangles */

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "render/listing.h"
+#include "render/reflection_map.h"
 
 void glint_scene_defaults(glint_scene *scene)
 {
@@ -26,6 +27,7 @@ void glint_scene_defaults(glint_scene *scene)
         .shading = GLINT_SHADING_PHONG,
         .shifts = GLINT_DIVIDER_SHIFTS_DEFAULT,
         .slips = GLINT_SLIPS_ALL,
+        .map_size = GLINT_MAP_SIZE_DEFAULT,
         .f0 = (float)GLINT_F0_DEFAULT,
     };
 }
@@ -91,6 +93,14 @@ static glint_status check_shading(const glint_scene *scene, glint_error *err)
         (scene->shifts < GLINT_DIVIDER_SHIFTS_MIN || scene->shifts > GLINT_DIVIDER_SHIFTS_MAX)) {
         return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: shifts is %d, not from %d to %d",
                           scene->shifts, GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX);
+    }
+    if (scene->delta < 0 || scene->delta > GLINT_DELTA_MAX) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: delta is %d, not from 0 to %d",
+                          scene->delta, GLINT_DELTA_MAX);
+    }
+    if (scene->map_size < GLINT_MAP_SIZE_MIN || scene->map_size > GLINT_MAP_SIZE_MAX) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: map_size is %d, not from %d to %d",
+                          scene->map_size, GLINT_MAP_SIZE_MIN, GLINT_MAP_SIZE_MAX);
     }
     return GLINT_OK;
 }

@@ -47,6 +47,7 @@ typedef struct glint_triangle {
     uint8_t color[3][3];                      /* likewise; with flat shading all three are equal */
     uint8_t middle[3][3]; /* at the middles of the edges 0-1, 0-2, 1-2, where the shading lights
                              them (quadratic.h) */
+    bool dull;            /* has no highlight, where that is asked (sheen.h) */
     uint32_t source;      /* the mesh's triangle that it is, or is a part of */
     double inv_area;      /* 1 / twice the area, in units of the edge functions */
 } glint_triangle;

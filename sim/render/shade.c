@@ -6,6 +6,9 @@
 #include <string.h>
 
 #include "multiversion.h"
+#include "render/approximate.h"
+#include "render/paint.h"
+#include "render/pixel.h"
 
 glint_lighting glint_lighting_of(const glint_scene *scene, const glint_camera *camera,
                                  const glint_reflectance *specular)
@@ -33,7 +36,8 @@ bool glint_shader_create(glint_shader *shader, int32_t width)
     const size_t pixels = (size_t)width * GLINT_BAND_ROWS;
     shader->lit = malloc(pixels);
     shader->value = malloc((size_t)width * sizeof *shader->value);
-    bool complete = shader->lit != NULL && shader->value != NULL;
+    shader->entry = malloc((size_t)width * sizeof *shader->entry);
+    bool complete = shader->lit != NULL && shader->value != NULL && shader->entry != NULL;
     for (int i = 0; i < GLINT_SHADER_COSINES; i++) {
         shader->cosine[i] = malloc((size_t)width * sizeof *shader->cosine[i]);
         complete = complete && shader->cosine[i] != NULL;
@@ -58,6 +62,7 @@ void glint_shader_destroy(glint_shader *shader)
     for (int i = 0; i < GLINT_SHADER_COSINES; i++)
         free(shader->cosine[i]);
     free(shader->value);
+    free(shader->entry);
     free(shader->lit);
 }
 
@@ -82,9 +87,8 @@ static void interpolate(const glint_triangle *t, const glint_weights *w, int32_t
     }
 }
 
-/* Collects the fragments of one row: columns and normals. Returns how many there are. */
-static size_t gather_row(glint_shader *shader, const glint_visibility *band, int32_t y,
-                         int32_t width, uint16_t *columns)
+size_t glint_shader_gather(glint_shader *shader, const glint_visibility *band, int32_t y,
+                           int32_t width, uint16_t *columns)
 {
     size_t count = 0;
     int32_t x = 0;
@@ -100,41 +104,6 @@ static size_t gather_row(glint_shader *shader, const glint_visibility *band, int
     return count;
 }
 
-/* Is lost in any sum but that of a normal or an H without length, whose cosine it makes 0 instead
- * of 0/0. */
-#define TINY 1e-37f
-
-/* One pixel's vectors: V, which depends on the pixel alone, is the way back along the ray through
- * it; H = L + V, L and V of unit length, N of any. */
-typedef struct pixel {
-    float lv, nn, nh, hh, nl, nv;
-} pixel;
-
-/* In the loops below: no branches and no selections of floating-point values, so that compilers
- * vectorise all of it. */
-__attribute__((always_inline)) static inline pixel
-pixel_of(const glint_lighting *c, float vy, uint16_t column, float nx, float ny, float nz)
-{
-    const float vx = (c->half_width - ((float)column + 0.5f)) * c->inv_focal;
-    const float inv_v = 1.0f / sqrtf(vx * vx + (vy * vy + 1.0f));
-    const float hx = c->light[0] + vx * inv_v;
-    const float hy = c->light[1] + vy * inv_v;
-    const float hz = c->light[2] + inv_v;
-    return (pixel){
-        .lv = (c->light[0] * vx + c->light[1] * vy + c->light[2]) * inv_v,
-        .nn = nx * nx + ny * ny + nz * nz,
-        .nh = nx * hx + ny * hy + nz * hz,
-        .hh = hx * hx + hy * hy + hz * hz,
-        .nl = nx * c->light[0] + ny * c->light[1] + nz * c->light[2],
-        .nv = (nx * vx + ny * vy + nz) * inv_v,
-    };
-}
-
-static inline float row_vy(const glint_lighting *lighting, int32_t y)
-{
-    return ((float)y + 0.5f - lighting->half_height) * lighting->inv_focal;
-}
-
 /* cos γ = N·H/(|N||H|), and the light that needs no device. */
 GLINT_MULTIVERSION
 static void light_row(const glint_lighting *lighting, int32_t y, size_t count,
@@ -144,12 +113,12 @@ static void light_row(const glint_lighting *lighting, int32_t y, size_t count,
                       uint8_t *restrict blue, uint8_t *restrict lit)
 {
     const glint_lighting c = *lighting;
-    const float vy = row_vy(lighting, y);
+    const float vy = glint_row_vy(lighting, y);
     for (size_t i = 0; i < count; i++) {
-        const pixel p = pixel_of(&c, vy, columns[i], nx[i], ny[i], nz[i]);
-        const float cos_l = p.nl / sqrtf(p.nn + TINY);
+        const glint_pixel p = glint_pixel_of(&c, vy, columns[i], nx[i], ny[i], nz[i]);
+        const float cos_l = p.nl / sqrtf(p.nn + GLINT_TINY);
         const float diffuse = 0.5f * (cos_l + fabsf(cos_l)); /* cos_l, or 0 where it is below */
-        cos_code[i] = glint_cos_code_of(p.nh / sqrtf(p.nn * p.hh + TINY));
+        cos_code[i] = glint_cos_code_of(p.nh / sqrtf(p.nn * p.hh + GLINT_TINY));
         red[i] = glint_intensity_of(c.ambient[0] + c.lambert[0] * diffuse);
         green[i] = glint_intensity_of(c.ambient[1] + c.lambert[1] * diffuse);
         blue[i] = glint_intensity_of(c.ambient[2] + c.lambert[2] * diffuse);
@@ -163,10 +132,10 @@ static void row_nh(const glint_lighting *lighting, int32_t y, size_t count,
                    const float *restrict ny, const float *restrict nz, float *restrict cosine)
 {
     const glint_lighting c = *lighting;
-    const float vy = row_vy(lighting, y);
+    const float vy = glint_row_vy(lighting, y);
     for (size_t i = 0; i < count; i++) {
-        const pixel p = pixel_of(&c, vy, columns[i], nx[i], ny[i], nz[i]);
-        cosine[i] = p.nh / sqrtf(p.nn * p.hh + TINY);
+        const glint_pixel p = glint_pixel_of(&c, vy, columns[i], nx[i], ny[i], nz[i]);
+        cosine[i] = p.nh / sqrtf(p.nn * p.hh + GLINT_TINY);
     }
 }
 
@@ -177,10 +146,10 @@ static void row_rv(const glint_lighting *lighting, int32_t y, size_t count,
                    const float *restrict ny, const float *restrict nz, float *restrict cosine)
 {
     const glint_lighting c = *lighting;
-    const float vy = row_vy(lighting, y);
+    const float vy = glint_row_vy(lighting, y);
     for (size_t i = 0; i < count; i++) {
-        const pixel p = pixel_of(&c, vy, columns[i], nx[i], ny[i], nz[i]);
-        cosine[i] = 2.0f * p.nl * p.nv / (p.nn + TINY) - p.lv;
+        const glint_pixel p = glint_pixel_of(&c, vy, columns[i], nx[i], ny[i], nz[i]);
+        cosine[i] = 2.0f * p.nl * p.nv / (p.nn + GLINT_TINY) - p.lv;
     }
 }
 
@@ -192,13 +161,13 @@ static void row_geometry(const glint_lighting *lighting, int32_t y, size_t count
                          float *restrict nv, float *restrict nh, float *restrict vh)
 {
     const glint_lighting c = *lighting;
-    const float vy = row_vy(lighting, y);
+    const float vy = glint_row_vy(lighting, y);
     for (size_t i = 0; i < count; i++) {
-        const pixel p = pixel_of(&c, vy, columns[i], nx[i], ny[i], nz[i]);
-        const float inv_n = 1.0f / sqrtf(p.nn + TINY);
+        const glint_pixel p = glint_pixel_of(&c, vy, columns[i], nx[i], ny[i], nz[i]);
+        const float inv_n = 1.0f / sqrtf(p.nn + GLINT_TINY);
         nl[i] = p.nl * inv_n;
         nv[i] = p.nv * inv_n;
-        nh[i] = p.nh / sqrtf(p.nn * p.hh + TINY);
+        nh[i] = p.nh / sqrtf(p.nn * p.hh + GLINT_TINY);
         vh[i] = 0.5f * sqrtf(p.hh);
     }
 }
@@ -281,14 +250,11 @@ void glint_add_highlight(size_t count, const uint8_t *restrict highlight,
     }
 }
 
-static void write_row(const glint_shader *shader, const uint16_t *columns, size_t first,
-                      size_t count, glint_image *image, int32_t y)
+void glint_shader_write(const glint_shader *shader, const uint16_t *columns, size_t first,
+                        size_t count, glint_image *image, int32_t y)
 {
-    const size_t row = (size_t)y * (size_t)image->width;
-    uint8_t *rgb = &image->rgb[3 * row];
-    uint8_t *object = &image->object[row];
-    memset(rgb, 0, 3 * (size_t)image->width);
-    memset(object, 0, (size_t)image->width);
+    uint8_t *rgb = glint_paint_pixel(image, 0, y);
+    uint8_t *object = &image->object[(size_t)y * (size_t)image->width];
     for (size_t i = first; i < first + count; i++) {
         const size_t x = columns[i];
         rgb[3 * x] = shader->base[0][i];
@@ -308,12 +274,17 @@ glint_status glint_shade_band(glint_shader *shader, const glint_lighting *lighti
     uint16_t *columns = &record->x[start];
     size_t count = 0;
     for (int32_t y = band->first_y; y <= band->last_y; y++) {
-        const size_t found = gather_row(shader, band, y, image->width, &columns[count]);
-        light_row(lighting, y, found, &columns[count], shader->n[0], shader->n[1], shader->n[2],
-                  &cos_code[count], &shader->base[0][count], &shader->base[1][count],
-                  &shader->base[2][count], &shader->lit[count]);
-        if (lighting->specular != NULL)
-            model_row(shader, lighting, y, found, &columns[count], count);
+        const size_t found = glint_shader_gather(shader, band, y, image->width, &columns[count]);
+        if (lighting->cosines != GLINT_COSINES_EXACT) {
+            glint_approximate_row(shader, lighting, y, found, &columns[count], count,
+                                  &cos_code[count]);
+        } else {
+            light_row(lighting, y, found, &columns[count], shader->n[0], shader->n[1], shader->n[2],
+                      &cos_code[count], &shader->base[0][count], &shader->base[1][count],
+                      &shader->base[2][count], &shader->lit[count]);
+            if (lighting->specular != NULL)
+                model_row(shader, lighting, y, found, &columns[count], count);
+        }
         record->in_row[y] = (uint32_t)found;
         count += found;
     }
@@ -331,7 +302,7 @@ glint_status glint_shade_band(glint_shader *shader, const glint_lighting *lighti
         glint_add_highlight(count, shader->highlight[i], shader->lit, shader->base[i]);
     size_t first = 0;
     for (int32_t y = band->first_y; y <= band->last_y; y++) {
-        write_row(shader, columns, first, record->in_row[y], image, y);
+        glint_shader_write(shader, columns, first, record->in_row[y], image, y);
         first += record->in_row[y];
     }
     *fragments = count;

@@ -9,6 +9,14 @@
 #include "render/raster.h"
 #include "render/scene.h"
 
+/* Where the cosines of a fragment come from (approximate.h). */
+typedef enum glint_cosines {
+    GLINT_COSINES_EXACT,        /* of the interpolated normal, normalised */
+    GLINT_COSINES_UNNORMALISED, /* of the interpolated normal as it is */
+    GLINT_COSINES_NEWTON,       /* of that after one step towards unit length */
+    GLINT_COSINES_LINEAR        /* themselves interpolated */
+} glint_cosines;
+
 /* What all fragments of a frame have in common. */
 typedef struct glint_lighting {
     float light[3];                    /* L, unit length, camera axes */
@@ -18,6 +26,7 @@ typedef struct glint_lighting {
     float half_width, half_height;     /* of the frame in pixels */
     glint_material material;           /* of the highlight */
     const glint_reflectance *specular; /* the model for the highlights; NULL: the backend */
+    glint_cosines cosines;             /* [exact] */
 } glint_lighting;
 
 /* specular may be NULL; it must outlive the lighting. */
@@ -73,13 +82,22 @@ typedef struct glint_shader {
     uint8_t *lit;                        /* 255 where the surface faces the light, else 0 */
     float *cosine[GLINT_SHADER_COSINES]; /* of one row, for a model */
     float *value;                        /* of one row, by a model */
+    uint32_t *entry;                     /* of one row, of the reflection map */
 } glint_shader;
 
 /* Room for bands of that width; false when there is no memory (destroy is still due). */
 bool glint_shader_create(glint_shader *shader, int32_t width);
 void glint_shader_destroy(glint_shader *shader);
 
-/* Shades the band into the image; *fragments is how many there were. */
+/* Collects the fragments of one row: columns and normals. Returns how many there are. */
+size_t glint_shader_gather(glint_shader *shader, const glint_visibility *band, int32_t y,
+                           int32_t width, uint16_t *columns);
+
+/* The fragments first … first + count − 1 of the band into row y of the image. */
+void glint_shader_write(const glint_shader *shader, const uint16_t *columns, size_t first,
+                        size_t count, glint_image *image, int32_t y);
+
+/* Shades the band into the image, whose rows are empty; *fragments is how many there were. */
 glint_status glint_shade_band(glint_shader *shader, const glint_lighting *lighting,
                               const glint_visibility *band, glint_backend *backend,
                               glint_record *record, glint_image *image, uint64_t *fragments,

@@ -7,15 +7,6 @@
 
 #include "render/pick.h"
 
-static const char *const shadings[] = {
-    [GLINT_SHADING_FLAT] = "flat",
-    [GLINT_SHADING_GOURAUD] = "gouraud",
-    [GLINT_SHADING_GOURAUD_PERSPECTIVE] = "gouraud-perspective",
-    [GLINT_SHADING_QUADRATIC] = "quadratic",
-    [GLINT_SHADING_QUADRATIC_LISTING] = "quadratic-listing",
-    [GLINT_SHADING_PHONG] = "phong",
-};
-
 static const char *const backends[] = {
     [GLINT_BACKEND_C] = "c",
     [GLINT_BACKEND_RTL] = "rtl",
@@ -31,6 +22,18 @@ static bool find(const char *const *names, int count, const char *name, int *ind
         }
     }
     return false;
+}
+
+static glint_status refuse_shading(const char *text, glint_error *err)
+{
+    char names[256] = "";
+    for (int i = 0; i < GLINT_SHADING_COUNT; i++) {
+        const size_t used = strlen(names);
+        (void)snprintf(names + used, sizeof names - used, "%s%s", i > 0 ? ", " : "",
+                       glint_shading_names[i]);
+    }
+    return glint_fail(err, GLINT_BAD_ARGUMENT, "\"%.60s\" is not a shading: use one of %s", text,
+                      names);
 }
 
 glint_status glint_study_method_parse(const char *text, glint_study_method *method,
@@ -52,12 +55,8 @@ glint_status glint_study_method_parse(const char *text, glint_study_method *meth
             "\"%.60s\" is not a method: use c, rtl, real or one that glint models lists", who);
     }
     if (colon != NULL) {
-        if (!find(shadings, GLINT_SHADING_COUNT, colon + 1, &index)) {
-            return glint_fail(err, GLINT_BAD_ARGUMENT,
-                              "\"%.60s\" is not a shading: use flat, gouraud, gouraud-perspective, "
-                              "quadratic, quadratic-listing or phong",
-                              colon + 1);
-        }
+        if (!find(glint_shading_names, GLINT_SHADING_COUNT, colon + 1, &index))
+            return refuse_shading(colon + 1, err);
         parsed.shading = (glint_shading)index;
     }
     *method = parsed;
@@ -69,7 +68,7 @@ const char *glint_study_method_name(const glint_study_method *method, glint_stud
     const bool phong = method->shading == GLINT_SHADING_PHONG;
     snprintf(name->text, sizeof name->text, "%s%s%s",
              method->by_model ? glint_reflectance_names[method->model] : backends[method->backend],
-             phong ? "" : ":", phong ? "" : shadings[method->shading]);
+             phong ? "" : ":", phong ? "" : glint_shading_names[method->shading]);
     return name->text;
 }
 

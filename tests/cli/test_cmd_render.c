@@ -148,6 +148,12 @@ static void each_option_changes_the_picture(void **state)
         "--shading gouraud-perspective",
         "--shading quadratic",
         "--shading quadratic-listing",
+        "--shading mixed",
+        "--shading gouraud-4",
+        "--shading cosine-linear",
+        "--shading phong-unnormalised",
+        "--shading phong-newton",
+        "--shading reflection-map",
         "--density 2",
         "--gate drawn",
         "--n 5",
@@ -271,6 +277,50 @@ static void threads_lanes_and_pipeline_do_not_change_the_picture(void **state)
         glint_image_destroy(other);
     }
     glint_image_destroy(usual);
+}
+
+static void options_of_a_shading_change_its_picture(void **state)
+{
+    (void)state;
+    static const char *const changes[][2] = {
+        {"--shading mixed", "--shading mixed --delta 100"},
+        {"--shading reflection-map", "--shading reflection-map --map 20"},
+    };
+    for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
+        char options[256];
+        glint_image *pair[2];
+        for (int k = 0; k < 2; k++) {
+            snprintf(options, sizeof options, "--size 160x120 --density 6 %s", changes[i][k]);
+            pair[k] = rendered(options);
+        }
+        assert_true(differing_pixels(pair[0], pair[1]) > 0);
+        glint_image_destroy(pair[0]);
+        glint_image_destroy(pair[1]);
+    }
+}
+
+static void isc_says_what_it_saves(void **state)
+{
+    (void)state;
+    outcome done = render("isc.png", "--size 160x120 --isc on");
+    assert_outcome(&done, 0, "");
+    assert_says(done.out, " triangles drawn / with a highlight\n");
+    assert_says(done.out, "ISC: shading ");
+    assert_says(done.out, "0 differing pixels of 19200\n");
+    forget(&done);
+    done = render("isc.png", "--force --size 160x120 --isc on --json");
+    assert_outcome(&done, 0, "");
+    json_t *json = json_loads(done.out, 0, NULL);
+    assert_non_null(json);
+    const json_t *isc = json_object_get(json, "isc");
+    assert_true(json_number_value(json_object_get(isc, "shading_seconds")) > 0.0);
+    assert_true(json_number_value(json_object_get(isc, "shading_seconds_without")) > 0.0);
+    assert_int_equal(json_integer_value(json_object_get(isc, "differing_pixels")), 0);
+    const json_t *frame = json_array_get(json_object_get(json, "frames"), 0);
+    const double shading = json_number_value(json_object_get(frame, "shading_seconds"));
+    assert_true(shading > 0.0);
+    json_decref(json);
+    forget(&done);
 }
 
 static void few_shifts_change_a_gouraud_picture(void **state)
@@ -564,6 +614,8 @@ int main(void)
         cmocka_unit_test(a_scene_stands_for_its_options_and_they_override_it),
         cmocka_unit_test(threads_lanes_and_pipeline_do_not_change_the_picture),
         cmocka_unit_test(few_shifts_change_a_gouraud_picture),
+        cmocka_unit_test(options_of_a_shading_change_its_picture),
+        cmocka_unit_test(isc_says_what_it_saves),
         cmocka_unit_test(every_model_that_help_names_is_rendered),
         cmocka_unit_test(names_of_other_pictures_are_refused),
         cmocka_unit_test(models_that_do_not_fit_are_refused),

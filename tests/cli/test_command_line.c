@@ -195,7 +195,17 @@ static void options_are_read_strictly(void **state)
                                   "--shading? see glint render --help)\n"},
         {"render --shading Goraud",
          "glint render: --shading: \"Goraud\" is not one of flat, gouraud, gouraud-perspective, "
-         "quadratic, quadratic-listing, phong (did you mean gouraud?)\n"},
+         "quadratic, quadratic-listing, phong, mixed, gouraud-4, cosine-linear, "
+         "phong-unnormalised, phong-newton, "
+         "reflection-map, wires, normals (did you mean gouraud?)\n"},
+        {"render --isc on --shading flat --out x.png",
+         "glint render: --isc needs --shading phong\n"},
+        {"render --delta 3 --out x.png", "glint render: --delta needs --shading mixed\n"},
+        {"render --map 64 --out x.png", "glint render: --map needs --shading reflection-map\n"},
+        {"render --shading wires --out x.png", "glint render: shading wires needs backend real: "
+                                               "nothing in it comes from a circuit\n"},
+        {"render --isc on --backend gl --out x.png",
+         "glint render: --isc needs another backend: --backend gl draws every pixel alike\n"},
         {"render --n 1e4", "glint render: --n: \"1e4\" is not a number from 0 to 1023\n"},
         {"render --n 2k", "glint render: --n: \"2k\" is not a number from 0 to 1023\n"},
         {"render --n 1.5 --out x.png", "glint render: --n: the device's n is a whole number, not "

@@ -28,7 +28,7 @@ static glint_scene view_of(const glint_mesh *mesh, uint32_t view)
     static const float distances[] = {0.0f, 0.0f, 1e-6f, 0.5f, 1.0f, 3.0f, 50.0f, 1000.0f};
     glint_scene scene = {.mesh = mesh};
     glint_scene_defaults(&scene);
-    scene.shading = (glint_shading)(view % GLINT_SHADING_COUNT);
+    scene.shading = (glint_shading)(view % GLINT_SHADING_WIRES);
     scene.distance = distances[view >> 2 & 7];
     scene.yaw = (float)(view >> 5 & 31) * 13.0f;
     scene.pitch = (float)(view >> 10 & 31) * 7.0f - 90.0f;
