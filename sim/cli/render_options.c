@@ -296,5 +296,9 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
     if (status == GLINT_OPTIONS_RUN)
         status = glint_trace_options_settle("render", &chosen->scene, gl, &raw.trace);
     chosen->trace = raw.trace;
+    if (status == GLINT_OPTIONS_RUN && raw.trace.traced && chosen->scene.isc) {
+        return glint_complain("render", GLINT_EXIT_TROUBLE,
+                              "--isc is for triangles on the screen: leave --method trace out");
+    }
     return status == GLINT_OPTIONS_RUN ? check_verilog(chosen) : status;
 }

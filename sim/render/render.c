@@ -503,9 +503,9 @@ static glint_status run_frame(glint_renderer *renderer, const glint_scene *scene
     glint_status status = glint_scene_check(scene, err);
     const glint_reflectance *specular = NULL;
     if (status == GLINT_OK)
-        status = glint_shading_check(scene, renderer->config.kind, err);
-    if (status == GLINT_OK)
         status = prepare_specular(renderer, scene, &specular, err);
+    if (status == GLINT_OK)
+        status = glint_shading_check(scene, renderer->config.kind, err);
     if (status == GLINT_OK)
         status = make_room(renderer, scene->mesh, err);
     if (status != GLINT_OK)
