@@ -44,7 +44,8 @@ list() {
     echo "pc - lib/pkgconfig/libglint.pc"
     below 644 include/glint cmodel/glint*.h
     below 644 share/glint/rtl rtl/*.v rtl/*.vh
-    below 644 share/glint/sim sim/rtl/shim.cpp sim/rtl/shim.h
+    below 644 share/glint/sim sim/rtl/shim.cpp sim/rtl/shim.h \
+        sim/rtl/specular_batch.cpp sim/rtl/points.h sim/rtl/bits.h
     below 644 share/doc/glint README.md LICENSE
     below 644 share/doc/glint/docs docs/*.md
     below 644 share/doc/glint/docs/images docs/images/*.png docs/images/*.svg

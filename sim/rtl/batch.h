@@ -1,10 +1,12 @@
-/* Runs of points and of divisions at full speed, through the ports of a fast circuit: one small
- * file for all highlight units (specular_batch.c) and one for the divider (divider_batch.c). */
+/* Runs of points and of divisions at full speed through a fast circuit: points by a loop in the
+ * circuit's own shared object (specular_batch.cpp, for all highlight units), divisions through its
+ * ports (divider_batch.c). */
 #ifndef GLINT_SIM_RTL_BATCH_H
 #define GLINT_SIM_RTL_BATCH_H
 
 #include "glint_divider_device.h"
 #include "glint_specular.h"
+#include "rtl/points.h"
 #include "rtl/rtl.h"
 
 /* The memory of a port that must be of so many bytes; else *good becomes false. */
@@ -15,14 +17,6 @@ static inline void *glint_batch_port(glint_rtl *rtl, const char *name, size_t si
     *good = *good && data != NULL && found == size;
     return data;
 }
-
-/* A run of points of one material; arrays of `count`. */
-typedef struct glint_points {
-    const uint32_t *cos;
-    size_t count;
-    uint32_t *w; /* as wide as the circuit's; may be NULL */
-    uint8_t *r, *g, *b;
-} glint_points;
 
 /* Writes the material with the first cosines, then feeds `lanes` cosines per clock without gaps and
  * collects the results. GLINT_DEVICE_FAULT if the circuit does not return every result within its

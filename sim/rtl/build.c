@@ -186,14 +186,16 @@ static void include_classes(const build *b, const char *makefile, const char *va
         fprintf(b->unity, "#include \"%s.cpp\"\n", word);
 }
 
-/* Everything in one file for the compiler, the shim behind what is fast. What runs once, half of
- * the text of a large circuit, is not optimised. */
+/* Everything in one file for the compiler, the shim and the loop over points behind what is fast.
+ * What runs once, half of the text of a large circuit, is not optimised. */
 static void write_unity(const build *b, const char *makefile)
 {
     include_classes(b, makefile, "VM_CLASSES_FAST");
     include_classes(b, makefile, "VM_SUPPORT_FAST");
-    fputs("#include \"shim.cpp\"\n"
-          "#ifdef __clang__\n#pragma clang optimize off\n"
+    fputs("#include \"shim.cpp\"\n", b->unity);
+    if (glint_product_shades(b->product))
+        fputs("#include \"" GLINT_SHADE_FILE "\"\n", b->unity);
+    fputs("#ifdef __clang__\n#pragma clang optimize off\n"
           "#else\n#pragma GCC optimize(\"O0\")\n#endif\n",
           b->unity);
     include_classes(b, makefile, "VM_CLASSES_SLOW");

@@ -10,7 +10,8 @@
 /* Glint's own Verilog: $GLINT_RTL, else rtl/ of the source tree or of share/glint. To be freed. */
 glint_status glint_place_rtl(char **directory, glint_error *err);
 
-/* shim.cpp and shim.h; the headers that a user's circuit includes. To be freed. */
+/* shim.cpp and what is compiled with it; the headers that a user's circuit includes. To be
+ * freed. */
 glint_status glint_place_shim(char **directory, glint_error *err);
 glint_status glint_place_headers(char **directory, glint_error *err);
 

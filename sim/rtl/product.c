@@ -8,6 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "circuit/units.h"
 #include "rtl/cache.h"
 #include "rtl/needed.h"
 #include "rtl/place.h"
@@ -41,15 +42,22 @@ static glint_status add_verilog(glint_product *product, glint_error *err)
                               : status;
 }
 
+bool glint_product_shades(const glint_product *product)
+{
+    return product->kind == GLINT_RTL_FAST && glint_is_highlight(product->setting->circuit);
+}
+
 static glint_status add_shim(glint_product *product, glint_error *err)
 {
+    static const char *const files[] = {"shim.cpp", "shim.h", GLINT_SHADE_FILE, "points.h",
+                                        "bits.h"};
+    const int count = glint_product_shades(product) ? 5 : 2;
     char *directory;
     glint_status status = glint_place_shim(&directory, err);
     if (status != GLINT_OK)
         return status;
-    status = glint_sources_read_file(&product->sources, directory, "shim.cpp", err);
-    if (status == GLINT_OK)
-        status = glint_sources_read_file(&product->sources, directory, "shim.h", err);
+    for (int i = 0; status == GLINT_OK && i < count; i++)
+        status = glint_sources_read_file(&product->sources, directory, files[i], err);
     free(directory);
     return status;
 }

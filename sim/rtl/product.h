@@ -11,6 +11,8 @@
 /* What Verilator calls its class. */
 #define GLINT_CLASS "Vcircuit"
 
+#define GLINT_SHADE_FILE "specular_batch.cpp"
+
 typedef struct glint_product {
     const glint_setting *setting;
     glint_rtl_kind kind;
@@ -31,6 +33,9 @@ typedef struct glint_product {
 glint_status glint_product_begin(glint_product *product, const glint_setting *setting,
                                  glint_rtl_kind kind, glint_error *err);
 void glint_product_end(glint_product *product);
+
+/* Whether the loop over points is compiled into it, GLINT_SHADE_FILE: a fast highlight unit. */
+bool glint_product_shades(const glint_product *product);
 
 /* The path in the cache when it is there, else NULL. To be freed. */
 char *glint_product_find(const glint_product *product);

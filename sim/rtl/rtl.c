@@ -402,6 +402,16 @@ void glint_rtl_edge(glint_rtl *rtl)
     rtl->shim->edge(rtl->instance);
 }
 
+void *glint_rtl_symbol(const glint_rtl *rtl, const char *name)
+{
+    return dlsym(rtl->object, name);
+}
+
+void *glint_rtl_instance(glint_rtl *rtl)
+{
+    return rtl->instance;
+}
+
 const glint_setting *glint_rtl_setting(const glint_rtl *rtl)
 {
     return &rtl->setting;

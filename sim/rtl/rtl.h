@@ -45,6 +45,11 @@ uint64_t glint_rtl_clocks(const glint_rtl *rtl);
 void *glint_rtl_port(glint_rtl *rtl, const char *name, size_t *size);
 void glint_rtl_edge(glint_rtl *rtl);
 
+/* For fast paths in the circuit's shared object: one of its symbols, NULL when there is none, and
+ * the instance that its functions take. */
+void *glint_rtl_symbol(const glint_rtl *rtl, const char *name);
+void *glint_rtl_instance(glint_rtl *rtl);
+
 /* What it was opened with. */
 const glint_setting *glint_rtl_setting(const glint_rtl *rtl);
 

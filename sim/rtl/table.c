@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "circuit/units.h"
+
 #define MEMBER 2048 /* characters: every one of a name may become seven */
 
 /* The table while it is written; class: the text of the class's header. */
@@ -87,6 +89,17 @@ static glint_status print_own_ports(const writer *w)
     return status;
 }
 
+/* What the loop over points has as constants. */
+static void print_shade(const writer *w)
+{
+    const glint_setting *setting = w->product->setting;
+    fprintf(w->out,
+            "#define GLINT_SHADE_LANES %d\n#define GLINT_SHADE_W_BITS %d\n"
+            "#define GLINT_SHADE_COS_BITS %d\n#define GLINT_SHADE_LATENCY %d\n",
+            glint_highlight_lanes(setting), glint_highlight_w_frac_bits(setting) + 1,
+            GLINT_COS_BITS, glint_setting_latency(setting));
+}
+
 static glint_status print_table(const writer *w)
 {
     const glint_rtl_kind kind = w->product->kind;
@@ -94,6 +107,8 @@ static glint_status print_table(const writer *w)
     glint_status status = GLINT_OK;
     if (kind == GLINT_RTL_FST || kind == GLINT_RTL_VCD)
         fprintf(w->out, "#define GLINT_%s\n", kind == GLINT_RTL_FST ? "FST" : "VCD");
+    if (glint_product_shades(w->product))
+        print_shade(w);
     if (clock != NULL && kind == GLINT_RTL_OBSERVED)
         fprintf(w->out, "#define GLINT_CLOCK " GLINT_PROBE_CLOCK "\n");
     else if (clock != NULL)

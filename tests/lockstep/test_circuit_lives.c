@@ -8,6 +8,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -16,6 +17,7 @@
 #include "../wave/vcd.h"
 
 #include "circuit/circuits.h"
+#include "circuit/words.h"
 #include "rtl/batch.h"
 #include "wave/waveform.h"
 
@@ -50,17 +52,43 @@ static uint64_t first_signal(const glint_rtl *rtl)
     return words[0];
 }
 
+/* Lane 0's output of that name. */
+static uint64_t output(const glint_rtl *rtl, const char *name)
+{
+    static uint64_t words[GLINT_SIGNAL_WORDS_MAX];
+    static int place[GLINT_SIGNAL_WORDS_MAX];
+    const glint_setting *setting = glint_rtl_setting(rtl);
+    int index = 0;
+    assert_true(glint_signal_places(setting, place));
+    for (;; index++) {
+        assert_true(index < setting->circuit->signal_count(setting->values));
+        const glint_signal_info info = setting->circuit->signal(setting->values, index);
+        if (info.kind == GLINT_SIGNAL_OUTPUT && info.lane <= 0 && strcmp(info.name, name) == 0)
+            break;
+    }
+    glint_rtl_read(rtl, words);
+    return words[place[index]];
+}
+
 /* The centre of a highlight leaves the circuit as the colour it came with. */
 static void assert_works(glint_rtl *rtl)
 {
-    const glint_material material = {80, 200, 100, 50};
-    const uint32_t cos_code = GLINT_COS_ONE;
-    uint8_t r, g, b;
-    uint32_t w;
-    glint_error err;
-    const glint_points point = {&cos_code, 1, &w, &r, &g, &b};
-    assert_int_equal(glint_rtl_shade(rtl, &material, &point, &err), GLINT_OK);
-    assert_true(w == GLINT_W_ONE && r == 200 && g == 100 && b == 50);
+    const glint_specular_inputs first = {.en = 1,
+                                         .n_we = 1,
+                                         .n = 80,
+                                         .rgb_we = 1,
+                                         .r = 200,
+                                         .g = 100,
+                                         .b = 50,
+                                         .in_valid = 1,
+                                         .cos = {GLINT_COS_ONE}};
+    const glint_specular_inputs rest = {.en = 1};
+    glint_rtl_clock(rtl, &first);
+    for (int i = 1; i < GLINT_LATENCY_PIPELINED; i++)
+        glint_rtl_clock(rtl, &rest);
+    assert_true(output(rtl, "out_w") == GLINT_W_ONE);
+    assert_true(output(rtl, "out_r") == 200 && output(rtl, "out_g") == 100);
+    assert_true(output(rtl, "out_b") == 50);
 }
 
 /* The same of one that can be read: register 2 has the n. */
