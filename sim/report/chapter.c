@@ -20,8 +20,8 @@ const glint_chapter glint_chapters[] = {
      glint_text_speed},
     {"units", "Units for a highlight in hardware, side by side", glint_chapter_units,
      glint_text_units},
-    {"rest", "Ray tracing, and what is not built yet (sections 1.3 and 2.6)", glint_chapter_rest,
-     glint_text_rest},
+    {"trace", "Ray tracing with pixel segments (section 2.6, figures 2.17 to 2.19)",
+     glint_chapter_trace, glint_text_trace},
 };
 const int glint_chapter_count = sizeof glint_chapters / sizeof glint_chapters[0];
 

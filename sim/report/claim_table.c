@@ -319,6 +319,17 @@ const glint_claim glint_claim_table[] = {
      "{frames.perspective.sphere.screen:.3g} when interpolated on the screen and "
      "{frames.perspective.sphere.object:.3g} on the object"},
 
+    /* ---- 1.3 ---- */
+    {"frames", "1.3",
+     "Gouraud shading has six drawbacks: it is linear where light is not, loses highlights, uses "
+     "normals only at vertices, flickers from frame to frame, makes highlights star-shaped, and "
+     "ignores perspective",
+     GLINT_AT_MOST, 0.0, 0, GLINT_NO_NUMBER, NULL,
+     NOT_BUILT "; for the sixth see the claim of section 2.7"},
+    {"frames", "1.3",
+     "The error of Gouraud shading is smallest on right triangles with legs along the axes",
+     GLINT_AT_MOST, 0.0, 0, GLINT_NO_NUMBER, NULL, NOT_BUILT},
+
     /* ---- 3.1, 3.4: speed ---- */
     {"speed", "3.1, 3.4",
      "In software the cosine-quadratic is 1.7 times as fast as Schlick's function: one point at a "
@@ -329,31 +340,42 @@ const glint_claim glint_claim_table[] = {
      GLINT_REACHES, 1.7, 1, GLINT_PLAIN, "speed.cosine-quadratic.vectorised.ratios",
      SPEED("vectorised")},
 
-    /* ---- 2.6 and 1.3: the rest ---- */
-    {"rest", "(2.28)",
+    /* ---- 2.6: ray tracing with pixel segments ---- */
+    {"trace", "(2.28)",
      "A row of 640 pixels needs ⌈640/(L+1) + 1⌉ traced pixels; checked for L = 1…64", GLINT_AT_MOST,
-     0.0, 0, GLINT_PLAIN, "rest.differing",
-     "{rest.by-2-28} at L = {rest.segment}, which is right; {rest.differing.by} too many for "
-     "{rest.differing} of the {rest.lengths} lengths, those where L + 1 divides 639"},
-    {"rest", "(2.31)",
+     0.0, 0, GLINT_PLAIN, "trace.differing",
+     "{trace.by-2-28} at L = {trace.segment}, which is right; {trace.differing.by} too many for "
+     "{trace.differing} of the {trace.lengths-checked} lengths, those where L + 1 divides 639"},
+    {"trace", "(2.31)",
      "Segments of varying lengths need ⌈640/(ΣL + 1)⌉ + 1 traced pixels: 81 for 80 segments of 7",
-     GLINT_ROUNDS_TO, 81.0, 0, GLINT_PLAIN, "rest.by-2-31",
-     "the formula gives {rest.by-2-31}; {rest.traced} are needed"},
-    {"rest", "2.6", "Pixel segments save traced rays with no visible difference", GLINT_AT_MOST,
-     0.0, 0, GLINT_NO_NUMBER, NULL, NOT_BUILT},
-    {"rest", "(2.30)", "Colours that differ by K ≤ 2.3 may be interpolated", GLINT_AT_MOST, 0.0, 0,
-     GLINT_NO_NUMBER, NULL, NOT_BUILT "; neither K nor its unit is defined"},
-    {"rest", "2.6",
-     "Cubic interpolation is sharper than bilinear, without the artefacts of nearest neighbour",
-     GLINT_AT_MOST, 0.0, 0, GLINT_NO_NUMBER, NULL, NOT_BUILT},
-    {"rest", "1.3",
-     "Gouraud shading has six drawbacks: it is linear where light is not, loses highlights, uses "
-     "normals only at vertices, flickers from frame to frame, makes highlights star-shaped, and "
-     "ignores perspective",
-     GLINT_AT_MOST, 0.0, 0, GLINT_NO_NUMBER, NULL,
-     NOT_BUILT "; for the sixth see the claim of section 2.7"},
-    {"rest", "1.3",
-     "The error of Gouraud shading is smallest on right triangles with legs along the axes",
-     GLINT_AT_MOST, 0.0, 0, GLINT_NO_NUMBER, NULL, NOT_BUILT},
+     GLINT_ROUNDS_TO, 81.0, 0, GLINT_PLAIN, "trace.by-2-31",
+     "the formula gives {trace.by-2-31}; {trace.traced} are needed"},
+    {"trace", "2.6",
+     "Pixel segments save traced rays with no visible difference; taken to mean an NMSE of at most "
+     "0.0001 on smooth objects",
+     GLINT_AT_MOST, 0.0001, 4, GLINT_PLAIN, "trace.smooth.nmse",
+     "{trace.smooth.nmse:.2g} over sphere and teapot, by (2.27) and linearly, at L = 7 and limit "
+     "2.3; traced {trace.sphere.7.rays:.0%} and {trace.teapot.7.rays:.0%} of the pixels"},
+    {"trace", "2.6, figure 2.19",
+     "InterpolOK controls that the quality of the picture is kept; taken to mean an NMSE of at "
+     "most 0.0001 whatever is drawn",
+     GLINT_AT_MOST, 0.0001, 4, GLINT_PLAIN, "trace.thin.nmse",
+     "{trace.thin.nmse:.2g} on a lattice of thin bars; {trace.grid.limit-0.nmse:.2g} with limit 0: "
+     "what lies between two equal ends is lost"},
+    {"trace", "(2.30)",
+     "Between colours that differ by K ≤ 2.3 pixels may be interpolated; taken to mean that none "
+     "is then off by more than that",
+     GLINT_AT_MOST, 0.0, 0, GLINT_PER_CENT, "trace.beyond.most",
+     "{trace.beyond:.2%} of the interpolated pixels are, depending on object and fill (K as ΔE; "
+     "the thesis does not define it)"},
+    {"trace", "2.6", "Bicubic interpolation is sharper than bilinear", GLINT_ABOVE, 1.0, 1,
+     GLINT_PLAIN, "trace.sharper",
+     "{trace.sharper:.2f} times, sphere and teapot, by the mean square of the differences between "
+     "neighbours"},
+    {"trace", "2.6",
+     "Bicubic interpolation has none of the artefacts of nearest neighbour; taken to mean that "
+     "where those have seams, steps are at most half as large again as elsewhere",
+     GLINT_AT_MOST, 1.5, 1, GLINT_PLAIN, "trace.seams",
+     "{trace.seams:.2f} times as large; of nearest neighbours there are no other steps"},
 };
 const int glint_claim_count = sizeof glint_claim_table / sizeof glint_claim_table[0];

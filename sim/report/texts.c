@@ -47,8 +47,8 @@ const char *const glint_text_compare[] = {
 #include "docs/compare.csv.inc"
     NULL};
 
-const char *const glint_text_rest[] = {
-#include "sim/report/text/rest.md.inc"
+const char *const glint_text_trace[] = {
+#include "sim/report/text/trace.md.inc"
     NULL};
 
 const char *const glint_drawing_device_drawn[] = {

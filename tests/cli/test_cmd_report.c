@@ -305,7 +305,7 @@ static void the_command_line_is_read_strictly(void **state)
     } refusals[] = {
         {"report --chapter thesis",
          "glint report: --chapter: \"thesis\" is none of device, lobes, divider, energy, frames, "
-         "speed, units, rest\n"},
+         "speed, units, trace\n"},
         {"report divider", "glint report: unexpected argument \"divider\"\n"},
         {"report --threads 0", "glint report: --threads: \"0\" is not an integer from 1 to 64\n"},
         {"report --out=", "glint report: --out: \"\" is not a non-empty DIR\n"},
