@@ -440,7 +440,7 @@ help:
 	@echo "make bench     fragments, clocks and frames a second"
 	@echo "make report    what the thesis claims, measured: $(BUILD)/report/index.html"
 	@echo "make wave      the waveforms with their GTKWave save files"
-	@echo "make lint      Verilator, Icarus, Yosys, both C compilers, glslang, clang-tidy, the style check"
+	@echo "make lint      Verilator, Icarus, Yosys, both C compilers, glslang, clang-tidy, the style"
 	@echo "make sanitize  the tests under AddressSanitizer and UBSan"
 	@echo "make fuzz      20 s of fuzzing (FUZZ_SECONDS=) for each reader of what comes from outside"
 	@echo "make formats   16 to 20 fraction bits of the cosine, by one edit each (docs/formats.md)"

@@ -22,9 +22,12 @@ static glint_status check_shading(glint_shading shading, glint_error *err)
                       glint_shading_names[shading], names);
 }
 
-static glint_status draw(glint_gl_renderer *renderer, const glint_scene *scene,
-                         glint_render_frame *frame, glint_error *err)
+static glint_status draw(const glint_render_options *chosen, glint_gl_renderer *renderer,
+                         const glint_scene *scene, glint_render_frame *frame, glint_error *err)
 {
+    const glint_status status = chosen->gold ? glint_gl_renderer_gild(renderer, err) : GLINT_OK;
+    if (status != GLINT_OK)
+        return status;
     (void)snprintf(frame->driver, sizeof frame->driver, "%s", glint_gl_renderer_name(renderer));
     return glint_gl_render(renderer, scene, frame->image, glint_stop_flag(), &frame->stats, err);
 }
@@ -42,7 +45,7 @@ glint_status glint_render_by_gl(const glint_render_options *chosen, const glint_
     if (status == GLINT_OK)
         status = glint_image_create(width, height, &frame->image, err);
     if (status == GLINT_OK)
-        status = draw(renderer, scene, frame, err);
+        status = draw(chosen, renderer, scene, frame, err);
     glint_gl_renderer_destroy(renderer);
     return status;
 }

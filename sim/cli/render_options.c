@@ -26,7 +26,7 @@ typedef struct raw_options {
     const char *out, *specular, *slips, *verilog;
     double n;
     int64_t shifts;
-    int shading, backend;
+    int shading, backend, shader;
     bool json, force, n_given;
 } raw_options;
 
@@ -35,6 +35,9 @@ static const glint_backend_kind backend_kinds[] = {GLINT_BACKEND_C, GLINT_BACKEN
                                                    GLINT_BACKEND_REAL};
 #define BACKEND_BOTH 3
 #define BACKEND_GL   4
+
+static const char *const shader_names[] = {"model", "gold", NULL};
+#define SHADER_GOLD 1
 
 static raw_options defaults(void)
 {
@@ -78,7 +81,7 @@ static const char details[] =
     "every model; without --specular the device's formula. It needs libegl1 and\n"
     "libgl1-mesa-dri.";
 
-#define OWN_ROWS 10
+#define OWN_ROWS 11
 #define TABLE_ROWS                                                                                 \
     (OWN_ROWS + GLINT_SHADING_OPTIONS + GLINT_TRACE_OPTIONS + GLINT_DEVICE_OPTIONS +               \
      GLINT_SCENE_OPTIONS)
@@ -109,6 +112,10 @@ static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
                  "of" GLINT_SPECULAR_NAMES,
          .kind = GLINT_OPTION_STRING,
          .string = &raw->specular},
+        {.name = "shader",
+         .help = "with --backend gl: the model's, or the thesis's bump-mapped gold",
+         .kind = GLINT_OPTION_CHOICE,
+         .choice = {&raw->shader, shader_names}},
         {.name = "n",
          .placeholder = "N",
          .given = &raw->n_given,
@@ -235,6 +242,10 @@ static int settle_gl(const raw_options *raw, glint_render_options *chosen)
         return glint_complain("render", GLINT_EXIT_TROUBLE,
                               "--isc needs another backend: --backend gl draws every pixel alike");
     }
+    if (chosen->gold && chosen->scene.by_model) {
+        return glint_complain("render", GLINT_EXIT_TROUBLE,
+                              "--shader gold has a highlight of its own: leave --specular out");
+    }
     if (!chosen->scene.by_model) {
         chosen->scene.by_model = true;
         chosen->scene.specular = GLINT_REFLECTANCE_COSINE_QUADRATIC;
@@ -260,12 +271,15 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
     }
     if (!raw.n_given)
         raw.n = glint_preset_n(&raw.scene);
+    if (raw.shader == SHADER_GOLD && raw.backend != BACKEND_GL)
+        return glint_complain("render", GLINT_EXIT_TROUBLE, "--shader gold needs --backend gl");
     const bool both = raw.backend == BACKEND_BOTH;
     const bool gl = raw.backend == BACKEND_GL;
     *chosen = (glint_render_options){
         .what = raw.scene,
         .both = both,
         .gl = gl,
+        .gold = raw.shader == SHADER_GOLD,
         .backend = {.kind = both ? GLINT_BACKEND_RTL
                             : gl ? GLINT_BACKEND_REAL
                                  : backend_kinds[raw.backend],

@@ -10,6 +10,7 @@ typedef struct glint_render_options {
     glint_scene_options what;
     bool both; /* render by c and by rtl and compare; else by backend.kind */
     bool gl;   /* by OpenGL, as backend.kind real and scene.specular have it */
+    bool gold; /* with the gold of the thesis's listing instead */
     glint_backend_config backend;
     glint_scene scene; /* all but the mesh */
     glint_trace_options trace;

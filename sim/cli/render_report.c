@@ -66,7 +66,9 @@ void glint_render_report_text(FILE *out, const glint_render_options *chosen,
             stats->highlights);
     if (chosen->backend.device != &glint_circuit_specular)
         fprintf(out, " by device %s", chosen->backend.device->name);
-    if (chosen->scene.by_model)
+    if (chosen->gold)
+        fputs(" of gold", out);
+    else if (chosen->scene.by_model)
         fprintf(out, " by %s", glint_reflectance_names[chosen->scene.specular]);
     if (divider_works(chosen)) {
         fprintf(out, ", %" PRIu64 " divisions with %d shifts", stats->divisions,
@@ -156,7 +158,9 @@ bool glint_render_report_json(const glint_render_options *chosen, const glint_re
     glint_json_add_text(json, "pipeline", glint_pipeline_names[chosen->backend.pipeline]);
     glint_json_add_text(json, "shading", glint_shading_names[chosen->scene.shading]);
     glint_json_add_text(json, "method", chosen->trace.traced ? "trace" : "raster");
-    if (chosen->scene.by_model)
+    if (chosen->gold)
+        glint_json_add_text(json, "shader", "gold");
+    else if (chosen->scene.by_model)
         glint_json_add_text(json, "specular", glint_reflectance_names[chosen->scene.specular]);
     if (divider_works(chosen))
         glint_json_add_number(json, "shifts", chosen->scene.shifts);

@@ -6,10 +6,12 @@
 
 /* X(NAME in the name of the type, Name) */
 #define GLINT_GL_FUNCTIONS(X)                                                                      \
+    X(ACTIVETEXTURE, ActiveTexture)                                                                \
     X(ATTACHSHADER, AttachShader)                                                                  \
     X(BINDBUFFER, BindBuffer)                                                                      \
     X(BINDFRAMEBUFFER, BindFramebuffer)                                                            \
     X(BINDRENDERBUFFER, BindRenderbuffer)                                                          \
+    X(BINDTEXTURE, BindTexture)                                                                    \
     X(BINDVERTEXARRAY, BindVertexArray)                                                            \
     X(BUFFERDATA, BufferData)                                                                      \
     X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)                                              \
@@ -31,6 +33,7 @@
     X(GENBUFFERS, GenBuffers)                                                                      \
     X(GENFRAMEBUFFERS, GenFramebuffers)                                                            \
     X(GENRENDERBUFFERS, GenRenderbuffers)                                                          \
+    X(GENTEXTURES, GenTextures)                                                                    \
     X(GENVERTEXARRAYS, GenVertexArrays)                                                            \
     X(GETERROR, GetError)                                                                          \
     X(GETINTEGERV, GetIntegerv)                                                                    \
@@ -44,7 +47,10 @@
     X(READPIXELS, ReadPixels)                                                                      \
     X(RENDERBUFFERSTORAGE, RenderbufferStorage)                                                    \
     X(SHADERSOURCE, ShaderSource)                                                                  \
+    X(TEXIMAGE2D, TexImage2D)                                                                      \
+    X(TEXPARAMETERI, TexParameteri)                                                                \
     X(UNIFORM1F, Uniform1f)                                                                        \
+    X(UNIFORM1I, Uniform1i)                                                                        \
     X(UNIFORM1UI, Uniform1ui)                                                                      \
     X(UNIFORM2F, Uniform2f)                                                                        \
     X(UNIFORM3FV, Uniform3fv)                                                                      \

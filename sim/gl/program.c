@@ -131,13 +131,11 @@ static glint_status link_program(const glint_gl *gl, GLuint program, glint_error
     return good ? GLINT_OK : refuse("link the shaders", log, err);
 }
 
-glint_status glint_gl_program(const glint_gl *gl, glint_shading shading,
-                              glint_reflectance_model model, GLuint *program, glint_error *err)
+static glint_status make_program(const glint_gl *gl, const stages *of,
+                                 glint_reflectance_model model, GLuint *program, glint_error *err)
 {
-    if (!glint_gl_has_shading(shading))
-        return glint_fail(err, GLINT_BAD_ARGUMENT, "backend gl has no shaders for this shading");
     const GLuint made = gl->CreateProgram();
-    glint_status status = attach_all(gl, made, &of_shading[shading], model, err);
+    glint_status status = attach_all(gl, made, of, model, err);
     if (status == GLINT_OK)
         status = link_program(gl, made, err);
     if (status != GLINT_OK) {
@@ -146,4 +144,19 @@ glint_status glint_gl_program(const glint_gl *gl, glint_shading shading,
     }
     *program = made;
     return GLINT_OK;
+}
+
+glint_status glint_gl_program(const glint_gl *gl, glint_shading shading,
+                              glint_reflectance_model model, GLuint *program, glint_error *err)
+{
+    return glint_gl_has_shading(shading)
+               ? make_program(gl, &of_shading[shading], model, program, err)
+               : glint_fail(err, GLINT_BAD_ARGUMENT, "backend gl has no shaders for this shading");
+}
+
+glint_status glint_gl_gold_program(const glint_gl *gl, GLuint *program, glint_error *err)
+{
+    static const stages gold = {.vertex = glint_shader_gold_vert,
+                                .fragment = glint_shader_gold_frag};
+    return make_program(gl, &gold, GLINT_REFLECTANCE_LAMBERT, program, err); /* not in it */
 }

@@ -13,4 +13,7 @@ bool glint_gl_has_shading(glint_shading shading);
 glint_status glint_gl_program(const glint_gl *gl, glint_shading shading,
                               glint_reflectance_model model, GLuint *program, glint_error *err);
 
+/* The bump-mapped gold of the thesis's listing, which has no model and no shading of these. */
+glint_status glint_gl_gold_program(const glint_gl *gl, GLuint *program, glint_error *err);
+
 #endif

@@ -7,6 +7,7 @@
 #include <time.h>
 
 #include "gl/context.h"
+#include "gl/gold_maps.h"
 #include "gl/program.h"
 #include "gl/uniforms.h"
 #include "render/scene.h"
@@ -21,6 +22,7 @@ struct glint_gl_renderer {
     int width, height;
     uint8_t *rows;         /* ROWS of them, R G B A */
     GLuint program;        /* 0: none yet */
+    bool gilded;           /* the program is gold's for good */
     glint_shading shading; /* of the program, like the model */
     glint_reflectance_model model;
 };
@@ -177,6 +179,8 @@ static void warm_up(const glint_gl_renderer *r)
 static glint_status choose_program(glint_gl_renderer *r, glint_shading shading,
                                    glint_reflectance_model model, glint_error *err)
 {
+    if (r->gilded)
+        return GLINT_OK;
     if (r->program != 0 && r->shading == shading && r->model == model)
         return GLINT_OK;
     if (r->program != 0)
@@ -186,6 +190,38 @@ static glint_status choose_program(glint_gl_renderer *r, glint_shading shading,
     r->model = model;
     const glint_status status = glint_gl_program(r->gl, shading, model, &r->program, err);
     if (status == GLINT_OK)
+        warm_up(r);
+    return status;
+}
+
+static void give_map(const glint_gl *gl, GLenum unit, const uint8_t *rgb)
+{
+    GLuint texture;
+    gl->GenTextures(1, &texture);
+    gl->ActiveTexture(GL_TEXTURE0 + unit);
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, GLINT_GOLD_SIDE, GLINT_GOLD_SIDE, 0, GL_RGB,
+                   GL_UNSIGNED_BYTE, rgb);
+}
+
+glint_status glint_gl_renderer_gild(glint_gl_renderer *renderer, glint_error *err)
+{
+    glint_gl_renderer *r = renderer;
+    const size_t size = (size_t)GLINT_GOLD_SIDE * GLINT_GOLD_SIDE * 3;
+    uint8_t *maps = malloc(2 * size);
+    if (maps == NULL)
+        return no_room("the maps of gold", err);
+    glint_gold_maps(maps, maps + size);
+    give_map(r->gl, GLINT_GOLD_BASE, maps);
+    give_map(r->gl, GLINT_GOLD_BUMP, maps + size);
+    free(maps);
+    if (r->program != 0)
+        r->gl->DeleteProgram(r->program);
+    r->program = 0;
+    const glint_status status = glint_gl_gold_program(r->gl, &r->program, err);
+    r->gilded = status == GLINT_OK;
+    if (r->gilded)
         warm_up(r);
     return status;
 }
@@ -236,6 +272,8 @@ static glint_status draw(glint_gl_renderer *r, const glint_scene *scene, glint_i
 
 static uint64_t highlights_of(const glint_gl_renderer *r, uint64_t fragments)
 {
+    if (r->gilded)
+        return fragments;
     switch (r->shading) {
     case GLINT_SHADING_PHONG:
         return fragments;
@@ -244,6 +282,17 @@ static uint64_t highlights_of(const glint_gl_renderer *r, uint64_t fragments)
     default:
         return r->mesh->vertex_count;
     }
+}
+
+/* As the rasterizer does when it prepares the model. */
+static glint_status check_model(const glint_scene *scene, glint_reflectance_model model,
+                                glint_error *err)
+{
+    glint_reflectance unused;
+    const glint_reflectance_parameters parameters = {.n = scene->n, .f0 = (double)scene->f0};
+    const glint_status status = glint_scene_check_exponent(model, scene->n, err);
+    return status == GLINT_OK ? glint_reflectance_prepare(model, &parameters, &unused, err)
+                              : status;
 }
 
 glint_status glint_gl_render(glint_gl_renderer *renderer, const glint_scene *scene,
@@ -261,7 +310,7 @@ glint_status glint_gl_render(glint_gl_renderer *renderer, const glint_scene *sce
     }
     glint_status status = glint_scene_check(&drawn, err);
     if (status == GLINT_OK)
-        status = glint_scene_check_exponent(model, drawn.n, err);
+        status = check_model(&drawn, model, err);
     if (status == GLINT_OK)
         status = choose_program(renderer, drawn.shading, model, err);
     if (status != GLINT_OK)

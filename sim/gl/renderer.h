@@ -18,6 +18,10 @@ void glint_gl_renderer_destroy(glint_gl_renderer *renderer); /* NULL is allowed 
 /* What draws, in OpenGL's own words: "llvmpipe (LLVM 15.0.6, 256 bits)". */
 const char *glint_gl_renderer_name(const glint_gl_renderer *renderer);
 
+/* From now on frames have the bump-mapped gold of the thesis's listing (sim/shader/gold.vert) in
+ * place of the scene's light, colours, model and shading. */
+glint_status glint_gl_renderer_gild(glint_gl_renderer *renderer, glint_error *err);
+
 /* Draws a frame of the renderer's mesh, whichever the scene has, as glint_render() does with
  * backend real; the highlight is scene->specular's if by_model, else the cosine-quadratic's, the
  * device's formula. The first frame of a shading and model compiles the shaders, which

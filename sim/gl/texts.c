@@ -144,3 +144,11 @@ const char *const glint_shader_flat_geom[] = {
 const char *const glint_shader_flat_frag[] = {
 #include "sim/shader/flat.frag.inc"
     NULL};
+
+const char *const glint_shader_gold_vert[] = {
+#include "sim/shader/gold.vert.inc"
+    NULL};
+
+const char *const glint_shader_gold_frag[] = {
+#include "sim/shader/gold.frag.inc"
+    NULL};

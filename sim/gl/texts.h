@@ -17,4 +17,7 @@ extern const char *const glint_shader_gouraud_vert[], *const glint_shader_gourau
 extern const char *const glint_shader_flat_vert[], *const glint_shader_flat_geom[];
 extern const char *const glint_shader_flat_frag[];
 
+/* The gold of the thesis's listing. */
+extern const char *const glint_shader_gold_vert[], *const glint_shader_gold_frag[];
+
 #endif

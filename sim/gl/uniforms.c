@@ -1,7 +1,11 @@
 /* From the rasterizer's own camera and lighting to uniforms, by their names in sim/shader. */
 #include "gl/uniforms.h"
 
+#include "gl/gold_maps.h"
 #include "glint_specular.h"
+
+/* With it the listing's map, 0.0065 of it in a unit, covers the object once. */
+#define LISTING_RADIUS 70.0
 
 /* The program being filled. A uniform that it lacks has location -1, which sets nothing. */
 typedef struct target {
@@ -40,7 +44,7 @@ static void set_camera(const target *t, const glint_camera *camera)
     float place[3], view[9], turn[9];
     store(place, o);
     for (int i = 0; i < 3; i++) {
-        const float axis[3] = {i == 0, i == 1, i == 2};
+        const float axis[3] = {i == 0 ? 1.0f : 0.0f, i == 1 ? 1.0f : 0.0f, i == 2 ? 1.0f : 0.0f};
         const glint_view_point p = glint_camera_view(camera, axis);
         store(&view[3 * i], (glint_view_point){p.x - o.x, p.y - o.y, p.w - o.w});
         glint_vec3_store(glint_camera_rotate(camera, glint_vec3_of(axis)), &turn[3 * i]);
@@ -51,6 +55,11 @@ static void set_camera(const target *t, const glint_camera *camera)
     t->gl->Uniform2f(at(t, "lens"), (float)(camera->focal / camera->half_width),
                      (float)(camera->focal / camera->half_height));
     set(t, "near", GLINT_NEAR);
+    /* Of gold.vert: the object's radius is LISTING_RADIUS of the listing's units. */
+    float middle[3];
+    glint_vec3_store(camera->centre, middle);
+    set3(t, "middle", middle);
+    set(t, "units", LISTING_RADIUS * camera->scale);
 }
 
 static void set_light(const target *t, const glint_lighting *lighting)
@@ -116,5 +125,7 @@ void glint_gl_set_uniforms(const glint_gl *gl, GLuint program, const glint_scene
     const target t = {gl, program};
     set_camera(&t, camera);
     set_light(&t, lighting);
+    gl->Uniform1i(at(&t, "base_map"), GLINT_GOLD_BASE);
+    gl->Uniform1i(at(&t, "bump_map"), GLINT_GOLD_BUMP);
     set_model(&t, scene, model);
 }

@@ -14,7 +14,7 @@
 
 /* In an order in which each finds what it reads. */
 static const char *const helps[] = {"",       "info",    "models", "eval",   "divide",
-                                    "render", "compare", "study",  "verify", "verify --exhaustive",
+                                    "render", "compare", "convert", "study",  "verify", "verify --exhaustive",
                                     "replay", "wave",    "draw",   "energy", "report",
                                     "bench"};
 

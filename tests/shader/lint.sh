@@ -59,4 +59,7 @@ for model in "$shaders"/*.glsl; do
     }
     count=$((count + 1))
 done
+stage gold.vert '' camera.glsl gold.vert
+stage gold.frag '' frame.glsl gold.frag
+valid "$out/gold.vert" "$out/gold.frag"
 [ "$count" -gt 0 ] || fail "no model in $shaders"

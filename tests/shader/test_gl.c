@@ -4,6 +4,7 @@
  * one frame only are counted apart. */
 #define _XOPEN_SOURCE 700
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,6 +16,7 @@
 
 #include "../cli/run.h"
 #include "../render/studio.h"
+#include "gl/gold_maps.h"
 #include "gl/renderer.h"
 #include "gl/texts.h"
 
@@ -200,14 +202,14 @@ static void the_device_in_a_shader_is_the_device(void **state)
     if (!open_stage(&s, sphere()))
         skip();
     studio device = open_studio(WIDTH, HEIGHT, 1, GLINT_BACKEND_C);
-    for (uint16_t n = 0; n <= GLINT_N_MAX; n = (uint16_t)(n < 8 ? n + 1 : n * 3 / 2)) {
-        glint_scene scene = scene_of(s.mesh, GLINT_REFLECTANCE_DEVICE, n);
+    for (unsigned n = 0; n <= GLINT_N_MAX; n = n < 8 ? n + 1 : n * 3 / 2) {
+        glint_scene scene = scene_of(s.mesh, GLINT_REFLECTANCE_DEVICE, (uint16_t)n);
         (void)shoot_gl(s.gl, &scene, s.image);
         scene.by_model = false;
         shoot(&device, &scene);
         const verdict v = compare(device.image, s.image);
         if (v.beyond > 0 || v.alone > ALONE)
-            fail_msg("n = %d: %d pixels differ by up to %d levels", n, (int)v.beyond, v.largest);
+            fail_msg("n = %u: %d pixels differ by up to %d levels", n, (int)v.beyond, v.largest);
     }
     close_studio(&device);
     close_stage(&s);
@@ -310,6 +312,95 @@ static void what_is_out_of_range_is_refused(void **state)
     close_stage(&s);
 }
 
+/* ---- Gold ------------------------------------------------------------------------------------ */
+
+/* Bilinear, the map repeated; component 0…2, 0…1. */
+static double sampled(const uint8_t *map, double u, double v, int component)
+{
+    const double x = u * GLINT_GOLD_SIDE - 0.5, y = v * GLINT_GOLD_SIDE - 0.5;
+    const int left = (int)floor(x), top = (int)floor(y);
+    double sum = 0.0;
+    for (int i = 0; i < 4; i++) {
+        const int column = (left + i % 2 + GLINT_GOLD_SIDE) % GLINT_GOLD_SIDE;
+        const int row = (top + i / 2 + GLINT_GOLD_SIDE) % GLINT_GOLD_SIDE;
+        const double weight =
+            (i % 2 ? x - left : 1.0 - x + left) * (i / 2 ? y - top : 1.0 - y + top);
+        sum += weight * map[3 * (row * GLINT_GOLD_SIDE + column) + component];
+    }
+    return sum / 255.0;
+}
+
+/* The listing's lines for the point p of the unit sphere and the eye: red, green, blue in levels.
+ */
+static void gold_at(const uint8_t *base, const uint8_t *bump, glint_vec3 p, glint_vec3 eye,
+                    double levels[3])
+{
+    static const double gold[3] = {1.0, 0.77, 0.34};
+    const glint_vec3 light = glint_vec3_sub(eye, p);
+    const glint_vec3 along = {1.0 - p.x * p.x, -p.x * p.y, -p.x * p.z};
+    const glint_vec3 across = {-p.z * p.x, -p.z * p.y, 1.0 - p.z * p.z};
+    const double u = p.x * 70.0 * 0.0065 + 0.46, v = p.z * 70.0 * 0.0065 + 0.46;
+    const glint_vec3 l = {glint_vec3_dot(light, along), glint_vec3_dot(light, across),
+                          glint_vec3_dot(light, p)};
+    const glint_vec3 b = {2.0 * sampled(bump, u, v, 0) - 1.0, 2.0 * sampled(bump, u, v, 1) - 1.0,
+                          2.0 * sampled(bump, u, v, 2) - 1.0};
+    const double shine =
+        fmax(glint_vec3_dot(l, b) / (glint_vec3_length(l) * glint_vec3_length(b)), 0.0);
+    for (int c = 0; c < 3; c++)
+        levels[c] =
+            255.0 * fmin(shine * 0.2 * sampled(base, u, v, c) + shine * shine * gold[c], 1.0);
+}
+
+/* Where the ray through the pixel meets the unit sphere; false: it does not. */
+static bool meets_sphere(const glint_scene *scene, int x, int y, glint_vec3 eye, glint_vec3 *p)
+{
+    const double focal = 0.5 * HEIGHT / tan(0.5 * (double)scene->fov * 3.14159265358979 / 180.0);
+    const glint_vec3 ray = {(x + 0.5 - 0.5 * WIDTH) / focal, (0.5 * HEIGHT - y - 0.5) / focal,
+                            -1.0};
+    const double a = glint_vec3_dot(ray, ray), b = glint_vec3_dot(eye, ray);
+    const double root = b * b - a * (glint_vec3_dot(eye, eye) - 1.0);
+    *p = glint_vec3_add(eye, glint_vec3_scale(ray, (-b - sqrt(fmax(root, 0.0))) / a));
+    return root > 0.0;
+}
+
+/* The mesh is a sphere of facets: where the surface is steep, its places on the map are not quite
+ * the sphere's. */
+static void gold_is_the_listing_s(void **state)
+{
+    (void)state;
+    static uint8_t base[GLINT_GOLD_SIDE * GLINT_GOLD_SIDE * 3], bump[sizeof base];
+    const glint_vec3 eye = {0.0, 0.0, 4.0};
+    stage s;
+    if (!open_stage(&s, sphere()))
+        skip();
+    glint_scene scene = scene_of(s.mesh, GLINT_REFLECTANCE_BLINN, 10);
+    scene.yaw = scene.pitch = 0.0f;
+    scene.distance = 4.0f;
+    glint_gold_maps(base, bump);
+    assert_int_equal(glint_gl_renderer_gild(s.gl, NULL), GLINT_OK);
+    (void)shoot_gl(s.gl, &scene, s.image);
+    size_t count = 0, beyond = 0, dark = 0;
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++) {
+            glint_vec3 p;
+            double levels[3];
+            const size_t at = (size_t)y * WIDTH + (size_t)x;
+            if (!s.image->object[at] || !meets_sphere(&scene, x, y, eye, &p))
+                continue;
+            gold_at(base, bump, p, eye, levels);
+            const double apart = fmax(fabs(levels[0] - s.image->rgb[3 * at]),
+                                      fmax(fabs(levels[1] - s.image->rgb[3 * at + 1]),
+                                           fabs(levels[2] - s.image->rgb[3 * at + 2])));
+            count++;
+            beyond += apart > 3.0;
+            dark += levels[0] < 128.0;
+        }
+    if (count < 10000 || dark < 100 || beyond * 100 > count)
+        fail_msg("%d of %d pixels are more than 3 levels off (%d dark)", (int)beyond, (int)count,
+                 (int)dark);
+    close_stage(&s);
+}
+
 /* ---- The command ----------------------------------------------------------------------------- */
 
 static void refused(const char *options, const char *why)
@@ -335,6 +426,9 @@ static void a_missing_egl_is_said_in_a_line(void **state)
     assert_int_equal(unsetenv("LD_LIBRARY_PATH"), 0);
     assert_int_equal(unlink(scratch_path("libEGL.so.1")), 0);
     refused("--backend gl --device power", "--device needs another backend");
+    refused("--shader gold", "--shader gold needs --backend gl");
+    refused("--backend gl --shader gold --specular blinn", "leave --specular out");
+    refused("--backend gl --specular device --n 2.5", "not an integer");
 }
 
 static void the_command_draws_the_same(void **state)
@@ -373,6 +467,7 @@ int main(void)
         cmocka_unit_test(gouraud_is_real_s_but_for_its_runs),
         cmocka_unit_test(frames_repeat),
         cmocka_unit_test(what_is_out_of_range_is_refused),
+        cmocka_unit_test(gold_is_the_listing_s),
         cmocka_unit_test(a_missing_egl_is_said_in_a_line),
         cmocka_unit_test(the_command_draws_the_same),
     };
