@@ -13,9 +13,22 @@
 #include "run.h"
 
 /* In an order in which each finds what it reads. */
-static const char *const helps[] = {"",       "info",    "models", "eval",   "divide",
-                                    "render", "compare", "convert", "study",  "verify", "verify --exhaustive",
-                                    "replay", "wave",    "draw",   "energy", "report",
+static const char *const helps[] = {"",
+                                    "info",
+                                    "models",
+                                    "eval",
+                                    "divide",
+                                    "render",
+                                    "compare",
+                                    "convert",
+                                    "study",
+                                    "verify",
+                                    "verify --exhaustive",
+                                    "replay",
+                                    "wave",
+                                    "draw",
+                                    "energy",
+                                    "report",
                                     "bench"};
 
 /* These take minutes: their command lines are read, and then only --help is shown. */
