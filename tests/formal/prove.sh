@@ -8,8 +8,9 @@
 #
 # PROOF  device-GATE-PIPELINE-LANES-LANE   gates-PIPELINE-LANES-LANE   roms   table-SHIFTS
 #        sequential-SHIFTS   pipelined-SHIFTS
+#        power-ACCURACY-PIPELINE-LANES-LANE   power_roms-ACCURACY
 #        GATE cosine sign drawn; PIPELINE pipelined combinational; LANES 1 2 4 8 16, LANE the one
-#        looked at
+#        looked at; ACCURACY half quarter
 #
 # DIR gets the model (model.smt2), what the tools said (*.log), traces for GTKWave (*.vcd: one for
 # each cover; counterexample.vcd where a property fails) and the line "result":
@@ -52,6 +53,15 @@ pipeline_number() {
     case $1 in
     combinational) echo 0 ;;
     pipelined) echo 1 ;;
+    *) usage "no proof \"$proof\"" ;;
+    esac
+}
+
+# The address bits of the power device's tables.
+table_bits() {
+    case $1 in
+    half) echo 8 ;;
+    quarter) echo 9 ;;
     *) usage "no proof \"$proof\"" ;;
     esac
 }
@@ -108,6 +118,25 @@ pipelined-*)
     files='pipelined_divider flow' parameters="-set SHIFTS $(field 2)"
     properties="$flow sum out_of_table"
     depth=$((2 * $(field 2) + 6))
+    ;;
+power-*)
+    bits=$(table_bits "$(field 2)")
+    pipelined=$(pipeline_number "$(field 3)")
+    number "$(field 4)"
+    number "$(field 5)"
+    top=power_proof
+    modules='power_device power_lane material_path color_stage w_rounder color_multiplier'
+    modules="$modules stage_register"
+    files='power flow power_formula free_power_roms'
+    parameters="-set TABLE_BITS $bits -set PIPELINED $pipelined"
+    parameters="$parameters -set LANES $(field 4) -set LANE $(field 5)"
+    properties="$flow value" depth=14
+    ;;
+power_roms-*)
+    bits=$(table_bits "$(field 2)")
+    top=power_roms_proof modules='power_log_rom power_exp_rom' files=power_roms
+    parameters="-set TABLE_BITS $bits"
+    properties='rising falling halves' clocked=no depth=1
     ;;
 *) usage "no proof \"$proof\"" ;;
 esac
@@ -224,7 +253,7 @@ fi
 
 # Each property's covers, in the smallest circuits that have it.
 case $proof in
-device-*-1-0 | gates-*-1-0 | roms | table-* | sequential-6 | sequential-12 | pipelined-6) ;;
+device-*-1-0 | gates-*-1-0 | roms | power-*-1-0 | power_roms-* | table-* | sequential-6 | sequential-12 | pipelined-6) ;;
 *) result PROVED ;;
 esac
 all=$(labels cover | wc -l)

@@ -53,6 +53,8 @@ record formal-device \
 record formal-divider 'busy, done, latency; the sum of the terms of the table' \
     'induction, z3' '^\(sequential\|pipelined\|table\)-[^ ]*	' PROVED proofs
 record formal-gates 'gates sign and cosine are equal' 'induction, z3' '^gates-[^ ]*	' PROVED proofs
+record formal-power 'the power device: order, time, value, freeze, reset; its ROMs are monotone' \
+    'induction, z3' '^power\(_roms\)\{0,1\}-[^ ]*	' PROVED proofs
 record formal-roms 'ROM 33 is (n+1)/3 rounded; ROM 9 is where t changes sign' 'SMT, z3' \
     '^roms	' PROVED proofs
 record formal-wrong 'every deliberately broken circuit is caught' 'counterexample, z3' \
