@@ -44,7 +44,8 @@ static void proves_the_device(void **state)
 {
     (void)state;
     static const char *const proofs[] = {"device-cosine-combinational-2-1",
-                                         "device-cosine-pipelined-16-7"};
+                                         "device-cosine-pipelined-16-7",
+                                         "power-half-pipelined-4-2"};
     for (size_t i = 0; i < sizeof proofs / sizeof *proofs; i++) {
         assert_int_equal(prove(proofs[i], NULL, NULL), 0);
         assert_result("\tuninvited in_order once frozen value\tinduction, 1 clock\t");
@@ -59,7 +60,9 @@ static void every_lane_of_every_device_is_to_be_proved(void **state)
     static const char *const kinds[] = {"device-cosine-combinational", "device-cosine-pipelined",
                                         "device-sign-combinational",   "device-sign-pipelined",
                                         "device-drawn-combinational",  "device-drawn-pipelined",
-                                        "gates-combinational",         "gates-pipelined"};
+                                        "gates-combinational",         "gates-pipelined",
+                                        "power-half-combinational",    "power-half-pipelined",
+                                        "power-quarter-combinational", "power-quarter-pipelined"};
     const char *given = getenv("GLINT_BUILD");
     char table[1100], line[128];
     snprintf(table, sizeof table, "%s/settings", given != NULL ? given : "build");
