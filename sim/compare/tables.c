@@ -285,17 +285,23 @@ static double error_of(const json_t *unit)
     return number(json_object_get(unit, "errors"), "power_steps");
 }
 
-/* No other is as good in both and better in one. flow NULL: by gates. */
+static int takes_any_n(const json_t *unit)
+{
+    return !(number(unit, "only_n") > 0);
+}
+
+/* No other is as good in both and better in one, of those that take any n. flow NULL: by gates. */
 static int is_on_front(const json_t *tree, const json_t *unit, const char *flow)
 {
     const double error = error_of(unit), cost = cost_of(unit, flow);
     json_t *other;
-    if (isnan(error) || isnan(cost))
+    if (isnan(error) || isnan(cost) || !takes_any_n(unit))
         return 0;
     glint_json_each(other, tree)
     {
         const double e = error_of(other), c = cost_of(other, flow);
-        if (has_lanes(other, 1) && e <= error && c <= cost && (e < error || c < cost))
+        if (has_lanes(other, 1) && takes_any_n(other) && e <= error && c <= cost &&
+            (e < error || c < cost))
             return 0;
     }
     return 1;

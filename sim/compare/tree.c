@@ -74,7 +74,8 @@ static bool add_units(json_t *tree)
             !glint_json_add_text(unit, "label", label) ||
             !glint_json_add_number(unit, "lanes", glint_compare_lanes(&setting)) ||
             !glint_json_add_number(unit, "w_frac_bits", glint_compare_w_frac_bits(&setting)) ||
-            !glint_json_add_number(unit, "latency", glint_setting_latency(&setting)))
+            !glint_json_add_number(unit, "latency", glint_setting_latency(&setting)) ||
+            !glint_json_add_number(unit, "only_n", glint_compare_only_n(&setting)))
             return false;
     }
     return true;

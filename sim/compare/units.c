@@ -6,6 +6,7 @@
 
 #include "circuit/circuits.h"
 #include "circuit/highlight.h"
+#include "compare/formula.h"
 #include "glint_specular_device.h"
 
 #define PIPELINE "pipeline"
@@ -139,6 +140,15 @@ void glint_compare_label(const glint_setting *setting, char text[GLINT_SETTING_T
             length += (size_t)snprintf(text + length, GLINT_SETTING_TEXT - length, ", %s %d",
                                        parameter->name, setting->values[i]);
     }
+}
+
+uint32_t glint_compare_only_n(const glint_setting *setting)
+{
+    glint_compare_formula formula;
+    glint_error err;
+    return glint_compare_formula_of(setting, &formula, &err) == GLINT_OK
+               ? glint_compare_formula_n(&formula)
+               : 0;
 }
 
 int glint_compare_lanes(const glint_setting *setting)

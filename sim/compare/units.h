@@ -8,6 +8,7 @@
 #define GLINT_SIM_COMPARE_UNITS_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "circuit/setting.h"
 
@@ -19,6 +20,9 @@ bool glint_compare_setting_named(const char *name, glint_setting *setting);
 
 /* "power, accuracy half": the unit and its variant, without what all have in common. */
 void glint_compare_label(const glint_setting *setting, char text[GLINT_SETTING_TEXT]);
+
+/* The one n that it is made for; 0: any. */
+uint32_t glint_compare_only_n(const glint_setting *setting);
 
 int glint_compare_lanes(const glint_setting *setting);
 int glint_compare_w_frac_bits(const glint_setting *setting); /* W is U1.this */

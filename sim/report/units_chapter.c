@@ -88,7 +88,8 @@ static glint_status put_unit(glint_report *report, const glint_setting *setting,
     glint_number_put(numbers, errors.own.steps, "units.%s.own", name);
     glint_number_put(numbers, errors.nmse, "units.%s.nmse", name);
     put_sizes(numbers, name, unit);
-    choose(best, label, errors.power.steps, size_of(unit, "cells", "gates"));
+    if (glint_compare_only_n(setting) == 0)
+        choose(best, label, errors.power.steps, size_of(unit, "cells", "gates"));
     return GLINT_OK;
 }
 
