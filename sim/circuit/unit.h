@@ -66,6 +66,22 @@ void glint_unit_put(int lanes, uint64_t point, void *pins);
 
 /* Of `parameters`, which the file has, and its list of headings. */
 #define GLINT_UNIT_DESCRIPTION(name_, title_, HEADINGS)                                            \
+    GLINT_UNIT_DESCRIPTION_WITH(name_, title_, HEADINGS, .domain = &domain)
+
+/* The same with a drawing: GLINT_BLOCKS(block_), of a table in which GLINT_UNIT_ROW_OF is a
+ * register between two stages, or the wire in its place. */
+#define GLINT_UNIT_DESCRIPTION_DRAWN(name_, title_, HEADINGS, block_)                              \
+    GLINT_UNIT_DESCRIPTION_WITH(name_, title_, HEADINGS, .domain = &domain, GLINT_BLOCKS(block_))
+
+#define GLINT_UNIT_ROW_OF(unit_, called, from)                                                     \
+    {                                                                                              \
+        .name = called, .inputs = from,                                                            \
+        .symbol = glint_unit_config_of(unit_, values).pipeline == GLINT_PIPELINE_PIPELINED         \
+                      ? GLINT_SYMBOL_REGISTER                                                      \
+                      : GLINT_SYMBOL_WIRE                                                          \
+    }
+
+#define GLINT_UNIT_DESCRIPTION_WITH(name_, title_, HEADINGS, ...)                                  \
     static const glint_unit_heading lane_headings[] = {HEADINGS(GLINT_UNIT_LANE_HEADING)};         \
     static const glint_unit_circuit own = {                                                        \
         .unit = &glint_unit_##name_,                                                               \
@@ -146,7 +162,7 @@ void glint_unit_put(int lanes, uint64_t point, void *pins);
         .stimulus_size = sizeof(glint_stimulus),                                                   \
         .stimulus_begin = stimulus_begin,                                                          \
         .stimulus_next = glint_unit_stimulus_next,                                                 \
-        .domain = &domain,                                                                         \
+        __VA_ARGS__,                                                                               \
     };
 
 #endif
