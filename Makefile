@@ -192,6 +192,8 @@ DIVIDER_FAULTS  := $(wildcard tests/divider/wrong/*/*/*.sed)
 DEEP_DIVIDER_FAULTS := $(wildcard tests/divider/deep/*/*/*.sed)
 # Of the power device: tests/power/wrong/<what>/<module>.sed, $(BUILD)/wrong/power_<what>.
 POWER_FAULTS    := $(wildcard tests/power/wrong/*/*.sed)
+# Of the span unit: tests/span/wrong/<what>/<module>.sed, $(BUILD)/wrong/span_<what>.
+SPAN_FAULTS     := $(wildcard tests/span/wrong/*/*.sed)
 wrong_name       = $(notdir $(patsubst %/,%,$(dir $1)))
 
 # $1: what, $2: the file of the fault, $3: the module's file name
@@ -210,6 +212,8 @@ $(foreach f,$(DIVIDER_FAULTS) $(DEEP_DIVIDER_FAULTS),\
     $(eval $(call wrong_circuit,divider_$(call wrong_name,$f),$f,$(notdir $(f:.sed=.v)))))
 $(foreach f,$(POWER_FAULTS),\
     $(eval $(call wrong_circuit,power_$(call wrong_name,$f),$f,$(notdir $(f:.sed=.v)))))
+$(foreach f,$(SPAN_FAULTS),\
+    $(eval $(call wrong_circuit,span_$(call wrong_name,$f),$f,$(notdir $(f:.sed=.v)))))
 
 # Shared by several tests: tests/<thing>/*.c that are not programs themselves.
 TEST_HELPERS := $(filter-out $(TEST_SOURCES) %/main.c %/drive.c,$(wildcard tests/*/*.c))

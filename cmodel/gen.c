@@ -11,6 +11,7 @@
 
 #include "glint_divider_device.h"
 #include "glint_power.h"
+#include "glint_quadratic_span.h"
 #include "glint_rivals.h"
 #include "glint_specular_device.h"
 
@@ -77,6 +78,8 @@ static void write_formats(FILE *out)
     WRITE_CONSTANT(out, GLINT_BIPARTITE_B_BITS);
     WRITE_CONSTANT(out, GLINT_BIPARTITE_C_BITS);
     WRITE_CONSTANT(out, GLINT_BIPARTITE_OFFSET_BITS);
+    WRITE_CONSTANT(out, GLINT_QUADRATIC_SPAN_INT_BITS);
+    WRITE_CONSTANT(out, GLINT_QUADRATIC_SPAN_FRACTION_DEFAULT);
     fprintf(out, "\n`endif\n");
 }
 

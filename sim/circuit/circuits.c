@@ -13,6 +13,7 @@
     X(lean)                                                                                        \
     X(narrow)                                                                                      \
     GLINT_UNITS(X)                                                                                 \
+    X(span)                                                                                        \
     /* no more */
 
 #define DECLARE(name) extern const glint_circuit glint_circuit_##name;

@@ -7,6 +7,8 @@
 extern const glint_circuit glint_circuit_specular; /* figure 3.1: gate, pipeline, lanes */
 extern const glint_circuit glint_circuit_divider;  /* figure 2.13: form, shifts */
 
+extern const glint_circuit glint_circuit_span; /* appendix A: fraction */
+
 /* Number 0…; NULL past the last. */
 const glint_circuit *glint_circuit_number(int index);
 
@@ -27,6 +29,7 @@ enum { GLINT_DIVIDER_FORM, GLINT_DIVIDER_SHIFTS };
 #include "glint_specular_device.h"
 glint_setting glint_setting_specular(const glint_specular_config *config);
 glint_setting glint_setting_divider(glint_divider_form form, int shifts);
+glint_setting glint_setting_span(int fraction);
 glint_specular_config glint_specular_config_of(const int *values);
 
 #endif

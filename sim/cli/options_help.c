@@ -185,6 +185,20 @@ static void print_details(const char *text)
     }
 }
 
+/* The name of an option with the value it takes; a list too long for a line goes on in the next one
+ * behind a bar. */
+static void print_name(const char *name)
+{
+    const int length = (int)strlen(name);
+    int end = length < PAGE_WIDTH ? length : PAGE_WIDTH;
+    while (end < length && end > 0 && name[end - 1] != '|')
+        end--;
+    if (end == 0 || end == length)
+        printf("%s\n", name);
+    else
+        printf("%.*s\n      %s\n", end, name, name + end);
+}
+
 static void print_option(const glint_option *option)
 {
     char name[128];
@@ -198,10 +212,12 @@ static void print_option(const glint_option *option)
     else
         current_value(option, value, sizeof value);
     snprintf(help, sizeof help, *value != '\0' ? "%s (default %s)" : "%s", option->help, value);
-    if (length + 2 > HELP_COLUMN)
-        printf("%s\n%*s", name, HELP_COLUMN, "");
-    else
+    if (length + 2 > HELP_COLUMN) {
+        print_name(name);
+        printf("%*s", HELP_COLUMN, "");
+    } else {
         printf("%-*s", HELP_COLUMN, name);
+    }
     print_wrapped(help, HELP_COLUMN, HELP_COLUMN);
 }
 

@@ -25,6 +25,13 @@ listed && /^ *$/ { listed = 0 }
     next
 }
 
+# A list of words goes on in the next line behind a bar.
+value ~ /\|$/ && help == "" {
+    sub(/^ +/, "")
+    value = value $0
+    next
+}
+
 {
     sub(/^ +/, "")
     help = help (help == "" ? "" : " ") $0

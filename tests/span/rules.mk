@@ -1,0 +1,3 @@
+# The span unit's function is compared with exact rationals.
+
+$(BUILD)/tests/span/test_span_unit: LDLIBS += -lgmp

@@ -1,0 +1,2 @@
+# The second difference loads with every step.
+s/\.en(en && load)/.en(en \&\& (load || step))/
