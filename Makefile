@@ -35,13 +35,14 @@ WARNINGS   := -Wall -Wextra -Wpedantic -Wconversion -Werror
 # clocks spends its time in is optimised: VECTOR what gains by vectors, HOT what is called for
 # each; the rest runs once a command and is compiled at -O0. Tests are computations of their own.
 VECTOR     := $(addprefix sim/,bench/kernels bench/formulas lockstep/exhaustive lockstep/domain \
-              rtl/specular_batch rtl/divider_batch $(addprefix render/,approximate points raster reflection_map shade)) \
+              rtl/specular_batch rtl/divider_batch rtl/span_batch $(addprefix render/,approximate \
+              points raster reflection_map shade)) \
               cmodel/specular_batch cmodel/power_batch cmodel/unit_batch
 HOT        := cmodel/ $(addprefix sim/,backend/ bench/ circuit/random circuit/schedule \
               circuit/stimulus circuit/divider_stimulus color/ compare/errors energy/ image/ \
               lockstep/ reflectance/ rtl/needed rtl/rtl thread/ trace/ $(addprefix render/,camera \
-              clip detail gouraud mesh paint pick render scene setup sheen show span split \
-              transform)) tests/reference/
+              clip detail gouraud listing mesh paint pick quadratic render scene setup sheen show \
+              span split transform)) tests/reference/
 among       = $(filter $(addsuffix %,$1),$<)
 OPTIMIZE    = $(if $(call among,$(VECTOR)),$(if $(SANITIZE),-O1,-O3),\
               $(if $(call among,$(HOT)),$(if $(SANITIZE),-O1,-O2),\

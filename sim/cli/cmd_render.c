@@ -111,16 +111,12 @@ static glint_status compare_frames(glint_render_result *result, glint_error *err
 /* The circuits of a frame by the Verilog. */
 static glint_status build(const glint_render_options *chosen, glint_error *err)
 {
-    glint_setting settings[] = {
-        glint_backend_setting(&chosen->backend),
-        glint_setting_divider(GLINT_DIVIDER_PIPELINED, chosen->scene.shifts),
-    };
+    glint_setting settings[2] = {glint_backend_setting(&chosen->backend)};
+    const bool two = glint_scene_circuit(&chosen->scene, &settings[1]);
     settings[1].verilog = chosen->backend.verilog;
     if (chosen->backend.kind != GLINT_BACKEND_RTL)
         return GLINT_OK;
-    return glint_build_first("render", settings,
-                             glint_shading_divides(chosen->scene.shading) ? 2 : 1, GLINT_RTL_FAST,
-                             0, err);
+    return glint_build_first("render", settings, two ? 2 : 1, GLINT_RTL_FAST, 0, err);
 }
 
 static glint_status render_all(const glint_render_options *chosen, const glint_mesh *mesh,

@@ -165,35 +165,38 @@ static int read_methods(const study_options *chosen, glint_study_setup *setup)
     return GLINT_OPTIONS_RUN;
 }
 
-/* The circuits that the rtl methods need: the specular device and, with Gouraud shading, the
- * divider. Returns how many. */
-static int circuits_of(const glint_study_setup *setup, glint_setting settings[2])
+enum { CIRCUITS_MAX = 3 };
+
+/* The circuits that the rtl methods need: the specular device and what their shadings need besides.
+ * Returns how many. */
+static int circuits_of(const glint_study_setup *setup, glint_setting settings[CIRCUITS_MAX])
 {
     const glint_backend_config config = {
         .gate = GLINT_GATE_COSINE, .pipeline = GLINT_PIPELINE_PIPELINED, .verilog = setup->verilog};
     int count = 0;
     settings[0] = glint_backend_setting(&config);
-    settings[1] = glint_setting_divider(GLINT_DIVIDER_PIPELINED, setup->scene.shifts);
-    settings[1].verilog = setup->verilog;
     for (int i = 0; i < 2; i++) {
         const glint_study_method *method = &setup->method[i];
         const bool is_rtl = !method->by_model && method->backend == GLINT_BACKEND_RTL;
-        const int needed = !is_rtl ? 0 : glint_shading_divides(method->shading) ? 2 : 1;
-        count = needed > count ? needed : count;
+        glint_scene scene = setup->scene;
+        scene.shading = method->shading;
+        count = is_rtl && count == 0 ? 1 : count;
+        if (is_rtl && glint_scene_circuit(&scene, &settings[count]))
+            settings[count++].verilog = setup->verilog;
     }
     return count;
 }
 
 static glint_status build(const glint_study_setup *setup, glint_error *err)
 {
-    glint_setting settings[2];
+    glint_setting settings[CIRCUITS_MAX];
     const int count = circuits_of(setup, settings);
     return glint_build_first("study", settings, count, GLINT_RTL_FAST, 0, err);
 }
 
 static int check_verilog(const glint_study_setup *setup)
 {
-    glint_setting settings[2];
+    glint_setting settings[CIRCUITS_MAX];
     const int count = circuits_of(setup, settings);
     int status = GLINT_OPTIONS_RUN;
     if (setup->verilog != NULL && count == 0) {

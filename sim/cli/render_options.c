@@ -15,6 +15,7 @@
 #include "cli/preset.h"
 #include "cli/shading_options.h"
 #include "cli/slips.h"
+#include "glint_quadratic_span.h"
 #include "render/shadings.h"
 
 /* What the option table fills besides the scene. */
@@ -25,7 +26,7 @@ typedef struct raw_options {
     glint_shading_options shadings;
     const char *out, *specular, *slips, *verilog;
     double n;
-    int64_t shifts;
+    int64_t shifts, fraction;
     int shading, backend, shader;
     bool json, force, n_given;
 } raw_options;
@@ -48,6 +49,7 @@ static raw_options defaults(void)
         .shadings = glint_shading_options_default(),
         .n = scene.n,
         .shifts = scene.shifts,
+        .fraction = scene.fraction,
         .shading = (int)scene.shading,
     };
 }
@@ -59,8 +61,9 @@ static const char details[] =
     "triangle; gouraud at the vertices, interpolating on the screen with increments from\n"
     "the divider (--backend real: exactly); gouraud-perspective interpolates on the\n"
     "object; phong evaluates it at every pixel. quadratic evaluates it at the corners of\n"
-    "each triangle and the middles of its edges and interpolates by the quadratic through\n"
-    "these six values; quadratic-listing does so as the thesis's listing, with its slips.\n"
+    "each triangle and the middles of its edges; the span unit walks the quadratic through\n"
+    "these six values, by second differences (--backend real: exactly); quadratic-listing\n"
+    "interpolates as the thesis's listing does, with its slips.\n"
     "\n"
     "More shadings, after the thesis's appendix A: mixed is gouraud in triangles without\n"
     "a highlight and phong in the others; gouraud-4 cuts each triangle through the lit\n"
@@ -102,8 +105,8 @@ static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&raw->shading, glint_shading_names}},
         {.name = "backend",
-         .help =
-             "what computes the highlights, and divides for --shading gouraud, gouraud-4 and mixed",
+         .help = "what computes the highlights, divides for --shading gouraud, gouraud-4 and "
+                 "mixed, and walks spans for quadratic",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&raw->backend, backend_names}},
         {.name = "specular",
@@ -122,6 +125,11 @@ static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .help = "the divider's shifts, for the same",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&raw->shifts, GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX}},
+        {.name = "fraction",
+         .help = "fraction bits of the span unit's numbers, for --shading quadratic",
+         .kind = GLINT_OPTION_INTEGER,
+         .integer = {&raw->fraction, GLINT_QUADRATIC_SPAN_FRACTION_MIN,
+                     GLINT_QUADRATIC_SPAN_FRACTION_MAX}},
         {.name = "slips",
          .placeholder = "LIST",
          .help = "for --shading quadratic-listing: all, none, or some of" GLINT_SLIP_NAMES,
@@ -217,17 +225,17 @@ static int choose_slips(const raw_options *raw, glint_scene *scene)
     return glint_slips_parse("render", raw->slips, &scene->slips);
 }
 
-/* Of the device, and with Gouraud's shading of the divider. */
+/* Of the device, and of what the shading needs besides. */
 static int check_verilog(const glint_render_options *chosen)
 {
     const bool is_used = chosen->backend.kind == GLINT_BACKEND_RTL;
     const glint_setting device = glint_backend_setting(&chosen->backend);
-    glint_setting divider = glint_setting_divider(GLINT_DIVIDER_PIPELINED, chosen->scene.shifts);
+    glint_setting other;
     int status = glint_rtl_option_settle("render", &device, is_used);
-    divider.verilog = chosen->backend.verilog;
-    if (status == GLINT_OPTIONS_RUN && glint_shading_divides(chosen->scene.shading))
-        status = glint_rtl_option_settle("render", &divider, is_used);
-    return status;
+    if (status != GLINT_OPTIONS_RUN || !glint_scene_circuit(&chosen->scene, &other))
+        return status;
+    other.verilog = chosen->backend.verilog;
+    return glint_rtl_option_settle("render", &other, is_used);
 }
 
 /* What computes the highlights there is a shader, by default of the device's formula. */
@@ -292,6 +300,7 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
     chosen->scene.n = raw.n;
     chosen->scene.shading = (glint_shading)raw.shading;
     chosen->scene.shifts = (int)raw.shifts;
+    chosen->scene.fraction = (int)raw.fraction;
     status = glint_device_options_settle("render", &raw.device, &chosen->backend);
     if (status == GLINT_OPTIONS_RUN)
         status = choose_specular(&raw, chosen);

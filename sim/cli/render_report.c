@@ -53,6 +53,12 @@ static void print_isc(FILE *out, const glint_render_isc *isc)
     fprintf(out, " of %" PRIu64 "\n", isc->difference.pixels);
 }
 
+static bool span_unit_works(const glint_render_options *chosen)
+{
+    return chosen->scene.shading == GLINT_SHADING_QUADRATIC &&
+           chosen->backend.kind != GLINT_BACKEND_REAL;
+}
+
 void glint_render_report_text(FILE *out, const glint_render_options *chosen,
                               const glint_render_result *result)
 {
@@ -73,6 +79,10 @@ void glint_render_report_text(FILE *out, const glint_render_options *chosen,
     if (divider_works(chosen)) {
         fprintf(out, ", %" PRIu64 " divisions with %d shifts", stats->divisions,
                 chosen->scene.shifts);
+    }
+    if (span_unit_works(chosen)) {
+        fprintf(out, ", %" PRIu64 " spans with %d fraction bits", stats->spans,
+                chosen->scene.fraction);
     }
     if (chosen->gl)
         fprintf(out, ", drawn by %s", result->frame[0].driver);
@@ -110,6 +120,8 @@ static void add_frame(json_t *frames, const glint_render_options *chosen,
                           per_second((double)stats->fragments, stats));
     if (stats->divider_clocks > 0)
         glint_json_add_number(json, "divider_clocks", (double)stats->divider_clocks);
+    if (stats->span_clocks > 0)
+        glint_json_add_number(json, "span_clocks", (double)stats->span_clocks);
     if (chosen->trace.traced)
         glint_trace_frame_json(glint_json_add(json, "trace", json_object()), chosen, frame);
     json_array_append_new(frames, json);
@@ -164,6 +176,10 @@ bool glint_render_report_json(const glint_render_options *chosen, const glint_re
         glint_json_add_text(json, "specular", glint_reflectance_names[chosen->scene.specular]);
     if (divider_works(chosen))
         glint_json_add_number(json, "shifts", chosen->scene.shifts);
+    if (span_unit_works(chosen)) {
+        glint_json_add_number(json, "fraction", chosen->scene.fraction);
+        glint_json_add_number(json, "spans", (double)stats->spans);
+    }
     glint_json_add_number(json, "threads", (double)chosen->what.threads);
     glint_json_add_number(json, "triangles", (double)stats->triangles);
     if (!chosen->gl && !chosen->trace.traced)

@@ -1,5 +1,5 @@
-/* How answers are reported and stored in a packet, for each circuit that has any: point_form.c and
- * division_form.c. */
+/* How answers are reported and stored in a packet, for each circuit that has any: point_form.c,
+ * division_form.c and span_form.c. */
 #ifndef GLINT_SIM_FAILURE_ANSWER_FORM_H
 #define GLINT_SIM_FAILURE_ANSWER_FORM_H
 
@@ -21,7 +21,7 @@ typedef struct glint_answer_form {
     void (*read)(glint_json_reader *r, const json_t *from, glint_answer *answer);
 } glint_answer_form;
 
-extern const glint_answer_form glint_point_form, glint_division_form;
+extern const glint_answer_form glint_point_form, glint_division_form, glint_span_form;
 
 /* NULL: the circuit has no answers. */
 const glint_answer_form *glint_answer_form_of(const glint_circuit *circuit);

@@ -55,7 +55,9 @@ const glint_answer_form *glint_answer_form_of(const glint_circuit *circuit)
 {
     if (glint_is_highlight(circuit))
         return &glint_point_form;
-    return circuit == &glint_circuit_divider ? &glint_division_form : NULL;
+    return circuit == &glint_circuit_divider ? &glint_division_form
+           : circuit == &glint_circuit_span  ? &glint_span_form
+                                             : NULL;
 }
 
 /* ---- What differs -------------------------------------------------------------------------------

@@ -14,7 +14,9 @@ const glint_answer_kind *glint_answer_kind_of(const glint_circuit *circuit)
 {
     if (glint_is_highlight(circuit))
         return &glint_specular_answers;
-    return circuit == &glint_circuit_divider ? &glint_divider_answers : NULL;
+    return circuit == &glint_circuit_divider ? &glint_divider_answers
+           : circuit == &glint_circuit_span  ? &glint_span_answers
+                                             : NULL;
 }
 
 bool glint_answer_possible(const glint_circuit *circuit)
@@ -54,6 +56,17 @@ void glint_answer_keep_divisions(glint_answer *answer, const glint_division *div
     answer->count = (int)(kept.last - kept.first);
     answer->at = (int)(at - kept.first);
     memcpy(answer->division, divisions + kept.first, (size_t)answer->count * sizeof *divisions);
+}
+
+void glint_answer_keep_steps(glint_answer *answer, int fraction, const glint_span_step *steps,
+                             size_t count, size_t at)
+{
+    const part kept = part_about(count, at, 1);
+    answer->count = (int)(kept.last - kept.first);
+    answer->at = (int)(at - kept.first);
+    memcpy(answer->step, steps + kept.first, (size_t)answer->count * sizeof *steps);
+    if (!answer->step[0].load)
+        answer->step[0] = glint_span_step_resumed(fraction, steps, kept.first);
 }
 
 void glint_answer_alone(const glint_answer *answer, const glint_setting *setting,

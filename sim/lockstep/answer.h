@@ -1,7 +1,7 @@
 /* A circuit's answer that differs from the C model's, found by an exhaustive run or a frame in a
  * run of points or divisions: the question, and the questions around it, so that it can be asked
- * again. Only the highlight units (circuit/units.h) and the divider have answers: points and
- * divisions are typed only here and in their batches. */
+ * again. Only the highlight units (circuit/units.h), the divider and the span unit have answers:
+ * points, divisions and pixels of spans are typed only here and in their batches. */
 #ifndef GLINT_SIM_LOCKSTEP_ANSWER_H
 #define GLINT_SIM_LOCKSTEP_ANSWER_H
 
@@ -10,6 +10,7 @@
 #include "circuit/setting.h"
 #include "glint_divider_device.h"
 #include "glint_specular_device.h"
+#include "lockstep/batch_pins.h"
 
 typedef enum glint_answer_value {
     GLINT_ANSWER_W,
@@ -24,14 +25,16 @@ typedef enum glint_answer_value {
 #define GLINT_ANSWER_POINTS                                                                        \
     ((GLINT_ANSWER_CLOCKS_BEFORE + 1 + GLINT_ANSWER_CLOCKS_AFTER) * GLINT_LANES_MAX)
 #define GLINT_ANSWER_DIVISIONS (GLINT_ANSWER_CLOCKS_BEFORE + 1 + GLINT_ANSWER_CLOCKS_AFTER)
+#define GLINT_ANSWER_STEPS     GLINT_ANSWER_DIVISIONS
 
 typedef struct glint_answer {
     glint_material material; /* of a highlight unit, like cos_code */
     union {
         uint32_t cos_code[GLINT_ANSWER_POINTS];
         glint_division division[GLINT_ANSWER_DIVISIONS];
+        glint_span_step step[GLINT_ANSWER_STEPS]; /* the first one loads */
     };
-    int count;                /* points or divisions kept */
+    int count;                /* points, divisions or pixels kept */
     int at;                   /* the one of them whose answer differs */
     glint_answer_value value; /* the first of its values that does */
     int32_t model, rtl;       /* both: a code of W or of a quotient, or an intensity */
@@ -45,6 +48,14 @@ void glint_answer_keep_points(glint_answer *answer, int lanes, const glint_mater
 /* The same for divisions. */
 void glint_answer_keep_divisions(glint_answer *answer, const glint_division *divisions,
                                  size_t count, size_t at);
+
+/* The same for pixels of spans. Where the first one kept is in the middle of a span, it becomes a
+ * load of what the unit's registers held there. */
+void glint_answer_keep_steps(glint_answer *answer, int fraction, const glint_span_step *steps,
+                             size_t count, size_t at);
+
+/* Pixel `at` of a run that begins with a load, as a load. */
+glint_span_step glint_span_step_resumed(int fraction, const glint_span_step *steps, size_t at);
 
 /* Reduces it to its point or division alone, in the same place of the circuit and in a form that
  * can be typed: copies of the point from lane 0 up to the answer's, or the differences up to the

@@ -1,5 +1,6 @@
 /* What differs between the circuits whose answers frames and exhaustive runs ask for by number: the
- * highlight units, specular_answer.c, and the divider, divider_answer.c. */
+ * highlight units, specular_answer.c, the divider, divider_answer.c, and the span unit,
+ * span_answer.c. */
 #ifndef GLINT_SIM_LOCKSTEP_ANSWER_KIND_H
 #define GLINT_SIM_LOCKSTEP_ANSWER_KIND_H
 
@@ -16,7 +17,7 @@ typedef struct glint_answer_kind {
     void (*put)(const glint_setting *setting, const glint_batch *batch, size_t clock,
                 glint_pins *pins);
 
-    /* The answer's points or divisions as a run. */
+    /* The answer's points, divisions or pixels as a run. */
     void (*batch)(const glint_answer *answer, glint_batch *batch);
 
     /* glint_answer_alone(), the rest of it being done; glint_answer_ask(). */
@@ -32,7 +33,7 @@ typedef struct glint_answer_kind {
                       const glint_signal_info *signal);
 } glint_answer_kind;
 
-extern const glint_answer_kind glint_specular_answers, glint_divider_answers;
+extern const glint_answer_kind glint_specular_answers, glint_divider_answers, glint_span_answers;
 
 /* NULL: the circuit's answers are not asked for by number. */
 const glint_answer_kind *glint_answer_kind_of(const glint_circuit *circuit);

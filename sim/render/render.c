@@ -28,6 +28,7 @@ typedef struct frame {
     const glint_mesh *mesh;
     glint_shading shading;
     int shifts; /* GLINT_SHIFTS_EXACT with backend real */
+    int fraction;
     unsigned slips;
     bool sheen; /* triangles are told apart by their highlight */
     uint8_t color[3];
@@ -256,7 +257,7 @@ static glint_status shade_band(frame *f, glint_render_worker *w)
         glint_perspective_band(&w->band, f->image, &fragments);
         break;
     case GLINT_SHADING_QUADRATIC:
-        glint_quadratic_band(&w->band, f->image, &fragments);
+        status = glint_quadratic_band(w->quadratic, &w->band, f->image, &fragments, &w->error);
         break;
     case GLINT_SHADING_QUADRATIC_LISTING:
         glint_listing_band(&w->band, f->slips, f->image, &fragments);
@@ -377,6 +378,14 @@ static glint_status prepare_gouraud(const frame *f, glint_render_worker *w, glin
     return status;
 }
 
+static glint_status prepare_quadratic(const frame *f, glint_render_worker *w, glint_error *err)
+{
+    const glint_renderer *r = f->renderer;
+    const glint_quadratic_config config = {
+        .kind = r->config.kind, .fraction = f->fraction, .verilog = r->config.verilog};
+    return glint_quadratic_shader_prepare(&w->quadratic, r->extent.width, &config, r->watch, err);
+}
+
 /* The model of the scene's highlights, kept from frame to frame because some take long to prepare.
  * *specular is NULL if the backend computes them. */
 static glint_status prepare_specular(glint_renderer *r, const glint_scene *scene,
@@ -441,6 +450,8 @@ static glint_status prepare_workers(const frame *f, glint_error *err)
             status = prepare_part(f, w, err);
         if (status == GLINT_OK && f->shading == GLINT_SHADING_GOURAUD_4)
             status = prepare_split(w, err);
+        if (status == GLINT_OK && f->shading == GLINT_SHADING_QUADRATIC)
+            status = prepare_quadratic(f, w, err);
         w->clocks_before = w->divider != NULL ? glint_divider_backend_clocks(w->divider) : 0;
     }
     return status;
@@ -479,6 +490,10 @@ static void collect_stats(const frame *f, double seconds, glint_render_stats *st
         add_operations(&stats->operations, &w->operations);
         if (w->divider != NULL)
             stats->divider_clocks += glint_divider_backend_clocks(w->divider) - w->clocks_before;
+        if (f->shading == GLINT_SHADING_QUADRATIC) {
+            stats->spans += glint_quadratic_shader_spans(w->quadratic);
+            stats->span_clocks += glint_quadratic_shader_clocks(w->quadratic);
+        }
     }
     stats->divisions = (stats->operations.stage[GLINT_SPAN_EDGE_INCREMENTS].divisions +
                         stats->operations.stage[GLINT_SPAN_ROW_INCREMENTS].divisions) /
@@ -514,6 +529,7 @@ static glint_status run_frame(glint_renderer *renderer, const glint_scene *scene
     f->mesh = scene->mesh;
     f->shading = scene->shading;
     f->shifts = renderer->config.kind == GLINT_BACKEND_REAL ? GLINT_SHIFTS_EXACT : scene->shifts;
+    f->fraction = scene->fraction;
     f->slips = scene->slips;
     atomic_init(&f->next, 0);
     atomic_init(&f->failed, false);
@@ -627,6 +643,7 @@ void glint_renderer_destroy(glint_renderer *renderer)
     for (int i = 0; renderer->workers != NULL && i < renderer->threads; i++) {
         glint_backend_destroy(renderer->workers[i].backend);
         glint_divider_backend_destroy(renderer->workers[i].divider);
+        glint_quadratic_shader_destroy(renderer->workers[i].quadratic);
         glint_gouraud_destroy(renderer->workers[i].gouraud);
         glint_visibility_destroy(&renderer->workers[i].band);
         glint_visibility_destroy(&renderer->workers[i].part);
@@ -657,5 +674,6 @@ glint_status glint_renderer_watch(glint_renderer *renderer, glint_backend_watch 
     glint_backend_set_watch(only->backend, watch);
     if (only->divider != NULL)
         glint_divider_backend_set_watch(only->divider, watch);
+    glint_quadratic_shader_watch(only->quadratic, watch);
     return GLINT_OK;
 }

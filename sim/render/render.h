@@ -69,6 +69,9 @@ typedef struct glint_scene {
     glint_shading shading; /* [phong] */
     int shifts; /* of the divider, for Gouraud's shading on the screen: GLINT_DIVIDER_SHIFTS_MIN…
                    MAX or GLINT_SHIFTS_EXACT. Backend real is always exact. [default] */
+    int fraction;   /* bits of the span unit's numbers, for quadratic shading: GLINT_QUADRATIC_SPAN_
+                       FRACTION_MIN…MAX or GLINT_FRACTION_EXACT. Backend real is always exact.
+                       [default] */
     unsigned slips; /* of the listing, for its shading: a mask of glint_slip [GLINT_SLIPS_ALL] */
     int delta;      /* for mixed: a highlight of so many levels counts as none, 0…255 [0] */
     int map_size;   /* of the reflection map, 2…1024 entries each way [256] */
@@ -84,6 +87,10 @@ typedef struct glint_scene {
 /* Sets everything but the mesh to the defaults in brackets above. */
 void glint_scene_defaults(glint_scene *scene);
 
+/* The circuit that the scene's shading needs besides the device: Gouraud's divider, the span unit.
+ * false: none. */
+bool glint_scene_circuit(const glint_scene *scene, glint_setting *setting);
+
 /* GLINT_BAD_ARGUMENT for an n that the model or the scene does not accept. */
 glint_status glint_scene_check_exponent(glint_reflectance_model model, double n, glint_error *err);
 
@@ -97,6 +104,7 @@ typedef struct glint_render_stats {
     uint64_t sheen;      /* of drawn: those that may have a highlight, with isc or mixed */
     uint64_t divisions;  /* done by the divider, each of three components */
     uint64_t divider_clocks;          /* of its circuits; 0 for backends without a clock */
+    uint64_t spans, span_clocks;      /* walked by the span unit, and the clocks of its circuits */
     glint_span_operations operations; /* of the span unit */
     double seconds;
     double shading_seconds; /* of the processor for light and colours: the mean of the threads */

@@ -5,6 +5,7 @@
 
 #include "render/gouraud.h"
 #include "render/points.h"
+#include "render/quadratic_band.h"
 #include "render/raster.h"
 #include "render/render.h"
 #include "render/setup.h"
@@ -24,7 +25,8 @@ typedef struct glint_render_worker {
     glint_gouraud *gouraud; /* made, with the divider, for the first frame that needs it */
     glint_divider_backend *divider;
     int divider_shifts;
-    uint64_t fragments, highlights; /* of this frame, like the next four */
+    glint_quadratic_shader *quadratic; /* likewise */
+    uint64_t fragments, highlights;    /* of this frame, like the next four */
     uint64_t sheen;
     double shading_seconds;
     glint_span_operations operations;

@@ -3,8 +3,11 @@
 
 #include <math.h>
 
+#include "circuit/circuits.h"
 #include "render/listing.h"
+#include "render/quadratic_band.h"
 #include "render/reflection_map.h"
+#include "render/shadings.h"
 
 void glint_scene_defaults(glint_scene *scene)
 {
@@ -26,10 +29,22 @@ void glint_scene_defaults(glint_scene *scene)
         .distance = 0.0f,
         .shading = GLINT_SHADING_PHONG,
         .shifts = GLINT_DIVIDER_SHIFTS_DEFAULT,
+        .fraction = GLINT_QUADRATIC_SPAN_FRACTION_DEFAULT,
         .slips = GLINT_SLIPS_ALL,
         .map_size = GLINT_MAP_SIZE_DEFAULT,
         .f0 = (float)GLINT_F0_DEFAULT,
     };
+}
+
+bool glint_scene_circuit(const glint_scene *scene, glint_setting *setting)
+{
+    if (glint_shading_divides(scene->shading))
+        *setting = glint_setting_divider(GLINT_DIVIDER_PIPELINED, scene->shifts);
+    else if (scene->shading == GLINT_SHADING_QUADRATIC)
+        *setting = glint_setting_span(scene->fraction);
+    else
+        return false;
+    return true;
 }
 
 glint_status glint_scene_check_exponent(glint_reflectance_model model, double n, glint_error *err)
@@ -101,6 +116,13 @@ static glint_status check_shading(const glint_scene *scene, glint_error *err)
     if (scene->map_size < GLINT_MAP_SIZE_MIN || scene->map_size > GLINT_MAP_SIZE_MAX) {
         return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: map_size is %d, not from %d to %d",
                           scene->map_size, GLINT_MAP_SIZE_MIN, GLINT_MAP_SIZE_MAX);
+    }
+    if (scene->fraction != GLINT_FRACTION_EXACT &&
+        (scene->fraction < GLINT_QUADRATIC_SPAN_FRACTION_MIN ||
+         scene->fraction > GLINT_QUADRATIC_SPAN_FRACTION_MAX)) {
+        return glint_fail(err, GLINT_BAD_ARGUMENT, "scene: fraction is %d, not from %d to %d",
+                          scene->fraction, GLINT_QUADRATIC_SPAN_FRACTION_MIN,
+                          GLINT_QUADRATIC_SPAN_FRACTION_MAX);
     }
     return GLINT_OK;
 }

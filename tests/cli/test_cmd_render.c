@@ -80,6 +80,8 @@ static void both_backends_are_equal(void **state)
         "--backend both --size 200x150 --shading gouraud --shifts 6 --model quad",
         "--backend both --size 200x150 --shading gouraud-perspective --model sphere",
         "--backend both --size 200x150 --shading quadratic",
+        "--backend both --size 200x150 --shading quadratic --fraction 8 --model quad",
+        "--backend both --size 200x150 --shading quadratic --fraction 26 --threads 3",
         "--backend both --size 200x150 --shading quadratic-listing --slips factor,sign",
     };
     for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
@@ -266,6 +268,7 @@ static void threads_lanes_and_pipeline_do_not_change_the_picture(void **state)
         "--backend rtl --pipeline combinational",
         "--shading phong",
         "--shifts 6",
+        "--fraction 8",
     };
     glint_image *usual = rendered("--size 160x120");
     for (size_t i = 0; i < sizeof same / sizeof same[0]; i++) {
@@ -429,6 +432,10 @@ static void the_divisions_are_told_of(void **state)
     assert_says(done.out, "\ngouraud: 14112 highlights, ");
     assert_says(done.out, " divisions with 9 shifts\n");
     forget(&done);
+    done = render("told.png", "--size 160x120 --shading quadratic --fraction 9");
+    assert_says(done.out, "quadratic: ");
+    assert_says(done.out, " spans with 9 fraction bits\n");
+    forget(&done);
     done = render("told.png", "--size 160x120 --shading gouraud --backend real");
     assert_outcome(&done, 0, "");
     assert_says(done.out, "\ngouraud: 14112 highlights\n");
@@ -498,6 +505,8 @@ static void what_cannot_be_rendered_is_named(void **state)
         {"--model quad --density 4", 2, "--density needs the teapot or the sphere"},
         {"--shading", 2, "flat, gouraud, gouraud-perspective, "},
         {"--shading goraud", 2, "flat, gouraud, gouraud-perspective, "},
+        {"--fraction 7", 2, "an integer from 8 to 26"},
+        {"--fraction 27", 2, "an integer from 8 to 26"},
         {"--slips all", 2, "--slips needs --shading quadratic-listing"},
         {"--shading quadratic --slips none", 2, "--slips needs --shading quadratic-listing"},
         {"--shading quadratic-listing --slips", 2, "--slips"},

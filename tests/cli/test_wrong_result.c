@@ -16,13 +16,14 @@
 #include "file/json.h"
 #include "run.h"
 
-enum { WRONG_DEVICE, WRONG_DIVIDER, SILENT_DEVICE, RIGHT, VERILOGS };
+enum { WRONG_DEVICE, WRONG_DIVIDER, SILENT_DEVICE, WRONG_SPAN_UNIT, RIGHT, VERILOGS };
 
 static char verilogs[VERILOGS][1024]; /* "": Glint's own */
 
 static int name_verilogs(void **state)
 {
-    static const char *const names[RIGHT] = {"truncating", "divider_table_off_by_one", "silent"};
+    static const char *const names[RIGHT] = {"truncating", "divider_table_off_by_one", "silent",
+                                             "span_unsigned"};
     const char *build = getenv("GLINT_BUILD");
     for (int i = 0; i < RIGHT; i++) {
         (void)snprintf(verilogs[i], sizeof verilogs[i], " --rtl %s/wrong/%s",
@@ -158,6 +159,26 @@ static void a_wrong_divider_is_found_in_a_frame(void **state)
     forget(&done);
 }
 
+/* A value below black is white: of the two components that are nearly black. */
+static void a_wrong_span_unit_is_found_in_a_frame(void **state)
+{
+    (void)state;
+    static const char words[] = "render --model sphere --density 8 --shading quadratic --ka 0 "
+                                "--backend both --json --out %s";
+    outcome done = run_with(WRONG_SPAN_UNIT, words, scratch_path("walk.png"));
+    assert_says(done.err, "span, fraction 18: a mismatch (frame)\n");
+    assert_says(done.err, " pixels after a load: ");
+    assert_says(done.err, "  alone: printf 'load step start_r ");
+    json_t *json = failed_result(&done);
+    assert_true(number(member(json, "comparison"), "differing_pixels") > 0);
+    assert_true(number(json, "spans") > 0);
+    assert_packet_of(json, scratch_path("walk-failure"), WRONG_SPAN_UNIT);
+    json_decref(json);
+    done = run_with(RIGHT, words, scratch_path("walk.png"));
+    assert_int_equal(done.status, 0);
+    forget(&done);
+}
+
 /* Pictures and packet of a failure stay when it is gone, which is said. */
 static void an_earlier_failure_is_told_apart(void **state)
 {
@@ -184,6 +205,7 @@ int main(void)
         cmocka_unit_test(an_exhaustive_run_gives_its_mismatches),
         cmocka_unit_test(a_circuit_that_keeps_an_answer_back_is_summed_up),
         cmocka_unit_test(a_wrong_divider_is_found_in_a_frame),
+        cmocka_unit_test(a_wrong_span_unit_is_found_in_a_frame),
         cmocka_unit_test(an_earlier_failure_is_told_apart),
     };
     return cmocka_run_group_tests(tests, name_verilogs, scratch_remove);

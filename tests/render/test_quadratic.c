@@ -1,5 +1,5 @@
-/* Quadratic interpolation of intensity, in floating point: the polynomial against one found by
- * exact rationals, its limits, whole frames, and the listing's slips. */
+/* Quadratic interpolation of intensity: the polynomial against one found by exact rationals, its
+ * limits, whole frames, by the span unit too, and the listing's slips. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,7 +14,7 @@
 #include "../seed.h"
 #include "circuit/random.h"
 #include "render/listing.h"
-#include "render/quadratic.h"
+#include "render/quadratic_band.h"
 #include "studio.h"
 
 enum { TRIANGLES = 2000, COORDINATES = 6 };
@@ -324,6 +324,114 @@ static void it_is_nearer_to_phong_than_gouraud(void **state)
     }
 }
 
+/* ---- By the span unit ---- */
+
+/* Within its bound the unit's value is half a level from the polynomial's, so rounded one level at
+ * most; with any number of fraction bits, as longer spans are cut. */
+static void the_unit_is_within_a_level(void **state)
+{
+    (void)state;
+    static const int fractions[] = {8, 12, GLINT_QUADRATIC_SPAN_FRACTION_DEFAULT, 26};
+    static const int densities[] = {4, 8, 64, 512};
+    studio exact = open_studio(400, 300, 2, GLINT_BACKEND_C);
+    studio unit = open_studio(400, 300, 2, GLINT_BACKEND_C);
+    for (size_t d = 0; d < sizeof densities / sizeof densities[0]; d++) {
+        glint_mesh *mesh = sphere(densities[d]);
+        glint_scene scene = scene_of(mesh, GLINT_SHADING_QUADRATIC);
+        scene.fraction = GLINT_FRACTION_EXACT;
+        shoot(&exact, &scene);
+        assert_int_equal(exact.stats.spans, 0);
+        for (size_t i = 0; i < sizeof fractions / sizeof fractions[0]; i++) {
+            glint_image_difference difference;
+            scene.fraction = fractions[i];
+            shoot(&unit, &scene);
+            assert_true(unit.stats.spans > 0);
+            assert_int_equal(unit.stats.span_clocks, 0);
+            assert_int_equal(glint_image_compare(exact.image, unit.image, &difference, NULL),
+                             GLINT_OK);
+            assert_int_equal(difference.mask_pixels, 0);
+            assert_true(difference.largest <= 1);
+        }
+        glint_mesh_destroy(mesh);
+    }
+    close_studio(&unit);
+    close_studio(&exact);
+}
+
+/* From near and from within, cut by the near plane and by the frame; with triangles smaller than a
+ * pixel. A pixel a clock, and one more for each run. */
+static void c_and_rtl_give_the_same_bits(void **state)
+{
+    (void)state;
+    static const int fractions[] = {8, GLINT_QUADRATIC_SPAN_FRACTION_DEFAULT, 26};
+    static const int densities[] = {4, 16, 512};
+    studio c = open_studio(300, 200, 2, GLINT_BACKEND_C);
+    studio rtl = open_studio(300, 200, 2, GLINT_BACKEND_RTL);
+    for (size_t d = 0; d < sizeof densities / sizeof densities[0]; d++) {
+        glint_mesh *mesh = sphere(densities[d]);
+        for (int i = 0; i < 6; i++) {
+            glint_image_difference difference;
+            glint_scene scene = scene_of(mesh, GLINT_SHADING_QUADRATIC);
+            scene.fraction = fractions[i % 3];
+            scene.distance = i < 3 ? 0.0f : 1.05f;
+            shoot(&c, &scene);
+            shoot(&rtl, &scene);
+            assert_int_equal(glint_image_compare(c.image, rtl.image, &difference, NULL), GLINT_OK);
+            assert_int_equal(difference.differing_pixels + difference.mask_pixels, 0);
+            assert_true(difference.object_pixels > 0);
+            assert_int_equal(c.stats.spans, rtl.stats.spans);
+            assert_true(rtl.stats.span_clocks >= rtl.stats.fragments);
+        }
+        glint_mesh_destroy(mesh);
+    }
+    close_studio(&rtl);
+    close_studio(&c);
+}
+
+/* Numbers that a short span does not use are 0, however steep it is across the triangle. */
+static void short_spans_have_no_unused_numbers(void **state)
+{
+    (void)state;
+    const double value[6] = {0.0, 255.0, 0.0, 255.0, 0.0, 255.0};
+    const glint_quadratic q[3] = {glint_quadratic_of(value, value + 3),
+                                  glint_quadratic_of(value, value + 3),
+                                  glint_quadratic_of(value, value + 3)};
+    const glint_weights w = {0.25, 0.25, 300.0, -500.0};
+    const glint_quadratic_walk one = glint_quadratic_walk_of(q, &w, 1, 18);
+    const glint_quadratic_walk two = glint_quadratic_walk_of(q, &w, 2, 18);
+    const glint_quadratic_walk three = glint_quadratic_walk_of(q, &w, 3, 18);
+    for (int c = 0; c < 3; c++) {
+        assert_true(one.start[c] == three.start[c] && two.start[c] == three.start[c]);
+        assert_true(one.first[c] == 0 && one.second[c] == 0);
+        assert_true(two.first[c] == three.first[c] && two.first[c] != 0);
+        assert_true(two.second[c] == 0 && three.second[c] != 0);
+    }
+}
+
+/* The set-up's three numbers against the polynomial's values at the first three pixels. */
+static void the_three_numbers_are_differences(void **state)
+{
+    (void)state;
+    glint_random random = {seed};
+    for (int n = 0; n < TRIANGLES; n++) {
+        const lit_triangle t = draw(&random);
+        const glint_quadratic one = glint_quadratic_of(t.value, t.value + 3);
+        const glint_quadratic q[3] = {one, one, one};
+        const glint_weights w = {among(&random, 100) / 250.0, among(&random, 100) / 250.0,
+                                 among(&random, 101) / 5000.0 - 0.01,
+                                 among(&random, 101) / 5000.0 - 0.01};
+        const glint_quadratic_walk walk = glint_quadratic_walk_of(q, &w, 3, 26);
+        double value[3];
+        for (int i = 0; i < 3; i++)
+            value[i] = glint_quadratic_at(&one, w.at1 + i * w.step1, w.at2 + i * w.step2);
+        const double code = ldexp(1.0, -26);
+        assert_true(fabs((double)walk.start[0] * code - value[0]) <= 0.51 * code);
+        assert_true(fabs((double)walk.first[0] * code - (value[1] - value[0])) <= 0.51 * code);
+        assert_true(fabs((double)walk.second[0] * code - (value[2] - 2 * value[1] + value[0])) <=
+                    0.51 * code);
+    }
+}
+
 static studio shot_with_slips(const glint_mesh *mesh, unsigned slips)
 {
     studio s = open_studio(200, 200, 2, GLINT_BACKEND_REAL);
@@ -416,6 +524,10 @@ int main(void)
         cmocka_unit_test(the_range_on_the_triangle_is_limited),
         cmocka_unit_test(levels_are_rounded_and_held),
         cmocka_unit_test(it_is_nearer_to_phong_than_gouraud),
+        cmocka_unit_test(the_unit_is_within_a_level),
+        cmocka_unit_test(c_and_rtl_give_the_same_bits),
+        cmocka_unit_test(short_spans_have_no_unused_numbers),
+        cmocka_unit_test(the_three_numbers_are_differences),
         cmocka_unit_test(every_slip_is_seen),
         cmocka_unit_test(means_make_it_gouraud),
         cmocka_unit_test(degenerate_triangles_are_not_drawn),

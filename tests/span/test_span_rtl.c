@@ -20,6 +20,7 @@
 #include "circuit/circuits.h"
 #include "failure/packet.h"
 #include "glint_quadratic_span.h"
+#include "lockstep/answer.h"
 #include "lockstep/domain.h"
 #include "lockstep/lockstep.h"
 
@@ -155,11 +156,66 @@ static void every_fault_is_noticed_and_its_packet_replays(void **state)
         check_fault(&faults[f]);
 }
 
+/* ---- An answer asked again, for a packet ---- */
+
+enum { LONG = 300 };
+
+static glint_span_step steps[LONG];
+static uint8_t of_model[GLINT_QUADRATIC_SPAN_COMPONENTS * LONG];
+
+/* One span of 300 pixels, with a second load in it. */
+static void make_steps(int fraction)
+{
+    const int64_t one = INT64_C(1) << fraction;
+    const glint_quadratic_walk walk = {.start = {20 * one, 250 * one, -3 * one},
+                                       .first = {one, -one, one / 3},
+                                       .second = {9, -5, 1}};
+    for (int i = 0; i < LONG; i++)
+        steps[i] = (glint_span_step){i == 0 || i == 120, walk};
+    assert_int_equal(glint_quadratic_span(fraction, &walk, 120, of_model), GLINT_OK);
+    assert_int_equal(glint_quadratic_span(fraction, &walk, LONG - 120,
+                                          of_model + 120 * GLINT_QUADRATIC_SPAN_COMPONENTS),
+                     GLINT_OK);
+}
+
+static void ask(const glint_answer *answer, const glint_setting *setting, int expected)
+{
+    int32_t model, rtl;
+    glint_error err;
+    assert_done(glint_answer_ask(answer, setting, &model, &rtl, &err), &err);
+    assert_int_equal(model, expected);
+    assert_int_equal(rtl, expected);
+}
+
+/* Kept with its neighbours and alone, a pixel has the intensity that it had in the whole run,
+ * though the load may be left out. */
+static void an_answer_can_be_asked_again(void **state)
+{
+    (void)state;
+    static const size_t places[] = {0, 1, 31, 32, 33, 119, 120, 121, 200, LONG - 1};
+    static glint_answer answer, alone;
+    for (size_t p = 0; p < sizeof places / sizeof places[0]; p++)
+        for (int c = 0; c < GLINT_QUADRATIC_SPAN_COMPONENTS; c++) {
+            const int fraction = fractions[p % FRACTIONS];
+            const glint_setting setting = glint_setting_span(fraction);
+            make_steps(fraction);
+            const int expected = of_model[GLINT_QUADRATIC_SPAN_COMPONENTS * places[p] + (size_t)c];
+            answer = (glint_answer){.value = (glint_answer_value)(GLINT_ANSWER_R + c)};
+            glint_answer_keep_steps(&answer, fraction, steps, LONG, places[p]);
+            assert_true(answer.step[0].load && answer.at < answer.count);
+            ask(&answer, &setting, expected);
+            glint_answer_alone(&answer, &setting, &alone);
+            assert_true(alone.step[0].load && alone.count <= 2);
+            ask(&alone, &setting, expected);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_signal_equals_the_model),
         cmocka_unit_test(the_domain_is_equal),
+        cmocka_unit_test(an_answer_can_be_asked_again),
         cmocka_unit_test(every_fault_is_noticed_and_its_packet_replays),
     };
     return cmocka_run_group_tests(tests, prepare, scratch_remove);
