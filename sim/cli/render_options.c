@@ -84,7 +84,7 @@ static const char details[] =
     "every model; without --specular the device's formula. It needs libegl1 and\n"
     "libgl1-mesa-dri.";
 
-#define OWN_ROWS 11
+#define OWN_ROWS 12
 #define TABLE_ROWS                                                                                 \
     (OWN_ROWS + GLINT_SHADING_OPTIONS + GLINT_TRACE_OPTIONS + GLINT_DEVICE_OPTIONS +               \
      GLINT_SCENE_OPTIONS)
