@@ -35,6 +35,7 @@ typedef struct own {
     glint_sources all;     /* and Glint's headers: what the object's name is a hash of */
     glint_tool compiler;   /* $CC, else cc */
     glint_cache_entry entry;
+    char *object; /* its path in the cache */
 } own;
 
 /* What the object depends on besides its sources. */
@@ -121,6 +122,17 @@ static void add_files(const own *o, glint_arguments *line)
             glint_arguments_add(line, o->sources.file[i].name);
 }
 
+static glint_status refuse(const own *o, const char *said, glint_error *err)
+{
+    const char *reason = reason_in(said);
+    if (said[0] == '\0')
+        return glint_fail(err, GLINT_BAD_INPUT,
+                          "%s: the C files do not compile: %s gives no reason; is it a C compiler?",
+                          o->directory, o->compiler.word[0]);
+    return glint_fail(err, GLINT_BAD_INPUT, "%s: the C files do not compile: %.*s", o->directory,
+                      (int)strcspn(reason, "\n"), reason);
+}
+
 static glint_status run_compiler(own *o, const char *include, const char *map, glint_error *err)
 {
     bool success = false;
@@ -137,9 +149,7 @@ static glint_status run_compiler(own *o, const char *include, const char *map, g
                             "%s: two C files define " SYMBOL ", but a directory holds one circuit",
                             o->directory);
     } else if (status == GLINT_OK && !success) {
-        const char *reason = said[0] != '\0' ? reason_in(said) : "the compiler gives no reason";
-        status = glint_fail(err, GLINT_BAD_INPUT, "%s: the C files do not compile: %.*s",
-                            o->directory, (int)strcspn(reason, "\n"), reason);
+        status = refuse(o, said, err);
     }
     free(said);
     return status;
@@ -176,20 +186,26 @@ static glint_status compile(own *o, glint_error *err)
 /* ---- Loading ----------------------------------------------------------------------------------
  */
 
+/* The lock is given back before any of the user's code runs, as that may end the program. */
 static glint_status make_object(own *o, glint_error *err)
 {
     char hash[GLINT_HASH_TEXT], name[GLINT_HASH_TEXT + 16];
     glint_sources_hash(&o->all, hash);
     (void)snprintf(name, sizeof name, "own-%s.so", hash);
-    const glint_status status = glint_cache_open(o->cache, name, &o->entry, err);
-    return status == GLINT_OK && o->entry.work != NULL ? compile(o, err) : status;
+    glint_status status = glint_cache_open(o->cache, name, &o->entry, err);
+    if (status == GLINT_OK && o->entry.work != NULL)
+        status = compile(o, err);
+    if (status == GLINT_OK && (o->object = strdup(o->entry.path)) == NULL)
+        status = no_memory(err);
+    glint_cache_close(&o->entry);
+    return status;
 }
 
 /* It stays loaded: settings point into it. */
 static glint_status load_object(const own *o, const glint_circuit **circuit, glint_error *err)
 {
     glint_error found;
-    void *object = dlopen(o->entry.path, RTLD_NOW | RTLD_LOCAL);
+    void *object = dlopen(o->object, RTLD_NOW | RTLD_LOCAL);
     if (object == NULL)
         return glint_fail(err, GLINT_BAD_INPUT, "%s: %s", o->directory, dlerror());
     *circuit = dlsym(object, SYMBOL);
@@ -214,12 +230,12 @@ glint_status glint_circuit_load(const char *directory, const glint_circuit **cir
         status = make_object(&o, err);
     if (status == GLINT_OK)
         status = load_object(&o, circuit, err);
-    glint_cache_close(&o.entry);
     glint_tool_free(&o.compiler);
     glint_sources_free(&o.sources);
     glint_sources_free(&o.all);
     free(o.full);
     free(o.headers);
     free(o.cache);
+    free(o.object);
     return status;
 }

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "rtl/cache.h"
+#include "rtl/data.h"
 #include "rtl/diagnosis.h"
 #include "rtl/place.h"
 #include "rtl/product.h"
@@ -32,6 +33,23 @@ static glint_status no_memory(glint_error *err)
     return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for building a circuit");
 }
 
+/* Files that Verilator does not find by itself, or not in time. */
+static void add_told_files(const glint_sources *sources, glint_arguments *line)
+{
+    int packages = 0;
+    for (int i = 0; i < sources->count; i++) {
+        packages += sources->file[i].package != 0;
+        if (sources->file[i].is_library) {
+            glint_arguments_add(line, "-v");
+            glint_arguments_add(line, sources->file[i].name);
+        }
+    }
+    for (int place = 1; place <= packages; place++)
+        for (int i = 0; i < sources->count; i++)
+            if (sources->file[i].package == place)
+                glint_arguments_add(line, sources->file[i].name);
+}
+
 /* A command line of Verilator but for the last word, the file. Registers that nothing resets begin
  * with 0, as the C models do. */
 static void begin_verilator(const build *b, glint_arguments *line, bool lint_only, const char *top)
@@ -49,11 +67,7 @@ static void begin_verilator(const build *b, glint_arguments *line, bool lint_onl
         glint_arguments_add_all(line, make);
     glint_arguments_add_all(line, options);
     glint_arguments_add(line, top);
-    for (int i = 0; i < b->product->sources.count; i++)
-        if (b->product->sources.file[i].is_library) {
-            glint_arguments_add(line, "-v");
-            glint_arguments_add(line, b->product->sources.file[i].name);
-        }
+    add_told_files(&b->product->sources, line);
 }
 
 /* The probe with one more port of the instance, connected to a constant. */
@@ -290,6 +304,13 @@ static bool wants_lz4(const build *b)
     return wants;
 }
 
+/* What the Verilog opens is what was there when the circuit was built (shim.cpp). */
+static void add_data(const build *b, glint_arguments *line)
+{
+    if (glint_data_count(&b->product->sources) > 0)
+        glint_arguments_add(line, "-Wl,--wrap=fopen");
+}
+
 /* It stays loaded to the end of the process: Verilator's threads leave destructors in it. */
 static glint_status link_object(const build *b, glint_error *err)
 {
@@ -301,6 +322,7 @@ static glint_status link_object(const build *b, glint_error *err)
     for (int i = 0; i < b->runtime.count; i++)
         glint_arguments_add(&line, b->runtime.file[i].path);
     glint_arguments_add(&line, "-pthread");
+    add_data(b, &line);
     if (glint_tools_are_clang(&b->product->tools))
         glint_arguments_add(&line, "-latomic");
     if (b->product->kind == GLINT_RTL_FST) {
@@ -316,6 +338,8 @@ static glint_status make(build *b, glint_error *err)
 {
     const glint_product *p = b->product;
     glint_status status = glint_sources_write(&p->sources, b->work, err);
+    if (status == GLINT_OK)
+        status = glint_data_write(&p->sources, b->work, err);
     if (status == GLINT_OK)
         status = glint_runtime_begin(&b->runtime, p->cache, &p->tools, p->kind, err);
     if (status == GLINT_OK)

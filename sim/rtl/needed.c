@@ -12,6 +12,7 @@
 typedef struct declared {
     const char *name;
     size_t length;
+    bool is_package;
 } declared;
 
 /* The files on the way: of each its text without comments, and whether it is needed. */
@@ -22,6 +23,8 @@ typedef struct search {
     declared **names; /* found once, as a ROM is a long text; a length of 0 ends each list */
     bool *told;       /* what it needs, by words; else it needs all files */
     bool *needed;
+    bool *seen;   /* on the way through the packages */
+    int packages; /* that have their place in the order */
 } search;
 
 /* Every circuit that is opened is looked at by this, character by character. */
@@ -89,19 +92,22 @@ static bool is_word(const char *word, size_t length, const char *text)
     return word[0] == text[0] && strlen(text) == length && strncmp(word, text, length) == 0;
 }
 
-/* The next name that a text declares for other files; its length, 0: there is none. */
-static size_t next_declared(const char **text, const char **name)
+/* The next name that a text declares for other files; a length of 0: there is none. */
+static declared next_declared(const char **text)
 {
     static const char *const kinds[] = {"module",  "macromodule", "primitive",
                                         "package", "interface",   "program"};
-    size_t length;
-    while ((length = next_word(text, name)) != 0)
+    declared found = {0};
+    while ((found.length = next_word(text, &found.name)) != 0)
         for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
-            if (is_word(*name, length, kinds[i])) {
-                length = next_word(text, name);
-                return is_word(*name, length, "automatic") ? next_word(text, name) : length;
+            if (is_word(found.name, found.length, kinds[i])) {
+                found.is_package = strcmp(kinds[i], "package") == 0;
+                found.length = next_word(text, &found.name);
+                if (is_word(found.name, found.length, "automatic"))
+                    found.length = next_word(text, &found.name);
+                return found;
             }
-    return 0;
+    return found;
 }
 
 /* All of them; NULL: not enough memory. */
@@ -110,7 +116,7 @@ static declared *list_declared(const char *text)
     size_t count = 0, room = 8;
     declared *list = malloc(room * sizeof *list);
     while (list != NULL) {
-        list[count].length = next_declared(&text, &list[count].name);
+        list[count] = next_declared(&text);
         if (list[count].length == 0)
             break;
         if (++count < room)
@@ -182,21 +188,76 @@ static bool is_used(const search *s, int file, const char *name, size_t length)
     return false;
 }
 
-/* Whether Verilator does not find by its name what others use of a file: it is to be told the file,
- * unless that is included. */
-static bool is_library(const search *s, int file)
+static bool is_header(const search *s, int file)
 {
     const char *name = s->sources->file[file].name;
-    const size_t length = strlen(name);
-    if (file == s->top || name[length - 1] != 'v') /* a header */
+    return name[strlen(name) - 1] != 'v';
+}
+
+static bool includes(const search *s, int by, int file)
+{
+    const char *name = s->sources->file[file].name;
+    return has(s->bare[by], name, strlen(name));
+}
+
+/* Whether Verilator does not read a file unless it is told to: the top it is, anyway, and what
+ * others include. */
+static bool is_on_its_own(const search *s, int file)
+{
+    if (file == s->top || !s->needed[file] || is_header(s, file))
         return false;
     for (int i = 0; i < s->sources->count; i++)
-        if (s->needed[i] && has(s->bare[i], name, length))
+        if (s->needed[i] && includes(s, i, file))
             return false;
+    return true;
+}
+
+/* A package has to be read before its users, whatever its file is called. */
+static bool is_package(const search *s, int file)
+{
+    for (const declared *d = s->names[file]; d->length != 0; d++)
+        if (d->is_package && is_used(s, file, d->name, d->length))
+            return is_on_its_own(s, file);
+    return false;
+}
+
+/* Whether Verilator does not find by its name what others use of a file. */
+static bool is_library(const search *s, int file)
+{
     for (const declared *d = s->names[file]; d->length != 0; d++)
         if (file_of(s->sources, d->name, d->length) < 0 && is_used(s, file, d->name, d->length))
-            return true;
+            return is_on_its_own(s, file);
     return false;
+}
+
+/* Whether a file has `package::` of one of these packages. */
+static bool imports(const search *s, int by, const declared *packages)
+{
+    for (const declared *d = packages; d->length != 0; d++)
+        for (const char *at = s->bare[by]; d->is_package && (at = strstr(at, "::")) != NULL; at++) {
+            const char *end = at;
+            while (end > s->bare[by] && isspace((unsigned char)end[-1]))
+                end--;
+            const char *begin = end - d->length;
+            if (begin >= s->bare[by] && strncmp(begin, d->name, d->length) == 0 &&
+                (begin == s->bare[by] || !is_of_word(begin[-1])))
+                return true;
+        }
+    return false;
+}
+
+/* The packages that a file imports, by itself or by what it includes, and then its own. */
+static void place_packages(search *s, int file)
+{
+    glint_source *source = &s->sources->file[file];
+    s->seen[file] = true;
+    for (int i = 0; i < s->sources->count; i++)
+        if (!s->seen[i] && s->needed[i] &&
+            (is_header(s, i) ? includes(s, file, i)
+                             : is_package(s, i) && imports(s, file, s->names[i])))
+            place_packages(s, i);
+    if (is_package(s, file))
+        source->package = ++s->packages;
 }
 
 static bool declares(const search *s, int file, const char *wanted, size_t wanted_length)
@@ -225,11 +286,18 @@ static glint_status find_libraries(const search *s, const char *directory, glint
     glint_status status = GLINT_OK;
     for (int i = 0; i < s->sources->count && status == GLINT_OK; i++) {
         glint_source *file = &s->sources->file[i];
-        file->is_library = s->needed[i] && is_library(s, i);
-        if (file->is_library)
+        file->is_library = file->package == 0 && is_library(s, i);
+        if (file->is_library || file->package != 0)
             status = check_twice(s, i, directory, err);
     }
     return status;
+}
+
+static void find_packages(search *s)
+{
+    for (int i = 0; i < s->sources->count; i++)
+        if (!s->seen[i] && is_package(s, i))
+            place_packages(s, i);
 }
 
 static void keep_needed(search *s)
@@ -253,8 +321,10 @@ static bool read_words(search *s)
     s->bare = calloc(count + 1, sizeof *s->bare);
     s->told = calloc(count + 1, sizeof *s->told);
     s->needed = calloc(count + 1, sizeof *s->needed);
+    s->seen = calloc(count + 1, sizeof *s->seen);
     s->names = calloc(count + 1, sizeof *s->names);
-    const bool good = s->bare != NULL && s->told != NULL && s->needed != NULL && s->names != NULL;
+    const bool good = s->bare != NULL && s->told != NULL && s->needed != NULL && s->seen != NULL &&
+                      s->names != NULL;
     for (size_t i = 0; good && i < count; i++) {
         const glint_source *file = &s->sources->file[i];
         if ((s->bare[i] = strdup(file->text)) == NULL)
@@ -279,6 +349,7 @@ glint_status glint_sources_need(glint_sources *sources, const char *top, const c
     if (status == GLINT_OK) {
         *file = sources->file[s.top].name;
         follow(&s, s.top);
+        find_packages(&s);
         status = find_libraries(&s, directory, err);
     }
     if (status == GLINT_OK)
@@ -291,5 +362,6 @@ glint_status glint_sources_need(glint_sources *sources, const char *top, const c
     free(s.names);
     free(s.told);
     free(s.needed);
+    free(s.seen);
     return status;
 }

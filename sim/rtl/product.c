@@ -10,6 +10,7 @@
 
 #include "circuit/units.h"
 #include "rtl/cache.h"
+#include "rtl/data.h"
 #include "rtl/needed.h"
 #include "rtl/place.h"
 #include "rtl/runtime.h"
@@ -17,7 +18,7 @@
 enum {
     /* Part of every hash: increment it when build.c makes something different from the same
      * sources, for example with other Verilator options. */
-    RECIPE = 3,
+    RECIPE = 4,
     KEPT_ALIKE = 64, /* edits of a setting's Verilog */
 };
 
@@ -37,9 +38,10 @@ static glint_status add_verilog(glint_product *product, glint_error *err)
         status = no_memory(err);
     if (status == GLINT_OK)
         status = glint_sources_read(&product->sources, product->verilog, endings, err);
-    return status == GLINT_OK ? glint_sources_need(&product->sources, glint_setting_top(setting),
-                                                   product->verilog, &product->top_file, err)
-                              : status;
+    if (status == GLINT_OK)
+        status = glint_sources_need(&product->sources, glint_setting_top(setting), product->verilog,
+                                    &product->top_file, err);
+    return status == GLINT_OK ? glint_data_read(&product->sources, product->verilog, err) : status;
 }
 
 bool glint_product_shades(const glint_product *product)

@@ -20,7 +20,7 @@ typedef struct glint_product {
     char *verilog; /* the directory, as it is called in messages */
     glint_ports ports;
     glint_probe probe;
-    glint_sources sources; /* Verilog, probe, shim */
+    glint_sources sources; /* Verilog and its data, probe, shim */
     const char *top_file;  /* of them, the top's */
     char *stem;            /* NAME-KIND-SOURCES */
     glint_tools tools;

@@ -20,6 +20,9 @@
 /* A build links what it needs from a runtime within minutes. */
 enum { KEPT_RUNTIMES = 4, A_DAY = 24 * 60 * 60 };
 
+/* What the Verilog prints ($display) must not come among a command's lines or its JSON. */
+#define PRINT_BESIDE "-DVL_PRINTF(...)=fprintf(stderr, __VA_ARGS__)"
+
 /* No warnings: Verilator's code is not ours to fix. By sections, so that the linker leaves out what
  * a circuit does not use: of 33 KB of thread-local data 128 bytes stay, which the loader can place
  * where they are accessed soonest. */
@@ -30,7 +33,8 @@ static const char *const common_flags[] = {
     "-DVM_COVERAGE=0",     "-DVM_SC=0",
     "-DVM_TRACE=1",        "-DVM_TRACE_FST=1",
     "-DVM_TRACE_VCD=1",    "-DVL_USER_FATAL",
-    "-DVL_USER_FINISH",    NULL,
+    "-DVL_USER_FINISH",    "-DVL_USER_WARN",
+    PRINT_BESIDE,          NULL,
 };
 /* Only the part of the runtime that ends each evaluation affects a circuit's speed; optimising the
  * rest would double its compile time. */

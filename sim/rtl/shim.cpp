@@ -6,6 +6,8 @@
 //     GLINT_CLOCK      the member that is the clock; not defined: a circuit without one
 //     GLINT_FST        defined: built with --trace-fst
 //     GLINT_VCD        defined: with --trace; neither: without waveforms
+//     GLINT_DATA(X)    X(index, "name") for each file that the Verilog reads; its bytes are in the
+//                      file glint_data_INDEX; not defined: none
 // VM_COVERAGE is 1 where the circuit counts its lines and toggles (tests/coverage).
 #include "shim.h"
 #include "glint_ports.h"
@@ -18,6 +20,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <memory>
 #include <verilated.h>
@@ -45,6 +48,22 @@
     std::_Exit(2);
 }
 
+// A memory without its file would be a memory of zeros.
+void vl_warn(const char *file, int line, const char *, const char *what)
+{
+    if (std::strstr(what, "file not found") == nullptr) {
+        std::fprintf(stderr, "glint: the Verilog: %s (%s:%d)\n", what, file, line);
+        return;
+    }
+    std::fflush(stdout);
+    std::fprintf(stderr,
+                 "glint: cannot simulate the Verilog: %s: %s; it belongs into the directory with "
+                 "the Verilog\n",
+                 file, what);
+    std::fflush(stderr);
+    std::_Exit(2);
+}
+
 void vl_finish(const char *file, int line, const char *)
 {
     give_up(file, line, "$finish");
@@ -53,6 +72,33 @@ void vl_finish(const char *file, int line, const char *)
 void vl_fatal(const char *file, int line, const char *, const char *what)
 {
     give_up(file, line, what);
+}
+#endif
+
+#ifdef GLINT_DATA
+// The linker sends every fopen() of the object here: a file that the Verilog reads is as it was
+// when the circuit was built, wherever the command is started.
+#define GLINT_DATA_BYTES(index, name)                                                              \
+    __asm__(".pushsection .rodata\n"                                                               \
+            "glint_data_" #index ": .incbin \"glint_data_" #index "\"\n"                           \
+            "glint_data_end_" #index ": .byte 0\n"                                                 \
+            ".popsection\n");                                                                      \
+    extern "C" __attribute__((visibility("hidden"))) const char glint_data_##index[],              \
+        glint_data_end_##index[];
+GLINT_DATA(GLINT_DATA_BYTES)
+
+extern "C" std::FILE *__real_fopen(const char *path, const char *mode);
+
+#define GLINT_DATA_OPEN(index, name)                                                               \
+    if (std::strcmp(path, name) == 0)                                                              \
+        return fmemopen(const_cast<char *>(glint_data_##index),                                    \
+                        static_cast<std::size_t>(glint_data_end_##index - glint_data_##index),     \
+                        mode);
+extern "C" std::FILE *__wrap_fopen(const char *path, const char *mode)
+{
+    if (mode[0] == 'r')
+        GLINT_DATA(GLINT_DATA_OPEN)
+    return __real_fopen(path, mode);
 }
 #endif
 

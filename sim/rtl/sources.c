@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Room for one more, with copies of the name and of nothing else. */
+/* Room for one more, with a copy of the name and of nothing else. */
 static glint_status add_name(glint_sources *sources, const char *name, glint_source **added,
                              glint_error *err)
 {
@@ -155,8 +155,9 @@ glint_status glint_sources_write(const glint_sources *sources, const char *direc
 {
     glint_status status = GLINT_OK;
     for (int i = 0; status == GLINT_OK && i < sources->count; i++)
-        status = glint_text_write(directory, sources->file[i].name, sources->file[i].text,
-                                  sources->file[i].size, err);
+        if (!sources->file[i].is_data)
+            status = glint_text_write(directory, sources->file[i].name, sources->file[i].text,
+                                      sources->file[i].size, err);
     return status;
 }
 

@@ -9,10 +9,12 @@
 #include "glint_status.h"
 
 typedef struct glint_source {
-    char *name; /* without directory */
+    char *name; /* without directory; of data, as the Verilog calls it */
     char *text;
     size_t size;
     bool is_library; /* Verilog with modules of other names than its own (needed.h) */
+    int package;  /* 1, 2, …: Verilog with packages, to be read in that order, first; 0: none */
+    bool is_data; /* not Verilog, but what it reads (data.h) */
 } glint_source;
 
 typedef struct glint_sources {
@@ -31,7 +33,7 @@ glint_status glint_sources_read_file(glint_sources *sources, const char *directo
 glint_status glint_sources_add(glint_sources *sources, const char *name, const char *text,
                                size_t size, glint_error *err);
 
-/* Writes them into a directory. */
+/* Writes them, but for data, into a directory. */
 glint_status glint_sources_write(const glint_sources *sources, const char *directory,
                                  glint_error *err);
 

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "circuit/units.h"
+#include "rtl/data.h"
 
 #define MEMBER 2048 /* characters: every one of a name may become seven */
 
@@ -119,6 +120,7 @@ static glint_status print_table(const writer *w)
     else if (status == GLINT_OK)
         status = print_own_ports(w);
     fprintf(w->out, "\n");
+    glint_data_print(&w->product->sources, w->out);
     return status;
 }
 

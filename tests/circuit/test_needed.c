@@ -20,7 +20,8 @@
 typedef struct tree {
     const char *what;
     const char *file[FILES_MAX][2]; /* name, text */
-    const char *needed;             /* their names, each with a blank behind; a library's with ! */
+    /* Their names, each with a blank behind; a library's with !, packages with their place. */
+    const char *needed;
 } tree;
 
 static const tree trees[] = {
@@ -105,6 +106,18 @@ static const tree trees[] = {
       {"types.svh", ""},
       {"top.sv", "`include \"types.svh\"\nmodule top; a x(); endmodule"}},
      "a.sv types.svh top.sv "},
+    {"packages before those who import them, by a header too, and a module beside one",
+     {{"a.sv", "`include \"h.svh\"\npackage a; import z::*; endpackage"},
+      {"b.sv", "package b_types; typedef int b; endpackage module one; endmodule"},
+      {"h.svh", "`define WIDE b_types :: b"},
+      {"top.sv", "module top import a::*; (); one x(); endmodule"},
+      {"z.sv", "package z; endpackage"}},
+     "a.sv#3 b.sv#1 h.svh top.sv z.sv#2 "},
+    {"a package that is included, or the top's own, is read anyway",
+     {{"a.sv", "package a; endpackage"},
+      {"top.sv", "`include \"a.sv\"\npackage t; endpackage module top import a::*, t::*; ();"
+                 " endmodule"}},
+     "a.sv top.sv "},
 };
 
 static void add(glint_sources *sources, const char *name, const char *text)
@@ -118,8 +131,12 @@ static void names_of(const glint_sources *sources, char *text, size_t size)
     size_t length = 0;
     text[0] = '\0';
     for (int i = 0; i < sources->count; i++) {
-        length += (size_t)snprintf(text + length, size - length, "%s%s ", sources->file[i].name,
+        length += (size_t)snprintf(text + length, size - length, "%s%s", sources->file[i].name,
                                    sources->file[i].is_library ? "!" : "");
+        if (sources->file[i].package != 0)
+            length +=
+                (size_t)snprintf(text + length, size - length, "#%d", sources->file[i].package);
+        length += (size_t)snprintf(text + length, size - length, " ");
         assert_true(length < size);
     }
 }
@@ -192,6 +209,20 @@ static void a_module_in_a_library_too_is_refused(void **state)
     glint_sources_free(&sources);
 }
 
+static void a_package_in_two_files_is_refused(void **state)
+{
+    (void)state;
+    const char *file;
+    glint_sources sources = {0};
+    glint_error err = {""};
+    add(&sources, "a.sv", "package a; endpackage");
+    add(&sources, "old.sv", "package a; endpackage");
+    add(&sources, "top.sv", "module top import a::*; (); endmodule");
+    assert_int_equal(glint_sources_need(&sources, "top", "here", &file, &err), GLINT_BAD_INPUT);
+    assert_string_equal(err.text, "here: a is both in old.sv and in a.sv");
+    glint_sources_free(&sources);
+}
+
 /* Of Glint's own an edit of the one circuit leaves the other alone. */
 static void the_dividers_do_not_need_the_device(void **state)
 {
@@ -229,6 +260,7 @@ int main(void)
         cmocka_unit_test(a_byte_that_ends_texts_hides_nothing),
         cmocka_unit_test(a_top_that_is_not_there_is_told),
         cmocka_unit_test(a_module_in_a_library_too_is_refused),
+        cmocka_unit_test(a_package_in_two_files_is_refused),
         cmocka_unit_test(the_dividers_do_not_need_the_device),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

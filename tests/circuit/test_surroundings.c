@@ -1,0 +1,196 @@
+/* What the Verilog of a user's circuit brings along and says: packages, files of data, and lines
+ * that it prints; and what becomes of C that ends the program. Each is a copy of a small circuit
+ * with other Verilog or C. */
+#define _XOPEN_SOURCE 700
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "../scratch.h"
+
+#include "../cli/run.h"
+#include "own.h"
+
+#define OWN "tests/circuit/own/"
+
+static void write_file(const char *directory, const char *name, const char *text)
+{
+    char path[OWN_PATH + 100];
+    (void)snprintf(path, sizeof path, "%s/%s", directory, name);
+    scratch_write(path, text, strlen(text));
+}
+
+static void remove_file(const char *directory, const char *name)
+{
+    char path[OWN_PATH + 100];
+    (void)snprintf(path, sizeof path, "%s/%s", directory, name);
+    assert_int_equal(remove(path), 0);
+}
+
+static void verify(const char *directory, int status, const char *words)
+{
+    outcome done =
+        own_run(directory, "", "verify --clocks 300 --seed 1 --out %s", scratch_path("packets"));
+    assert_int_equal(done.status, status);
+    assert_says(status == 2 ? done.err : done.out, words);
+    forget(&done);
+}
+
+/* ---- Packages ---------------------------------------------------------------------------------
+ */
+
+/* Not in the order of their names, one of them by what a header says, one not in a file of its
+ * name, and one of them with a module. */
+static void packages_come_first(void **state)
+{
+    (void)state;
+    char directory[OWN_PATH];
+    own_copy(OWN "free_runner", "packages", directory);
+    remove_file(directory, "free_runner.v");
+    write_file(directory, "a_counts.sv",
+               "`include \"uses.svh\"\n"
+               "package counts;\n    typedef logic [`WIDTH-1:0] count_t;\nendpackage\n"
+               "module plus import counts::*; (input count_t a, input count_t b,\n"
+               "    output count_t c);\n    assign c = a + b;\nendmodule\n");
+    write_file(directory, "uses.svh", "`define WIDTH sizes :: WIDTH + 1\n");
+    write_file(directory, "z.sv", "package sizes;\n    localparam int WIDTH = 32;\nendpackage\n");
+    write_file(directory, "free_runner.sv",
+               "module free_runner import counts::*; (\n"
+               "    input logic clk_i, input logic signed [4:0] step, output count_t count__33);\n"
+               "    initial count__33 = 0;\n"
+               "    count_t next;\n"
+               "    plus u_plus (.a(count__33), .b(count_t'(step) + 1), .c(next));\n"
+               "    always_ff @(posedge clk_i) count__33 <= next;\n"
+               "endmodule\n");
+    verify(directory, 0, "0 mismatches of 300 comparisons");
+    outcome done = own_run(directory, "", "wave --out %s", scratch_path("waves"));
+    assert_outcome(&done, 0, "");
+    forget(&done);
+    done = own_run(directory, "5\n", "eval --backend rtl");
+    assert_outcome(&done, 0, "");
+    assert_string_equal(done.out, "step,count__33\n5,6\n");
+    forget(&done);
+}
+
+/* ---- Data -------------------------------------------------------------------------------------
+ */
+
+/* Found beside the Verilog, built anew when it is edited, and missed when it is not there: a memory
+ * of zeros would be right here. */
+static void a_file_of_data_lies_beside_the_verilog(void **state)
+{
+    (void)state;
+    char directory[OWN_PATH], other[OWN_PATH];
+    own_copy(OWN "free_runner", "data", directory);
+    own_edit(directory, "free_runner.v", "initial count__33 = 33'd0;",
+             "reg [32:0] start [0:0];\n    initial begin $readmemh(\"start.hex\", start);\n"
+             "        count__33 = start[0]; end");
+    write_file(directory, "start.hex", "0\n");
+    verify(directory, 0, "0 mismatches of 300 comparisons");
+    outcome done = own_run(directory, "", "wave --out %s", scratch_path("waves"));
+    assert_outcome(&done, 0, "");
+    forget(&done);
+
+    own_copy(directory, "edited-data", other);
+    write_file(other, "start.hex", "1\n");
+    verify(other, 1, "300 mismatches of 300");
+    done = own_run(directory, "", "verify --clocks 300 --seed 1 --rtl %s --out %s", other,
+                   scratch_path("packets"));
+    assert_int_equal(done.status, 1);
+    forget(&done);
+
+    remove_file(other, "start.hex");
+    done = own_run(other, "", "verify --clocks 300");
+    assert_own_refused(&done, "start.hex: $readmem file not found; it belongs into the directory "
+                              "with the Verilog");
+    forget(&done);
+}
+
+/* ---- Words ------------------------------------------------------------------------------------
+ */
+
+static void what_the_verilog_prints_is_not_among_the_results(void **state)
+{
+    (void)state;
+    char directory[OWN_PATH];
+    own_copy(OWN "free_runner", "words", directory);
+    own_edit(directory, "free_runner.v", "    always @(posedge clk_i) ",
+             "    always @(posedge clk_i) $display(\"now %d\", count__33);\n"
+             "    always @(posedge clk_i) ");
+    outcome done = own_run(directory, "5\n", "eval --backend rtl");
+    assert_outcome(&done, 0, NULL);
+    assert_string_equal(done.out, "step,count__33\n5,6\n");
+    assert_says(done.err, "now ");
+    forget(&done);
+    done = own_run(directory, "", "verify --clocks 30 --json");
+    assert_outcome(&done, 0, NULL);
+    assert_int_equal(done.out[0], '{');
+    assert_null(strstr(done.out, "now "));
+    assert_says(done.err, "now ");
+    forget(&done);
+}
+
+/* ---- The C files ------------------------------------------------------------------------------
+ */
+
+/* What waits for the lock of a circuit would be there only until it is built. */
+static void a_crash_leaves_no_lock(void **state)
+{
+    (void)state;
+    char directory[OWN_PATH], *shared = NULL;
+    const char *cache = getenv("GLINT_CACHE");
+    if (cache != NULL)
+        assert_non_null(shared = strdup(cache));
+    own_copy(OWN "free_runner", "crash", directory);
+    own_edit(directory, "free_runner.c", "static void clock_edge(",
+             "__attribute__((constructor)) static void crash(void)\n{\n    __builtin_abort();\n}\n"
+             "static void clock_edge(");
+    assert_int_equal(mkdir(scratch_path("cache"), 0777), 0);
+    assert_int_equal(setenv("GLINT_CACHE", scratch_path("cache"), 1), 0);
+    outcome done = own_run(directory, "", "info");
+    assert_own_refused(&done, "crashed in the description");
+    forget(&done);
+    char entry[OWN_PATH];
+    own_only_entry(scratch_path("cache"), entry);
+    assert_non_null(strstr(entry, "/own-"));
+    assert_null(strstr(entry, ".lock"));
+    if (shared != NULL)
+        assert_int_equal(setenv("GLINT_CACHE", shared, 1), 0);
+    else
+        assert_int_equal(unsetenv("GLINT_CACHE"), 0);
+    free(shared);
+}
+
+static void a_compiler_that_says_nothing_is_named(void **state)
+{
+    (void)state;
+    char *before = NULL;
+    const char *compiler = getenv("CC");
+    if (compiler != NULL)
+        assert_non_null(before = strdup(compiler));
+    assert_int_equal(setenv("CC", "/bin/false", 1), 0);
+    outcome done = own_run(OWN "free_runner", "", "info");
+    assert_own_refused(&done, "do not compile: /bin/false gives no reason");
+    forget(&done);
+    if (before != NULL)
+        assert_int_equal(setenv("CC", before, 1), 0);
+    else
+        assert_int_equal(unsetenv("CC"), 0);
+    free(before);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(packages_come_first),
+        cmocka_unit_test(a_file_of_data_lies_beside_the_verilog),
+        cmocka_unit_test(what_the_verilog_prints_is_not_among_the_results),
+        cmocka_unit_test(a_crash_leaves_no_lock),
+        cmocka_unit_test(a_compiler_that_says_nothing_is_named),
+    };
+    return cmocka_run_group_tests_name("surroundings", tests, scratch_make, scratch_remove);
+}
