@@ -169,10 +169,9 @@ $(BUILD)/glint-first: $(FIRST_SOURCES:%.c=$(BUILD)/%.o) $(BUILD)/libglint.a | $(
 	$(call say,LD,$@)
 	$Q$(CC) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
-# Not what lies among the built circuits: a runtime of theirs is a directory NAME.d.
-# Caches of circuits hold directories of that ending.
--include $(foreach d,$(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d),\
-             $(if $(findstring /circuits/runtime-,$d),,$d))
+# Not by way of $(BUILD)/tree, and no directories: caches of circuits have some of that ending.
+-include $(foreach d,$(filter-out $(BUILD)/tree/%,$(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)),\
+             $(if $(wildcard $d/.),,$d))
 
 # ---- Tests ---------------------------------------------------------------------------------------
 

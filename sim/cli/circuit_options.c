@@ -332,23 +332,11 @@ static bool fits(const glint_circuit_options *options, const glint_circuit *circ
     return true;
 }
 
-/* 0, of a number that it is none of: all of them, or the usual one. */
-static bool is_zero(const glint_parameter *parameter, const char *text)
-{
-    return parameter->choices == NULL && parameter->min > 0 && strcmp(text, "0") == 0;
-}
-
-static bool means_usual(const glint_circuit_options *options, const glint_parameter *parameter,
-                        const char *text)
-{
-    return !options->use.takes_all && is_zero(parameter, text);
-}
-
 static bool read_value(const glint_circuit_options *options, const glint_parameter *parameter,
                        const char *text, int *value)
 {
     int64_t number;
-    if (options->use.takes_all && (is_zero(parameter, text) || strcmp(text, all) == 0)) {
+    if (options->use.takes_all && strcmp(text, all) == 0) {
         *value = GLINT_EVERY_VALUE;
         return true;
     }
@@ -372,8 +360,7 @@ static bool takes_values(const glint_circuit_options *options, const glint_circu
         int index, value;
         const glint_parameter_option *row = &options->parameter[i];
         const glint_parameter *parameter = parameter_of(circuit, row->name, &index);
-        takes &= row->text == NULL || means_usual(options, parameter, row->text) ||
-                 read_value(options, parameter, row->text, &value);
+        takes &= row->text == NULL || read_value(options, parameter, row->text, &value);
     }
     return takes;
 }
@@ -467,10 +454,8 @@ static int read_values(glint_circuit_options *options, int chosen)
     for (int i = 0; i < circuit->parameter_count; i++) {
         const glint_parameter *parameter = &circuit->parameters[i];
         const glint_parameter_option *row = row_of(options, parameter->name);
-        const bool is_given = row != NULL && row->text != NULL;
         const char *usual = usual_of(options, parameter->name);
-        const char *text =
-            !is_given || means_usual(options, parameter, row->text) ? usual : row->text;
+        const char *text = row != NULL && row->text != NULL ? row->text : usual;
         int *value = &options->value[chosen][i];
         if (text == NULL)
             *value = parameter->standard;

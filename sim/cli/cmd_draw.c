@@ -49,12 +49,16 @@ static int parse(int argc, char **argv, draw_options *chosen)
          "glint draw --circuit divider --form sequential --out divider.svg"},
         {NULL, NULL},
     };
+    static const glint_example own[] = {
+        {"its standard setting", "glint --circuit-dir DIR draw --out circuit.svg"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "draw",
         .summary = "Draws the block diagram of a circuit from its description: blocks with the "
                    "numbers of the thesis's figure, number formats on the wires, and the clock "
                    "edges at which registers load. Needs Graphviz for the layout.",
-        .examples = examples,
+        .examples = chosen->circuits.is_own ? own : examples,
         .options = options,
         .option_count = count,
     };

@@ -197,12 +197,17 @@ static int parse(int argc, char **argv, info_options *chosen)
         {"a circuit's pins and signals", "glint info --circuit divider --form sequential"},
         {NULL, NULL},
     };
+    static const glint_example own[] = {
+        {"its pins and signals", "glint --circuit-dir DIR info"},
+        {"the same for a script", "glint --circuit-dir DIR info --json"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "info",
         .summary = "Prints the circuits with their parameters, number formats, latency and ROM "
                    "checksums, and the version of Verilator that builds them. Given a circuit, "
                    "prints its pins and signals for one setting.",
-        .examples = examples,
+        .examples = chosen->circuits.is_own ? own : examples,
         .options = options,
         .option_count = count,
     };

@@ -106,6 +106,13 @@ static int parse(int argc, char **argv, verify_options *chosen)
         {"your own edited copy of the Verilog", "glint verify --rtl my-rtl --circuit specular"},
         {NULL, NULL},
     };
+    static const glint_example own[] = {
+        {"every listed setting, a million clocks each",
+         "glint --circuit-dir DIR verify --clocks 1M"},
+        {"again, with a given seed", "glint --circuit-dir DIR verify --clocks 1e5 --seed 7"},
+        {"the Verilog in another directory", "glint --circuit-dir DIR verify --rtl EDITED"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "verify",
         .summary = "Drives the C model and the Verilog with the same random inputs and compares "
@@ -118,7 +125,7 @@ static int parse(int argc, char **argv, verify_options *chosen)
                    "instead of\nrandom ones; see glint verify --exhaustive --help.",
         .done = "no mismatch",
         .different = "a mismatch was found, regardless of any other trouble",
-        .examples = examples,
+        .examples = chosen->circuits.is_own ? own : examples,
         .options = options,
         .option_count = count,
     };

@@ -84,6 +84,12 @@ static int parse(int argc, char **argv, wave_options *chosen)
          "glint wave --lanes 16 --format vcd --out wave16"},
         {NULL, NULL},
     };
+    static const glint_example own[] = {
+        {"a waveform, as FST", "glint --circuit-dir DIR wave --out wave"},
+        {"its first 20 clocks, as VCD",
+         "glint --circuit-dir DIR wave --to 20 --format vcd --out wave20"},
+        {NULL, NULL},
+    };
     const glint_command_line line = {
         .command = "wave",
         .summary = "Writes a waveform of a short scene for each circuit, with a GTKWave save file. "
@@ -92,7 +98,7 @@ static int parse(int argc, char **argv, wave_options *chosen)
                    "material change between points. Divider: five divisions, one of them stalled, "
                    "one outside the table. Any other circuit: random pins, with a stall and a gap. "
                    "docs/waveforms.md goes through them clock by clock.",
-        .examples = examples,
+        .examples = chosen->circuits.is_own ? own : examples,
         .options = options,
         .option_count = count,
     };

@@ -71,15 +71,29 @@ static int print_version(void)
     return glint_output_finish(NULL, GLINT_EXIT_OK);
 }
 
+static const char circuit_option[] = "--circuit-dir";
+
+/* How many arguments --circuit-dir and its DIR are, if they stand here: 1 with `=`, 2, or 0. */
+static int circuit_arguments(const char *word)
+{
+    const size_t length = sizeof circuit_option - 1;
+    if (strncmp(word, circuit_option, length) != 0)
+        return 0;
+    return word[length] == '=' ? 1 : word[length] == '\0' ? 2 : 0;
+}
+
 static int refuse(const char *word)
 {
+    if (circuit_arguments(word) != 0)
+        return glint_complain(NULL, GLINT_EXIT_TROUBLE, "%s is given twice: name one directory",
+                              circuit_option);
     const char *names[SUBCOMMAND_COUNT + 4] = {NULL};
     const bool is_option = word[0] == '-';
     size_t count = 0;
     if (is_option) {
         names[count++] = "--help";
         names[count++] = "--version";
-        names[count++] = "--circuit-dir";
+        names[count++] = circuit_option;
     }
     for (size_t i = 0; i < SUBCOMMAND_COUNT && !is_option; i++)
         names[count++] = subcommands[i].name;
@@ -116,16 +130,25 @@ static int help_on(int argc, char **argv)
  * stood before the subcommand. */
 static int move_circuit_dir(int argc, char **argv)
 {
-    static const char option[] = "--circuit-dir";
-    const bool is_joined =
-        strncmp(argv[1], option, sizeof option - 1) == 0 && argv[1][sizeof option - 1] == '=';
-    const int moved = is_joined ? 1 : strcmp(argv[1], option) == 0 ? 2 : 0;
+    const int moved = circuit_arguments(argv[1]);
     if (moved == 0 || argc < moved + 2)
         return moved;
     char *const subcommand = argv[1 + moved];
     memmove(argv + 2, argv + 1, (size_t)moved * sizeof *argv);
     argv[1] = subcommand;
     return moved;
+}
+
+/* Of the subcommands, those that do not take --circuit-dir; help does. */
+static bool refuses_circuit(const char *name)
+{
+    static const char *const takes[] = {"info", "eval", "verify", "replay", "wave", "draw"};
+    bool is_known = false;
+    for (size_t i = 0; i < SUBCOMMAND_COUNT; i++)
+        is_known |= strcmp(name, subcommands[i].name) == 0;
+    for (size_t i = 0; i < sizeof takes / sizeof takes[0]; i++)
+        is_known &= strcmp(name, takes[i]) != 0;
+    return is_known;
 }
 
 static int command(int argc, char **argv)
@@ -140,6 +163,9 @@ static int command(int argc, char **argv)
             NULL, GLINT_EXIT_TROUBLE,
             "--circuit-dir DIR must be followed by a subcommand (see glint --help)");
     }
+    if (moved != 0 && refuses_circuit(argv[1]))
+        return glint_complain(NULL, GLINT_EXIT_TROUBLE, "%s does not take %s (see glint %s --help)",
+                              argv[1], circuit_option, argv[1]);
     const bool is_help = strcmp(argv[1], "help") == 0;
     if (is_help && argc > 2 && argv[2][0] != '-')
         return help_on(argc - 1, argv + 1);

@@ -106,8 +106,56 @@ static int rank_of(const glint_pin_info *pin)
 }
 #define RANKS 6
 
+/* Whether lanes have ports of their own in the waveform, as instances have. A bare generate block,
+ * "lane[%d]", has none: there is the whole port alone. */
+static bool lanes_have_ports(const glint_setting *setting)
+{
+    static const char index[] = "[%d]";
+    const char *scope = setting->circuit->lane_scope;
+    const size_t length = scope != NULL ? strlen(scope) : 0, last = sizeof index - 1;
+    return length > 0 && (length < last || strcmp(scope + length - last, index) != 0);
+}
+
+/* All lanes of a port, as `part` is lane 0's of it: side by side, no number. */
+static void add_whole(glint_gtkw *rows, const glint_setting *setting, glint_signal_info part,
+                      int lanes)
+{
+    part.int_bits = lanes * (part.int_bits + part.frac_bits);
+    part.frac_bits = 0;
+    part.is_signed = false;
+    part.lane = -1;
+    part.path = NULL;
+    scope where;
+    const char *name = place_in(setting, -1, part.name, &where);
+    glint_gtkw_add(rows, &(glint_gtkw_trace){.scope = where.text,
+                                             .name = name,
+                                             .label = part.name,
+                                             .width = part.int_bits,
+                                             .flags = GLINT_GTKW_SHOW_HEX,
+                                             .color = glint_show_color(&part)});
+}
+
+static void add_whole_pin(glint_gtkw *rows, const glint_setting *setting, const glint_pin_info *pin)
+{
+    int lanes = 0;
+    for (int i = 0; i < setting->circuit->pin_count(setting->values); i++)
+        lanes += strcmp(setting->circuit->pin(setting->values, i).name, pin->name) == 0;
+    add_whole(rows, setting, glint_show_pin(pin), lanes);
+}
+
+static void add_whole_output(glint_gtkw *rows, const glint_setting *setting,
+                             const glint_signal_info *output)
+{
+    int lanes = 0;
+    for (int i = 0; i < setting->circuit->signal_count(setting->values); i++) {
+        const glint_signal_info other = setting->circuit->signal(setting->values, i);
+        lanes += other.kind == GLINT_SIGNAL_OUTPUT && strcmp(other.name, output->name) == 0;
+    }
+    add_whole(rows, setting, *output, lanes);
+}
+
 /* The pins of several lanes form one wide port, which is not a number, so only lane 0's are shown,
- * as the lane's ports. */
+ * as the lane's ports, where it has them. */
 static void add_inputs(glint_gtkw *rows, const glint_setting *setting)
 {
     const glint_circuit *circuit = setting->circuit;
@@ -119,7 +167,11 @@ static void add_inputs(glint_gtkw *rows, const glint_setting *setting)
     for (int rank = 0; rank < RANKS; rank++)
         for (int i = 0; i < circuit->pin_count(setting->values); i++) {
             const glint_pin_info pin = circuit->pin(setting->values, i);
-            if (pin.lane <= 0 && rank_of(&pin) == rank)
+            if (pin.lane > 0 || rank_of(&pin) != rank)
+                continue;
+            if (pin.lane == 0 && !lanes_have_ports(setting))
+                add_whole_pin(rows, setting, &pin);
+            else
                 add_pin(rows, setting, i);
         }
 }
@@ -146,10 +198,14 @@ static int add_signals(glint_gtkw *rows, const glint_setting *setting, const sel
     int count = 0;
     for (int i = 0; i < setting->circuit->signal_count(setting->values); i++) {
         const glint_signal_info signal = setting->circuit->signal(setting->values, i);
-        if (!is_selected(of, &signal))
+        const bool is_part =
+            signal.kind == GLINT_SIGNAL_OUTPUT && signal.lane >= 0 && !lanes_have_ports(setting);
+        if (!is_selected(of, &signal) || (is_part && signal.lane > 0))
             continue;
         count++;
-        if (rows != NULL)
+        if (rows != NULL && is_part)
+            add_whole_output(rows, setting, &signal);
+        else if (rows != NULL)
             add_row(rows, setting, &signal);
     }
     return count;
@@ -170,8 +226,9 @@ static void add_folded(glint_gtkw *rows, const glint_setting *setting, const sel
     if (add_signals(NULL, setting, of) == 0)
         return;
     glint_gtkw_begin_closed_group(rows, title);
-    for (int i = 0; i < setting->circuit->pin_count(setting->values) && of->heading == NULL; i++)
-        if (setting->circuit->pin(setting->values, i).lane == of->lane && of->lane > 0)
+    const bool has_pins = of->heading == NULL && of->lane > 0 && lanes_have_ports(setting);
+    for (int i = 0; has_pins && i < setting->circuit->pin_count(setting->values); i++)
+        if (setting->circuit->pin(setting->values, i).lane == of->lane)
             add_pin(rows, setting, i);
     (void)add_signals(rows, setting, of);
     glint_gtkw_end_group(rows, title);

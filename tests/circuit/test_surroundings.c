@@ -134,6 +134,83 @@ static void what_the_verilog_prints_is_not_among_the_results(void **state)
     forget(&done);
 }
 
+/* ---- Waveforms --------------------------------------------------------------------------------
+ */
+
+static const char lanes_in_a_block[] =
+    "    generate\n"
+    "        for (i = 0; i < LANES; i = i + 1) begin : lane\n"
+    "            wire signed [11:0] number = x[i*12 +: 12];\n"
+    "            reg signed [11:0] held;\n"
+    "            wire signed [7:0] clipped = held > 12'sd127 ? 8'sd127\n"
+    "                : held < -12'sd128 ? -8'sd128 : held[7:0];\n"
+    "            reg signed [7:0] result;\n"
+    "            assign y[i*8 +: 8] = result;\n"
+    "            always @(posedge clk)\n"
+    "                if (reset) begin held <= 0; result <= 0; end\n"
+    "                else if (en) begin\n"
+    "                    if (in_valid[i]) held <= number;\n"
+    "                    result <= clipped;\n"
+    "                end\n"
+    "        end\n"
+    "    endgenerate\nendmodule\n";
+
+/* Every row of a save file names what the VCD has: a name below the scopes before it. */
+static void assert_rows_are_there(const char *saved, const char *waveform)
+{
+    int rows = 0;
+    for (const char *line = saved; (line = strstr(line, "\n+{")) != NULL; rows++) {
+        char declared[300];
+        const char *name = strstr(++line, "} TOP.") + 6;
+        const char *end = name + strcspn(name, "\n");
+        const char *last = end;
+        while (last[-1] != '.')
+            last--;
+        const int length = (int)strcspn(last, "[\n");
+        (void)snprintf(declared, sizeof declared, " %.*s%s%.*s $end", length, last,
+                       last + length < end ? " " : "", (int)(end - last) - length, last + length);
+        if (strstr(waveform, declared) == NULL)
+            fail_msg("the waveform has no%s", declared);
+    }
+    assert_true(rows > 5);
+}
+
+/* A generate block has no ports: the whole ones are shown, and no row is dead. */
+static void lanes_in_a_bare_block_have_rows_that_exist(void **state)
+{
+    (void)state;
+    char directory[OWN_PATH], path[OWN_PATH + 100];
+    own_copy(OWN "clip_lanes", "bare", directory);
+    remove_file(directory, "clip_lane.v");
+    own_edit(directory, "clip_lanes.c", "\"lane[%d].u\"", "\"lane[%d]\"");
+    (void)snprintf(path, sizeof path, "%s/clip_lanes.v", directory);
+    char *text = scratch_read(path, NULL), *at = strstr(text, "    generate\n");
+    assert_non_null(at);
+    *at = '\0';
+    char *whole = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&whole, &size);
+    assert_non_null(out);
+    assert_true(fprintf(out, "%s%s", text, lanes_in_a_block) > 0);
+    assert_int_equal(fclose(out), 0);
+    scratch_write(path, whole, size);
+    free(whole);
+    free(text);
+
+    outcome done =
+        own_run(directory, "", "wave --lanes 3 --format vcd --out %s", scratch_path("bare-waves"));
+    assert_outcome(&done, 0, "");
+    forget(&done);
+    char *saved = scratch_read(scratch_path("bare-waves/clip_lanes_3.gtkw"), NULL);
+    char *waveform = scratch_read(scratch_path("bare-waves/clip_lanes_3.vcd"), NULL);
+    assert_says(saved, "TOP.clip_lanes.x[35:0]\n");
+    assert_says(saved, "TOP.clip_lanes.y[23:0]\n");
+    assert_says(saved, "TOP.clip_lanes.lane[2].held[11:0]\n");
+    assert_rows_are_there(saved, waveform);
+    free(saved);
+    free(waveform);
+}
+
 /* ---- The C files ------------------------------------------------------------------------------
  */
 
@@ -165,6 +242,23 @@ static void a_crash_leaves_no_lock(void **state)
     free(shared);
 }
 
+/* The examples of its --help are for a circuit of one's own, none of which has lanes here. */
+static void the_examples_have_only_its_options(void **state)
+{
+    (void)state;
+    static const char *const commands[] = {"verify", "wave", "info", "draw", "eval"};
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
+        outcome done = own_run(OWN "free_runner", "", "%s --help", commands[i]);
+        assert_outcome(&done, 0, "");
+        assert_null(strstr(done.out, "--lanes"));
+        assert_null(strstr(done.out, "--gate"));
+        assert_null(strstr(done.out, "--circuit divider"));
+        if (i < 4)
+            assert_says(done.out, "glint --circuit-dir DIR ");
+        forget(&done);
+    }
+}
+
 static void a_compiler_that_says_nothing_is_named(void **state)
 {
     (void)state;
@@ -189,8 +283,10 @@ int main(void)
         cmocka_unit_test(packages_come_first),
         cmocka_unit_test(a_file_of_data_lies_beside_the_verilog),
         cmocka_unit_test(what_the_verilog_prints_is_not_among_the_results),
+        cmocka_unit_test(lanes_in_a_bare_block_have_rows_that_exist),
         cmocka_unit_test(a_crash_leaves_no_lock),
         cmocka_unit_test(a_compiler_that_says_nothing_is_named),
+        cmocka_unit_test(the_examples_have_only_its_options),
     };
     return cmocka_run_group_tests_name("surroundings", tests, scratch_make, scratch_remove);
 }

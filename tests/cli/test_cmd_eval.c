@@ -38,7 +38,6 @@ static void a_point_is_answered(void **state)
         "--backend real",
         "--backend rtl --lanes 1",
         "--backend rtl --lanes 4 --pipeline combinational",
-        "--backend rtl --lanes 0",
     };
     for (size_t i = 0; i < sizeof backends / sizeof backends[0]; i++) {
         assert_answer(backends[i], "2 0.5 255 100 4\n", HEADER "2,131072,65536,64,25,1\n");
@@ -67,11 +66,10 @@ static void the_input_is_read_generously_in_its_blanks(void **state)
         assert_answer("", inputs[i], HEADER "2,131072,65536,1,2,3\n");
 }
 
-/* Any number of them; 0 is the usual one. */
 static void lanes_have_a_range(void **state)
 {
     (void)state;
-    static const char *const refused[] = {"33", "-1", "3.5", "all"};
+    static const char *const refused[] = {"33", "0", "-1", "3.5", "all"};
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         char line[64];
         char expected[128];
@@ -83,12 +81,16 @@ static void lanes_have_a_range(void **state)
         forget(&done);
     }
     outcome three = run("eval --backend rtl --lanes 3", "80 0.99 255 190 110\n");
-    outcome usual = run("eval --backend rtl --lanes 0", "80 0.99 255 190 110\n");
+    outcome usual = run("eval --backend rtl", "80 0.99 255 190 110\n");
     assert_outcome(&three, 0, "");
     assert_outcome(&usual, 0, "");
     assert_string_equal(three.out, usual.out);
     forget(&three);
     forget(&usual);
+    outcome none = run("verify --lanes 0", "");
+    assert_outcome(&none, 2,
+                   "glint verify: --lanes: \"0\" is not an integer from 1 to 32 or all\n");
+    forget(&none);
 }
 
 static void an_empty_input_has_no_rows(void **state)

@@ -60,6 +60,22 @@ static void what_is_missing_is_made_again(void **state)
     expect_made_again("libglint.a", "glint-gen");
 }
 
+/* Caches of circuits hold such directories, and may lie anywhere; the build has a link to its tree.
+ */
+static void directories_are_no_dependencies(void **state)
+{
+    (void)state;
+    static const char *const directories[] = {"own/cache", "own/cache/runtime-1.d", "link",
+                                              "link/cache", "link/cache/runtime-2.d"};
+    (void)mkdir(scratch_path("own"), 0777);
+    for (size_t i = 0; i < sizeof directories / sizeof directories[0]; i++)
+        assert_int_equal(mkdir(scratch_path(directories[i]), 0777), 0);
+    (void)unlink(scratch_path("own/tree"));
+    assert_int_equal(symlink("../link", scratch_path("own/tree")), 0);
+    make("cmodel/roms.o");
+    assert_true(is_made("cmodel/roms.o"));
+}
+
 /* ---- Devices ------------------------------------------------------------------------------------
  */
 
@@ -146,6 +162,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_missing_is_made_again),
+        cmocka_unit_test(directories_are_no_dependencies),
         cmocka_unit_test(the_search_for_devices_finds_them),
         cmocka_unit_test(no_tool_is_given_a_device_to_write),
     };
