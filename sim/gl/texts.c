@@ -91,6 +91,10 @@ static const char *const model_lyon_16_minimax[] = {
 #include "sim/shader/lyon-16-minimax.glsl.inc"
     NULL};
 
+static const char *const model_log2_n[] = {
+#include "sim/shader/log2-n.glsl.inc"
+    NULL};
+
 static const char *const model_device[] = {
 #include "sim/shader/device.glsl.inc"
     NULL};

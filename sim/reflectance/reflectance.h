@@ -48,6 +48,7 @@
     X(LYON_8_MINIMAX, lyon_8_minimax, "lyon-8-minimax")                                            \
     X(LYON_16, lyon_16, "lyon-16")                                                                 \
     X(LYON_16_MINIMAX, lyon_16_minimax, "lyon-16-minimax")                                         \
+    X(LOG2_N, log2_n, "log2-n")                                                                    \
     X(DEVICE, device, "device")
 
 typedef enum glint_reflectance_model {
@@ -112,6 +113,9 @@ typedef struct glint_reflectance {
         struct {
             double scale; /* of cosⁿ */
         } power;
+        struct {
+            int squarings;
+        } log2_n;
         struct {
             double a; /* the exponent of Table 3.2 */
         } schlick;

@@ -16,6 +16,8 @@ const glint_chapter glint_chapters[] = {
      glint_text_energy},
     {"frames", "Pictures (section 3.4, Table 3.2, figures 3.12 and 3.13)", glint_chapter_frames,
      glint_text_frames},
+    {"rasterizers", "Rasterizers (section 1.3, appendix A, figures 2.1, 2.8, 2.9, 2.11 and 2.14)",
+     glint_chapter_rasterizers, glint_text_rasterizers},
     {"speed", "Speed of the formulas (sections 3.1 and 3.4)", glint_chapter_speed,
      glint_text_speed},
     {"units", "Units for a highlight in hardware, side by side", glint_chapter_units,

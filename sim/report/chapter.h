@@ -54,6 +54,6 @@ glint_status glint_report_write_lines(const glint_report *report, const char *co
 
 glint_chapter_measure glint_chapter_device, glint_chapter_lobes, glint_chapter_divider,
     glint_chapter_energy, glint_chapter_frames, glint_chapter_speed, glint_chapter_units,
-    glint_chapter_trace;
+    glint_chapter_rasterizers, glint_chapter_trace;
 
 #endif

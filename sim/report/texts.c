@@ -35,6 +35,10 @@ const char *const glint_text_frames[] = {
 #include "sim/report/text/frames.md.inc"
     NULL};
 
+const char *const glint_text_rasterizers[] = {
+#include "sim/report/text/rasterizers.md.inc"
+    NULL};
+
 const char *const glint_text_speed[] = {
 #include "sim/report/text/speed.md.inc"
     NULL};

@@ -7,6 +7,7 @@ extern const char *const glint_text_head[], *const glint_text_summary[], *const 
 extern const char *const glint_text_device[], *const glint_text_lobes[];
 extern const char *const glint_text_divider[], *const glint_text_energy[];
 extern const char *const glint_text_frames[], *const glint_text_speed[];
+extern const char *const glint_text_rasterizers[];
 extern const char *const glint_text_units[], *const glint_text_trace[];
 
 /* What `make compare` measured: docs/compare.csv. */

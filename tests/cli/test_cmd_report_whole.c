@@ -544,8 +544,8 @@ static void json_goes_to_standard_output_and_progress_to_a_terminal(void **state
         glint_under_test(), "report", "--quick", "--json", "--out", out, NULL};
     terminal terminal = terminal_open();
     const pid_t child = child_start(argv, scratch_path("child.out"), terminal.name);
-    terminal_wait_for(&terminal, child, "glint report: 8 of 8: ", shown, sizeof shown);
-    assert_says(shown, "glint report: 1 of 8: ");
+    terminal_wait_for(&terminal, child, "glint report: 9 of 9: ", shown, sizeof shown);
+    assert_says(shown, "glint report: 1 of 9: ");
     assert_int_equal(child_wait(child, 300), 0);
     terminal_close(&terminal);
     char *printed = scratch_read(scratch_path("child.out"), NULL);

@@ -55,6 +55,7 @@ static void arguments_outside_the_domain_are_refused(void **state)
     } refusals[] = {
         {GLINT_REFLECTANCE_SCHLICK, 0.5, 0.5, "model schlick: n = 0.5 is outside 1…1e+06"},
         {GLINT_REFLECTANCE_QUADRATIC, 0, 0.5, "model quadratic: n = 0 is outside 1…1e+06"},
+        {GLINT_REFLECTANCE_LOG2_N, 0.9, 0.5, "model log2-n: n = 0.9 is outside 1…1e+06"},
         {GLINT_REFLECTANCE_BLINN, -1, 0.5, "model blinn: n = -1 is outside 0…1e+06"},
         {GLINT_REFLECTANCE_BLINN, NAN, 0.5, "model blinn: n = nan is outside 0…1e+06"},
         {GLINT_REFLECTANCE_LYON_8, 2e6, 0.5, "model lyon-8: n = 2e+06 is outside 0…1e+06"},
@@ -65,7 +66,7 @@ static void arguments_outside_the_domain_are_refused(void **state)
         {GLINT_REFLECTANCE_BLINN, 5, NAN, "model blinn: the cosine nan is outside 0…1"},
         {GLINT_REFLECTANCE_COOK_TORRANCE, 5, 0.5,
          "model cook-torrance is not a function of one cosine: it needs directions"},
-        {GLINT_REFLECTANCE_COUNT, 5, 0.5, "unknown reflectance model number 23"},
+        {GLINT_REFLECTANCE_COUNT, 5, 0.5, "unknown reflectance model number 24"},
     };
     for (size_t i = 0; i < sizeof refusals / sizeof refusals[0]; i++) {
         double value = 7;
@@ -350,6 +351,23 @@ static void the_power_of_table_3_2_is_the_best(void **state)
     }
 }
 
+/* k is log2 n rounded where 2^(2k − 1) ≤ n² < 2^(2k + 1): in integers, by no logarithm. */
+static void squarings_are_of_the_nearest_power_of_two(void **state)
+{
+    (void)state;
+    for (uint64_t n = 1; n <= 1023; n++) {
+        int k = 0;
+        while (n * n >= (uint64_t)2 << (2 * k))
+            k++;
+        const glint_reflectance r = prepared(GLINT_REFLECTANCE_LOG2_N, (double)n);
+        for (int i = 0; i <= 100; i++) {
+            const double c = 1.0 - i / 200.0 / (double)n;
+            const double expected = pow(c, (double)(1 << k));
+            assert_true(fabs(glint_reflectance_of_cosine(&r, c) - expected) < 1e-12);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -364,6 +382,7 @@ int main(void)
         cmocka_unit_test(minimax_widths_are_the_best),
         cmocka_unit_test(the_family_goes_to_the_power_as_k_grows),
         cmocka_unit_test(the_power_of_table_3_2_is_the_best),
+        cmocka_unit_test(squarings_are_of_the_nearest_power_of_two),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
