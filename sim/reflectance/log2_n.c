@@ -18,15 +18,24 @@ static void prepare(const glint_reflectance_parameters *parameters, glint_reflec
     prepared->log2_n.squarings = (int)floor(log2(parameters->n) + 0.5);
 }
 
-/* A squaring at a time over all, so that compilers vectorise it. */
+#define CHUNK 64
+
+/* A squaring at a time over a chunk, so that compilers vectorise it; in double precision, as each
+ * squaring doubles the relative error. */
 static void batch(const glint_reflectance *prepared, const float *restrict cosine, size_t count,
                   float *restrict value)
 {
-    for (size_t i = 0; i < count; i++)
-        value[i] = glint_held_cosine(cosine[i]);
-    for (int k = 0; k < prepared->log2_n.squarings; k++)
-        for (size_t i = 0; i < count; i++)
-            value[i] *= value[i];
+    for (size_t first = 0; first < count; first += CHUNK) {
+        const size_t left = count - first, size = left < CHUNK ? left : CHUNK;
+        double held[CHUNK] = {0};
+        for (size_t i = 0; i < size; i++)
+            held[i] = (double)glint_held_cosine(cosine[first + i]);
+        for (int k = 0; k < prepared->log2_n.squarings; k++)
+            for (size_t i = 0; i < CHUNK; i++)
+                held[i] *= held[i];
+        for (size_t i = 0; i < size; i++)
+            value[first + i] = (float)held[i];
+    }
 }
 
 const glint_reflectance_definition glint_reflectance_log2_n = {

@@ -319,7 +319,7 @@ const glint_claim glint_claim_table[] = {
 
     /* ---- 1.3: rasterizers ---- */
     {"rasterizers", "1.3",
-     "Gouraud shading has six drawbacks: it is linear where light is not, loses highlights, uses "
+     "Gouraud shading has 6 drawbacks: it is linear where light is not, loses highlights, uses "
      "normals only at vertices, flickers from frame to frame, makes highlights star-shaped, and "
      "ignores perspective; taken to mean that by a figure for each it is more than twice as far "
      "from the best as Phong shading",

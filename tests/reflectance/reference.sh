@@ -59,6 +59,13 @@ define z(v) {
     print "},\n";
     return 0;
 }
+/* The power of two nearest to n, by its logarithm: 2^k with 2^(2k - 1) <= n^2 < 2^(2k + 1). */
+define t(n) {
+    auto k;
+    k = 1;
+    while (n * n >= 2 * k * k) k = 2 * k;
+    return k;
+}
 define r(n, x) {
     auto y, d;
     y = k(x);
@@ -71,6 +78,8 @@ define r(n, x) {
     y0 = z(p(x, n));
     print "{GLINT_REFLECTANCE_BLINN_NORMALIZED, ", n, ", ", x, ", "
     y0 = z((n + 6) / (8 * pi) * p(x, n));
+    print "{GLINT_REFLECTANCE_LOG2_N, ", n, ", ", x, ", "
+    y0 = z(p(x, t(n)));
     print "{GLINT_REFLECTANCE_SCHLICK, ", n, ", ", x, ", "
     y0 = z(x / d);
     print "{GLINT_REFLECTANCE_SCHLICK_MODIFIED, ", n, ", ", x, ", "
