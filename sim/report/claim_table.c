@@ -377,7 +377,7 @@ const glint_claim glint_claim_table[] = {
      "neighbours"},
     {"trace", "2.6",
      "Bicubic interpolation has none of the artefacts of nearest neighbour; taken to mean that "
-     "where those have seams, steps are at most half as large again as elsewhere",
+     "where those have seams, steps are at most 1.5 times as large as elsewhere",
      GLINT_AT_MOST, 1.5, 1, GLINT_PLAIN, "trace.seams",
      "{trace.seams:.2f} times as large; of nearest neighbours there are no other steps"},
 };

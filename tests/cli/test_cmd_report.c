@@ -303,9 +303,9 @@ static void the_command_line_is_read_strictly(void **state)
     static const struct {
         const char *command_line, *err;
     } refusals[] = {
-        {"report --chapter thesis",
-         "glint report: --chapter: \"thesis\" is none of device, lobes, divider, energy, frames, "
-         "speed, units, trace\n"},
+        {"report --chapter thesis", "glint report: --chapter: \"thesis\" is none of device, lobes, "
+                                    "divider, energy, frames, rasterizers, "
+                                    "speed, units, trace\n"},
         {"report divider", "glint report: unexpected argument \"divider\"\n"},
         {"report --threads 0", "glint report: --threads: \"0\" is not an integer from 1 to 64\n"},
         {"report --out=", "glint report: --out: \"\" is not a non-empty DIR\n"},
