@@ -36,6 +36,20 @@ struct glint_gl_context {
     glint_gl gl;
 };
 
+/* Of a leak checker, where the program is built with one. What Mesa and LLVM keep until the process
+ * ends is allocated in between, by code that is unloaded before the checker looks, so that no list
+ * of exceptions could name it. */
+extern void __lsan_disable(void) __attribute__((weak));
+extern void __lsan_enable(void) __attribute__((weak));
+
+static void check_leaks(bool on)
+{
+    if (on && __lsan_enable != NULL)
+        __lsan_enable();
+    else if (!on && __lsan_disable != NULL)
+        __lsan_disable();
+}
+
 static glint_status missing(const char *what, glint_error *err)
 {
     return glint_fail(err, GLINT_IO_ERROR, "backend gl: %s: " INSTALL, what);
@@ -126,6 +140,7 @@ glint_status glint_gl_context_create(int threads, glint_gl_context **context, gl
     glint_gl_context *c = calloc(1, sizeof *c);
     if (c == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for a context of OpenGL");
+    check_leaks(false);
     set_environment(threads);
     const glint_status status = open_context(c, err);
     if (status != GLINT_OK) {
@@ -148,6 +163,7 @@ void glint_gl_context_destroy(glint_gl_context *context)
             (void)context->DestroyContext(context->display, context->context);
         (void)context->Terminate(context->display);
     }
+    check_leaks(true);
     free(context);
 }
 
