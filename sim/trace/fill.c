@@ -24,7 +24,8 @@ static uint8_t *color_at(const canvas *c, int x, int y)
 /* Rounded half up and held in 0 … 255. */
 static uint8_t level_of(double value)
 {
-    return value <= 0.0 ? 0 : value >= 254.5 ? 255 : (uint8_t)(value + 0.5);
+    const double above = value + 0.5;
+    return above <= 0.0 ? 0 : above >= 255.0 ? 255 : (uint8_t)above;
 }
 
 /* The nearer of two ends, the first where both are as near. */
