@@ -127,9 +127,11 @@ typedef struct glint_circuit {
     glint_pin_info (*pin)(const int *values, int index);
     size_t pins_size; /* of the struct that they lie in; 0 is every pin's rest but reset-low's */
 
-    /* Signals 0…count−1, which are compared after every clock. One of kind GLINT_SIGNAL_OUTPUT is
-     * the output port of that name, or a lane's part of it; any other is found below the top module
-     * by its path (signal.path, or else its name), prefixed with its lane's scope. */
+    /* Signals 0…count−1, which are compared after every clock. One of kind GLINT_SIGNAL_OUTPUT or
+     * GLINT_SIGNAL_MEALY is the output port of that name, or a lane's part of it; any other is
+     * found below the top module by its path (signal.path, or else its name), prefixed with its
+     * lane's scope. clock() leaves in a MEALY signal what the old state and the clock's pins make.
+     */
     int (*signal_count)(const int *values);
     glint_signal_info (*signal)(const int *values, int index);
     const char *lane_name;  /* "lane", "stage": what signal.lane counts; NULL: none does */

@@ -13,8 +13,15 @@ typedef enum glint_signal_kind {
     GLINT_SIGNAL_REGISTER, /* a numbered register of the figure */
     GLINT_SIGNAL_BLOCK,    /* the output of a numbered combinational block */
     GLINT_SIGNAL_STAGE,    /* a pipeline register, or a wire in its place */
-    GLINT_SIGNAL_OUTPUT,
+    GLINT_SIGNAL_OUTPUT,   /* an output port: what it is after the edge */
+    GLINT_SIGNAL_MEALY,    /* one that follows a pin with no register between: what it is before the
+                              edge, when the pins of the clock are there and the state is still old */
 } glint_signal_kind;
+
+static inline int glint_signal_is_port(glint_signal_kind kind)
+{
+    return kind == GLINT_SIGNAL_OUTPUT || kind == GLINT_SIGNAL_MEALY;
+}
 
 /* A signal as a comparer, a waveform or a document needs it. */
 typedef struct glint_signal_info {

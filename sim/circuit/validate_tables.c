@@ -200,7 +200,7 @@ static glint_status check_way(const described *d, const glint_signal_info *signa
     if (signal->lane >= 0 && circuit->lane_name == NULL)
         return wrong(d, "signal %s belongs to lane %d, but the circuit has no lane_name",
                      signal->name, signal->lane);
-    if (signal->kind == GLINT_SIGNAL_OUTPUT)
+    if (glint_signal_is_port(signal->kind))
         return GLINT_OK;
     if (signal->lane >= 0 && circuit->lane_scope == NULL)
         return wrong(d, "signal %s belongs to lane %d, but the circuit has no lane_scope",
@@ -272,8 +272,11 @@ static glint_status check_signal(const described *d, int index)
     const number n = {"signal",          signal->name,      signal->meaning, signal->int_bits,
                       signal->frac_bits, signal->is_signed, signal->lane,    true};
     glint_status status = check_number(d, &n, index);
-    if (status == GLINT_OK && (unsigned)signal->kind > GLINT_SIGNAL_OUTPUT)
+    if (status == GLINT_OK && (unsigned)signal->kind > GLINT_SIGNAL_MEALY)
         status = wrong(d, "signal %s: unknown kind number %d", signal->name, (int)signal->kind);
+    if (status == GLINT_OK && signal->kind == GLINT_SIGNAL_MEALY &&
+        d->setting->circuit->clock_port == NULL)
+        status = wrong(d, "signal %s: without a clock its kind is OUTPUT, not MEALY", signal->name);
     if (status == GLINT_OK)
         status = check_room(d, signal);
     if (status == GLINT_OK)
@@ -282,7 +285,7 @@ static glint_status check_signal(const described *d, int index)
         status = check_heading(d, signal);
     if (status == GLINT_OK)
         status = check_way(d, signal);
-    if (status == GLINT_OK && signal->kind == GLINT_SIGNAL_OUTPUT)
+    if (status == GLINT_OK && glint_signal_is_port(signal->kind))
         status = check_output(d, index);
     return status;
 }

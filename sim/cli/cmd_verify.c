@@ -394,7 +394,7 @@ static sums add_up(const verification *all)
         sums.clocks += result->clocks;
         sums.settings += result->comparisons != 0;
         if (result->clocks != 0)
-            glint_reach_sum_add(&sums.reach, &all->tasks[i].options.setting, &result->reach);
+            glint_reach_sum_add(&sums.reach, &all->tasks[i].options.setting, result);
         sums.interrupted |= all->tasks[i].status == GLINT_INTERRUPTED ||
                             (!all->tasks[i].has_ended && !all->tasks[i].is_left_out);
     }
@@ -448,6 +448,33 @@ static int worse(int a, int b)
                                                                   : b;
 }
 
+/* Pins of a reset or an enable, by name. */
+static void name_controls(const glint_setting *setting, char *text, size_t size)
+{
+    size_t used = 0;
+    text[0] = '\0';
+    for (int i = 0; i < glint_setting_pin_count(setting) && used < size; i++) {
+        const glint_pin_info pin = glint_setting_pin(setting, i);
+        if (pin.role <= GLINT_PIN_ENABLE_LOW)
+            used +=
+                (size_t)snprintf(text + used, size - used, "%s%s", used != 0 ? ", " : "", pin.name);
+    }
+}
+
+/* Two circuits that stand still agree: that is no verdict. */
+static int refuse_still(const task *task)
+{
+    const glint_setting *setting = &task->options.setting;
+    char name[GLINT_SETTING_TEXT], controls[128];
+    glint_setting_describe(setting, name);
+    name_controls(setting, controls, sizeof controls);
+    return glint_complain("verify", GLINT_EXIT_TROUBLE,
+                          "%s: no register changed in %" PRIu64
+                          " clocks that neither reset nor stall, so there is "
+                          "no verdict: do the roles of %s have the right polarity?",
+                          name, task->result.roles.still, controls);
+}
+
 static int report_task(const verify_options *chosen, task *task, glint_failure_detail *detail,
                        FILE *out)
 {
@@ -457,6 +484,8 @@ static int report_task(const verify_options *chosen, task *task, glint_failure_d
         *detail = GLINT_FAILURE_BRIEFLY;
         return GLINT_EXIT_DIFFERENT;
     }
+    if (task->status == GLINT_OK && glint_roles_stand_still(&task->result.roles))
+        return refuse_still(task);
     if (task->status == GLINT_OK || task->status == GLINT_INTERRUPTED)
         return GLINT_EXIT_OK;
     return task->is_told ? GLINT_EXIT_TROUBLE : glint_complain_error("verify", &task->err);
@@ -539,7 +568,7 @@ static bool print_json(const verify_options *chosen, const verification *all, co
         glint_json_add_number(entry, "clocks", (double)task->result.clocks);
         glint_json_add_number(entry, "comparisons", (double)task->result.comparisons);
         glint_json_add_number(entry, "mismatches", (double)task->result.mismatches);
-        glint_reach_json(entry, &task->options.setting, &task->result.reach);
+        glint_reach_json(entry, &task->options.setting, &task->result);
         add_failure(entry, task);
         json_array_append_new(list, entry);
     }

@@ -76,7 +76,7 @@ static int find_outputs(const glint_setting *setting, column *output)
     int count = 0;
     for (int i = 0; i < glint_setting_signal_count(setting); i++) {
         const glint_signal_info info = glint_setting_signal(setting, i);
-        if (info.kind == GLINT_SIGNAL_OUTPUT && count < GLINT_SIGNAL_WORDS_MAX)
+        if (glint_signal_is_port(info.kind) && count < GLINT_SIGNAL_WORDS_MAX)
             name_column(&output[count++], i, info.name, info.lane);
     }
     return count;

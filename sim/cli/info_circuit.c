@@ -14,10 +14,9 @@ static const char *const roles[] = {
     [GLINT_PIN_DATA] = "data",
 };
 static const char *const kinds[] = {
-    [GLINT_SIGNAL_REGISTER] = "register",
-    [GLINT_SIGNAL_BLOCK] = "block",
-    [GLINT_SIGNAL_STAGE] = "stage",
-    [GLINT_SIGNAL_OUTPUT] = "output",
+    [GLINT_SIGNAL_REGISTER] = "register", [GLINT_SIGNAL_BLOCK] = "block",
+    [GLINT_SIGNAL_STAGE] = "stage",       [GLINT_SIGNAL_OUTPUT] = "output",
+    [GLINT_SIGNAL_MEALY] = "mealy",
 };
 
 /* Settings that `verify` tries, of a circuit; as many as the limit when there are more. */

@@ -41,15 +41,24 @@ static bool has_either(const glint_setting *setting, glint_pin_role a, glint_pin
     return glint_reach_has(setting, a) || glint_reach_has(setting, b);
 }
 
-void glint_reach_sum_add(glint_reach_sum *sum, const glint_setting *setting,
-                         const glint_reach *reach)
+/* NULL where no output's value before an edge went uncompared. */
+static const char *follower_of(const glint_setting *setting, const glint_roles *roles)
 {
+    return roles->follows >= 0 ? glint_setting_signal(setting, roles->follows).name : NULL;
+}
+
+void glint_reach_sum_add(glint_reach_sum *sum, const glint_setting *setting,
+                         const glint_lockstep_result *result)
+{
+    const glint_reach *reach = &result->reach;
     const bool is_first = sum->settings++ == 0;
     const int lanes = glint_reach_lanes(setting);
     const bool resets = has_either(setting, GLINT_PIN_RESET, GLINT_PIN_RESET_LOW);
     sum->resets |= resets;
     sum->enables |= has_either(setting, GLINT_PIN_ENABLE, GLINT_PIN_ENABLE_LOW);
     sum->unreset |= !resets && setting->circuit->clock_port != NULL;
+    if (sum->follows == NULL)
+        sum->follows = follower_of(setting, &result->roles);
     keep_least(&sum->least.run, reach->run, is_first);
     keep_least(&sum->least.run_enabled, reach->run_enabled, is_first);
     keep_least(&sum->least.stall, reach->stall, is_first);
@@ -112,6 +121,9 @@ void glint_reach_sum_print(const glint_reach_sum *sum)
     printf("\nnot covered: ");
     if (sum->unreset)
         printf("registers that power up otherwise than with 0 or their `initial` value; ");
+    if (sum->follows != NULL)
+        printf("%s before the edge, where it follows a pin (kind MEALY compares that); ",
+               sum->follows);
     printf("faults that need longer runs%s to show; raise --clocks for those\n",
            sum->enables ? " or longer stalls" : "");
 }
@@ -144,8 +156,10 @@ static void add_lane_counts(json_t *json, int lanes, const glint_reach *reach)
     glint_json_add_number(json, "lane_patterns_possible", (double)patterns_of(lanes));
 }
 
-void glint_reach_json(json_t *entry, const glint_setting *setting, const glint_reach *reach)
+void glint_reach_json(json_t *entry, const glint_setting *setting,
+                      const glint_lockstep_result *result)
 {
+    const glint_reach *reach = &result->reach;
     json_t *json = add_object(entry, reach, reach);
     const int lanes = glint_reach_lanes(setting);
     if (glint_setting_pace(setting) > 1)
@@ -154,6 +168,9 @@ void glint_reach_json(json_t *entry, const glint_setting *setting, const glint_r
         add_changes(json, has_material(setting), reach);
     if (lanes != 0)
         add_lane_counts(json, lanes, reach);
+    if (result->roles.follows >= 0)
+        glint_json_add_text(json, "not_compared_before_the_edge",
+                            follower_of(setting, &result->roles));
 }
 
 void glint_reach_sum_json(json_t *result, const glint_reach_sum *sum)

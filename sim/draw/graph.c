@@ -191,7 +191,7 @@ static glint_status add_inputs(making *m, int to, const char *list)
 static bool is_output(const glint_setting *setting, const char *name)
 {
     glint_signal_info signal;
-    return find_signal(setting, name, &signal) && signal.kind == GLINT_SIGNAL_OUTPUT;
+    return find_signal(setting, name, &signal) && glint_signal_is_port(signal.kind);
 }
 
 /* Marks the row, what feeds it and what controls it. */

@@ -74,7 +74,7 @@ static bool has_outputs(const glint_setting *setting)
 {
     bool has = false;
     for (int i = 0; i < glint_setting_signal_count(setting); i++)
-        has |= glint_setting_signal(setting, i).kind == GLINT_SIGNAL_OUTPUT;
+        has |= glint_signal_is_port(glint_setting_signal(setting, i).kind);
     return has;
 }
 
@@ -223,7 +223,7 @@ static void compare_outputs(worker *worker, uint64_t block, uint64_t clock,
 {
     for (int i = 0; i < signals->count; i++) {
         const int at = signals->place[i];
-        if (signals->info[i].kind != GLINT_SIGNAL_OUTPUT)
+        if (!glint_signal_is_port(signals->info[i].kind))
             continue;
         bool same = true;
         for (int w = at; w < signals->place[i + 1]; w++)

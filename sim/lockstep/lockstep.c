@@ -7,6 +7,7 @@
 #include "circuit/random_pins.h"
 #include "lockstep/mismatch.h"
 #include "lockstep/reach.h"
+#include "lockstep/roles.h"
 #include "lockstep/twin.h"
 
 static bool stopped(const glint_lockstep_options *options)
@@ -19,12 +20,16 @@ static glint_status run_twin(const glint_lockstep_options *options, glint_twin *
 {
     glint_random_pins source;
     glint_reach_count reach;
+    glint_roles_watch roles;
     glint_pins pins;
     glint_reach_begin(&reach, &options->setting);
+    glint_roles_begin(&roles, &options->setting, twin, &result->roles);
     glint_random_pins_begin(&source, &options->setting, options->seed);
     while (result->clocks < options->clocks) {
         glint_random_pins_next(&source, &pins);
+        glint_roles_before(&roles, &reach, &pins);
         glint_twin_clock(twin, &pins);
+        glint_roles_after(&roles);
         glint_reach_clock(&reach, &pins);
         result->reach = reach.reach;
         result->clocks++;

@@ -7,6 +7,7 @@
 
 #include "circuit/words.h"
 #include "lockstep/reach.h"
+#include "lockstep/roles.h"
 
 #define GLINT_MISMATCHES_KEPT 16
 
@@ -44,6 +45,7 @@ typedef struct glint_lockstep_result {
         uint64_t mismatches;
     } totals[GLINT_TOTALS_MAX];
     glint_reach reach; /* of the pins that both sides were given */
+    glint_roles roles; /* what the run says about the description's roles and kinds */
 } glint_lockstep_result;
 
 /* Runs it. GLINT_OK regardless of the finding, which is in result. GLINT_INTERRUPTED if stopped:

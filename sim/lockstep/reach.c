@@ -87,6 +87,17 @@ static controls read_controls(const glint_reach_count *count, const glint_pins *
     return now;
 }
 
+bool glint_reach_is_live(const glint_reach_count *count, const glint_pins *pins)
+{
+    const controls now = read_controls(count, pins);
+    return now.enabled && !now.resets;
+}
+
+bool glint_reach_is_reset(const glint_reach_count *count, const glint_pins *pins)
+{
+    return read_controls(count, pins).resets;
+}
+
 static void keep_most(uint64_t *most, uint64_t value)
 {
     if (*most < value)

@@ -57,6 +57,12 @@ void glint_reach_begin(glint_reach_count *count, const glint_setting *setting);
 /* The pins of one rising edge. */
 void glint_reach_clock(glint_reach_count *count, const glint_pins *pins);
 
+/* Whether that edge neither resets nor is one that an enable keeps out. */
+bool glint_reach_is_live(const glint_reach_count *count, const glint_pins *pins);
+
+/* Whether the pins reset. */
+bool glint_reach_is_reset(const glint_reach_count *count, const glint_pins *pins);
+
 /* Lanes of a setting whose valid pin has a bit for each, at most 64; 0: a circuit without lanes. */
 int glint_reach_lanes(const glint_setting *setting);
 

@@ -69,6 +69,11 @@ void glint_twin_clock(glint_twin *twin, const glint_pins *pins)
         glint_rtl_clock(twin->rtl, pins);
 }
 
+void glint_twin_settle(glint_twin *twin, const glint_pins *pins, uint64_t *rtl)
+{
+    glint_rtl_settle(twin->rtl, pins, rtl);
+}
+
 void glint_twin_read(const glint_twin *twin, uint64_t *model, uint64_t *rtl)
 {
     glint_signals_read(&twin->signals, glint_model_signals(&twin->setting, twin->model), model);

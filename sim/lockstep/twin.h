@@ -23,6 +23,9 @@ const glint_signals *glint_twin_signals(const glint_twin *twin);
 /* One rising edge. */
 void glint_twin_clock(glint_twin *twin, const glint_pins *pins);
 
+/* What those pins make of the Verilog's signals before the edge, which has yet to come. */
+void glint_twin_settle(glint_twin *twin, const glint_pins *pins, uint64_t *rtl);
+
 /* The words of every signal after the last edge, at most GLINT_SIGNAL_WORDS_MAX; rtl may be
  * NULL. */
 void glint_twin_read(const glint_twin *twin, uint64_t *model, uint64_t *rtl);

@@ -49,7 +49,7 @@ static glint_status place_all(const glint_setting *setting, glint_ports *ports, 
     for (int i = 0; status == GLINT_OK && i < ports->signals; i++) {
         const glint_signal_info signal = circuit->signal(setting->values, i);
         ports->of_signal[i] = -1;
-        if (signal.kind == GLINT_SIGNAL_OUTPUT)
+        if (glint_signal_is_port(signal.kind))
             status = place(ports, signal.name, true, glint_signal_width(&signal), signal.lane,
                            &ports->of_signal[i], &ports->signal_at[i], err);
     }

@@ -44,7 +44,7 @@ __attribute__((format(printf, 4, 5))) static void line(writer *w, glint_probe_pa
 
 static bool is_below(const glint_signal_info *signal)
 {
-    return signal->kind != GLINT_SIGNAL_OUTPUT;
+    return !glint_signal_is_port(signal->kind);
 }
 
 static void write_ports(writer *w)

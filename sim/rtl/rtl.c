@@ -56,6 +56,10 @@ struct glint_rtl {
     int narrow_count[SIZES];
     wide_place *wide;
     int wide_count;
+    /* Signals of kind MEALY: their words, and all words as they were before the last edge. */
+    bool has_before;
+    bool is_before[GLINT_SIGNAL_WORDS_MAX];
+    uint64_t before[GLINT_SIGNAL_WORDS_MAX];
     void *notes[GLINT_RTL_NOTES_SIZE / sizeof(void *)];
 };
 
@@ -163,7 +167,8 @@ static void read_wide(const wide_place *place, uint64_t *words)
     }
 }
 
-void glint_rtl_read(const glint_rtl *rtl, uint64_t *words)
+/* As the ports and the probe have them now. */
+static void read_now(const glint_rtl *rtl, uint64_t *words)
 {
     const narrow_place *end = rtl->narrow[0] + rtl->narrow_count[0];
     for (const narrow_place *p = rtl->narrow[0]; p < end; p++)
@@ -179,6 +184,14 @@ void glint_rtl_read(const glint_rtl *rtl, uint64_t *words)
         words[p->word] = (load(p->data, sizeof(uint64_t)) >> p->shift) & p->mask;
     for (int i = 0; i < rtl->wide_count; i++)
         read_wide(&rtl->wide[i], words);
+}
+
+void glint_rtl_read(const glint_rtl *rtl, uint64_t *words)
+{
+    read_now(rtl, words);
+    for (int i = 0; rtl->has_before && i < GLINT_SIGNAL_WORDS_MAX; i++)
+        if (rtl->is_before[i])
+            words[i] = rtl->before[i];
 }
 
 /* ---- Where everything is --------------------------------------------------------------------- */
@@ -255,6 +268,13 @@ static void place_signal(glint_rtl *rtl, const glint_shim_port *port, size_t at,
         (const unsigned char *)port->data + byte, glint_bits_mask(width), shift, word};
 }
 
+static void take_before(glint_rtl *rtl, int word, int words)
+{
+    rtl->has_before = true;
+    for (int i = 0; i < words; i++)
+        rtl->is_before[word + i] = true;
+}
+
 static glint_status place_signals(glint_rtl *rtl, const glint_setting *setting,
                                   const glint_ports *ports, const int *word, glint_error *err)
 {
@@ -270,6 +290,8 @@ static glint_status place_signals(glint_rtl *rtl, const glint_setting *setting,
         const int width = glint_signal_width(&signal);
         status = check_size(&rtl->port[number], (int)at + width, err);
         place_signal(rtl, &rtl->port[number], at, width, word[i]);
+        if (signal.kind == GLINT_SIGNAL_MEALY)
+            take_before(rtl, word[i], glint_words_of(width));
     }
     return status;
 }
@@ -391,9 +413,19 @@ void glint_rtl_destroy(glint_rtl *rtl)
     free(rtl);
 }
 
-void glint_rtl_clock(glint_rtl *rtl, const void *pins)
+void glint_rtl_settle(glint_rtl *rtl, const void *pins, uint64_t *words)
 {
     set_pins(rtl, pins);
+    rtl->shim->settle(rtl->instance);
+    read_now(rtl, words);
+}
+
+void glint_rtl_clock(glint_rtl *rtl, const void *pins)
+{
+    if (rtl->has_before)
+        glint_rtl_settle(rtl, pins, rtl->before);
+    else
+        set_pins(rtl, pins);
     rtl->shim->edge(rtl->instance);
 }
 

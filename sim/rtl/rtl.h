@@ -32,9 +32,12 @@ void glint_rtl_destroy(glint_rtl *rtl); /* closes an open trace; NULL is allowed
 /* One rising edge of the clock with these pins: the circuit's own struct of them. */
 void glint_rtl_clock(glint_rtl *rtl, const void *pins);
 
-/* Every signal's words as the last edge left them, in the places of glint_signal_places(). Of a
- * circuit that is not observed those of kind GLINT_SIGNAL_OUTPUT alone; the others' words are left
- * as they are. */
+/* What those pins make of every signal before the edge, which has yet to come. */
+void glint_rtl_settle(glint_rtl *rtl, const void *pins, uint64_t *words);
+
+/* Every signal's words as the last edge left them (those of kind GLINT_SIGNAL_MEALY: found them),
+ * in the places of glint_signal_places(). Of a circuit that is not observed those of ports alone;
+ * the others' words are left as they are. */
 void glint_rtl_read(const glint_rtl *rtl, uint64_t *words);
 
 /* Rising edges so far, the reset of creation included. */

@@ -217,12 +217,19 @@ struct Instance {
 #endif
     }
 
+    void settle()
+    {
+#ifdef GLINT_CLOCK
+        model.GLINT_CLOCK = 0;
+#endif
+        model.eval();
+    }
+
     // The pins must stand before the rising edge; in a waveform they change with the falling one.
     void edge()
     {
 #ifdef GLINT_CLOCK
-        model.GLINT_CLOCK = 0;
-        model.eval();
+        settle();
         dump(2 * HALF_PERIOD * edges + HALF_PERIOD);
         edges++;
         model.GLINT_CLOCK = 1;
@@ -313,6 +320,11 @@ void destroy(void *instance)
     delete &as_instance(instance);
 }
 
+void settle(void *instance)
+{
+    as_instance(instance).settle();
+}
+
 void edge(void *instance)
 {
     as_instance(instance).edge();
@@ -371,6 +383,16 @@ constexpr void (*trace_close)(void *) = nullptr;
 
 extern "C" __attribute__((visibility("default"))) const glint_shim GLINT_SHIM_SYMBOL;
 const glint_shim GLINT_SHIM_SYMBOL = {
-    GLINT_SHIM_VERSION, sizeof(glint_shim), create, destroy, port_count, port, edge, begin, edges,
-    trace_open,         trace_close,
+    GLINT_SHIM_VERSION,
+    sizeof(glint_shim),
+    create,
+    destroy,
+    port_count,
+    port,
+    settle,
+    edge,
+    begin,
+    edges,
+    trace_open,
+    trace_close,
 };

@@ -21,7 +21,7 @@ typedef struct glint_shim_port {
 
 /* To be raised with every change of what follows or of glint_shim_port, or of what a function does:
  * a program that was linked before the change does not take circuits built after it. */
-#define GLINT_SHIM_VERSION 1
+#define GLINT_SHIM_VERSION 2
 
 typedef struct glint_shim {
     uint64_t version, size; /* GLINT_SHIM_VERSION, sizeof(glint_shim) */
@@ -29,8 +29,9 @@ typedef struct glint_shim {
     void (*destroy)(void *instance);
     int (*port_count)(void);
     glint_shim_port (*port)(void *instance, int index);
-    void (*edge)(void *instance);  /* one rising edge of the clock with what the ports hold */
-    void (*begin)(void *instance); /* no edge, but counted as one: what stands behind registers */
+    void (*settle)(void *instance); /* all that follows the ports, with the clock low: no edge */
+    void (*edge)(void *instance);   /* one rising edge of the clock with what the ports hold */
+    void (*begin)(void *instance);  /* no edge, but counted as one: what stands behind registers */
     uint64_t (*edges)(const void *instance);
     bool (*trace_open)(void *instance, const char *path); /* NULL, both: built without */
     void (*trace_close)(void *instance);

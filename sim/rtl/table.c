@@ -75,7 +75,7 @@ static void print_probe_ports(const writer *w)
     for (int i = 0; i < w->product->ports.count; i++)
         fprintf(w->out, " \\\n    X(\"%s\", glint_p%d)", w->product->ports.port[i].name, i);
     for (int i = 0; i < w->product->ports.signals; i++)
-        if (setting->circuit->signal(setting->values, i).kind != GLINT_SIGNAL_OUTPUT)
+        if (!glint_signal_is_port(setting->circuit->signal(setting->values, i).kind))
             fprintf(w->out, " \\\n    X(\"glint_s%d\", glint_s%d)", i, i);
 }
 

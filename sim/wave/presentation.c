@@ -73,14 +73,14 @@ unsigned glint_show_code(const glint_signal_info *signal)
 
 int glint_show_color(const glint_signal_info *signal)
 {
-    return signal->kind == GLINT_SIGNAL_STAGE    ? GLINT_GTKW_COLOR_ORANGE
-           : signal->kind == GLINT_SIGNAL_OUTPUT ? GLINT_GTKW_COLOR_YELLOW
-                                                 : GLINT_GTKW_COLOR_NORMAL;
+    return signal->kind == GLINT_SIGNAL_STAGE   ? GLINT_GTKW_COLOR_ORANGE
+           : glint_signal_is_port(signal->kind) ? GLINT_GTKW_COLOR_YELLOW
+                                                : GLINT_GTKW_COLOR_NORMAL;
 }
 
 static bool can_be_curve(const glint_signal_info *signal)
 {
-    return signal->kind == GLINT_SIGNAL_OUTPUT && signal->frac_bits == 0 && !signal->is_signed &&
+    return glint_signal_is_port(signal->kind) && signal->frac_bits == 0 && !signal->is_signed &&
            !is_bits(signal) && signal->int_bits >= CURVE_BITS && signal->int_bits <= NUMBER_BITS;
 }
 

@@ -54,11 +54,11 @@ static const own_circuit circuits[] = {
      "a,b,out_valid,result\n100,30,1,10\n5,2,1,255\n"},
     {"ring", "", "ring.v", "push && (!full || gone)", "push && !full", "taken", true, true,
      "-3\n7\n8\n9\n10\n",
-     "data,taken,full,front,level\n-3,1,0,-3,1\n7,1,0,-3,2\n8,1,0,-3,3\n9,0,1,-3,4\n"
+     "data,taken,full,front,level\n-3,1,0,-3,1\n7,1,0,-3,2\n8,1,0,-3,3\n9,1,1,-3,4\n"
      "10,0,1,-3,4\n"},
     {"detector", "--form binary", "detector_binary.v", "default: state <= bit_in ? 2'd1 : 2'd2",
      "default: state <= bit_in ? 2'd1 : 2'd0", "state", true, false, "bit_in\n1\n0\n1\n1\n0\n",
-     "bit_in,found,count\n1,0,0\n0,0,0\n1,1,0\n1,0,1\n0,0,1\n"},
+     "bit_in,found,count\n1,0,0\n0,0,0\n1,0,0\n1,1,1\n0,0,1\n"},
     {"clip_lanes", "--lanes 3", "clip_lane.v", "-12'sd128 ? -8'sd128", "-12'sd127 ? -8'sd127",
      "clipped", false, true, "100 200 -2000\n",
      "x[0],x[1],x[2],out_valid,y[0],y[1],y[2]\n100,200,-2000,7,100,127,-128\n"},
@@ -235,6 +235,8 @@ static void what_is_wrong_is_said(void **state)
         {"exit", "free_runner", "free_runner.c",
          "    s->count +=", "    extern void exit(int);\n    exit(0);\n    s->count +=",
          "called exit(), so there is no verdict"},
+        {"mealy", "signed_order", "signed_order.c", "lesser, OUTPUT", "lesser, MEALY",
+         "signal lesser: without a clock its kind is OUTPUT, not MEALY"},
         {"option", "wide_sum", "wide_sum.c", ".name = \"width\"", ".name = \"seed\"",
          "a parameter cannot be named seed"},
     };
@@ -245,6 +247,63 @@ static void what_is_wrong_is_said(void **state)
         own_edit(directory, faults[i].file, faults[i].from, faults[i].to);
         outcome done = own_run(directory, "", "verify --clocks 100");
         assert_own_refused(&done, faults[i].words);
+        forget(&done);
+    }
+}
+
+/* Nothing inside depends on `found`, so that its value before the edge is all there is of it. */
+static void a_dead_mealy_output_is_found(void **state)
+{
+    (void)state;
+    char wrong[OWN_PATH];
+    own_copy(OWN "detector", "dead-output", wrong);
+    own_edit(wrong, "detector_binary.v", "assign found = state == 2'd3 && bit_in;",
+             "wire hit = state == 2'd3 && bit_in;\n    assign found = 1'b0;");
+    own_edit(wrong, "detector_binary.v", "{7'd0, found}", "{7'd0, hit}");
+    outcome done =
+        own_run(OWN "detector", "", "verify --form binary --clocks 3000 --rtl %s --out %s", wrong,
+                scratch_path("packets-dead"));
+    assert_int_equal(done.status, 1);
+    assert_says(done.out, ": found, ");
+    forget(&done);
+}
+
+/* The same output as kind OUTPUT is compared after the edge alone, which is said. */
+static void an_output_that_follows_a_pin_is_named(void **state)
+{
+    (void)state;
+    outcome done = own_run(OWN "gray", "", "verify --width 5 --clocks 3000");
+    assert_outcome(&done, 0, "");
+    assert_says(done.out, "not covered: ");
+    assert_says(done.out,
+                "code before the edge, where it follows a pin (kind MEALY compares that)");
+    forget(&done);
+    done = own_run(OWN "ring", "", "verify --clocks 3000");
+    assert_null(strstr(done.out, "before the edge"));
+    forget(&done);
+}
+
+/* Both sides stand still, and agree. */
+static void a_wrong_polarity_is_no_verdict(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *circuit, *file, *from, *to, *words;
+    } faults[] = {
+        {"rotate_xor", "rotate_xor.c", "reset, RESET,", "reset, RESET_LOW,", "the roles of reset"},
+        {"ring", "ring.c", "rst_n, RESET_LOW,", "rst_n, RESET,", "the roles of rst_n"},
+        {"gray", "gray.c", "ce_n, ENABLE_LOW,", "ce_n, ENABLE,", "the roles of ce_n"},
+    };
+    for (size_t i = 0; i < sizeof faults / sizeof faults[0]; i++) {
+        char from[OWN_PATH], directory[OWN_PATH], name[64];
+        (void)snprintf(from, sizeof from, OWN "%s", faults[i].circuit);
+        (void)snprintf(name, sizeof name, "polarity-%s", faults[i].circuit);
+        own_copy(from, name, directory);
+        own_edit(directory, faults[i].file, faults[i].from, faults[i].to);
+        outcome done = own_run(directory, "", "verify --clocks 5000");
+        assert_int_equal(done.status, 2);
+        assert_says(done.err, "no register changed in ");
+        assert_says(done.err, faults[i].words);
         forget(&done);
     }
 }
@@ -341,7 +400,7 @@ static void a_blank_in_the_name_does_no_harm(void **state)
 int main(void)
 {
     static char names[4 * CIRCUITS][128];
-    struct CMUnitTest tests[4 * CIRCUITS + 6] = {{0}}; /* those without a name are no tests */
+    struct CMUnitTest tests[4 * CIRCUITS + 9] = {{0}}; /* those without a name are no tests */
     static const struct {
         const char *what;
         CMUnitTestFunction run;
@@ -352,6 +411,9 @@ int main(void)
     static const struct CMUnitTest others[] = {
         cmocka_unit_test(every_input_is_tried),
         cmocka_unit_test(what_is_wrong_is_said),
+        cmocka_unit_test(a_dead_mealy_output_is_found),
+        cmocka_unit_test(an_output_that_follows_a_pin_is_named),
+        cmocka_unit_test(a_wrong_polarity_is_no_verdict),
         cmocka_unit_test(pins_may_be_called_as_a_packet_s_variables),
         cmocka_unit_test(a_directory_without_a_circuit_is_refused),
         cmocka_unit_test(several_files_make_one_circuit),

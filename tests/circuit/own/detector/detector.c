@@ -24,7 +24,7 @@ typedef struct signals_now {
 GLINT_SIGNAL_TABLE(signal,
                    GLINT_SIGNAL(signals_now, state, REGISTER, values[FORM] == FORM_ONEHOT ? 4 : 2,
                                 0, 0, "Detector", "how many bits fit"),
-                   GLINT_SIGNAL(signals_now, found, OUTPUT, 1, 0, 0, "Detector", "they end here"),
+                   GLINT_SIGNAL(signals_now, found, MEALY, 1, 0, 0, "Detector", "they end here"),
                    GLINT_SIGNAL(signals_now, count, OUTPUT, 8, 0, 0, "Detector", "found so far"))
 
 static const char *top(const int *values)
@@ -40,11 +40,9 @@ typedef struct detector {
     int fit; /* bits that fit so far; −1: after reset */
 } detector;
 
-static void settle(detector *m, const pins *in)
+static int fit_of(const detector *m)
 {
-    const int fit = m->fit < 0 ? 0 : m->fit;
-    m->s.state = m->form == FORM_BINARY ? fit : m->fit < 0 ? 0 : 1 << fit;
-    m->s.found = fit == 3 && in->bit_in;
+    return m->fit < 0 ? 0 : m->fit;
 }
 
 static void clock_edge(void *model, const void *pins_now)
@@ -52,15 +50,10 @@ static void clock_edge(void *model, const void *pins_now)
     static const int next[4][2] = {{0, 1}, {2, 1}, {0, 3}, {2, 1}};
     detector *m = model;
     const pins *in = pins_now;
-    if (in->reset) {
-        m->fit = -1;
-        m->s.count = 0;
-    } else {
-        settle(m, in);
-        m->s.count = (m->s.count + m->s.found) & 0xff;
-        m->fit = next[m->fit < 0 ? 0 : m->fit][in->bit_in];
-    }
-    settle(m, in);
+    m->s.found = fit_of(m) == 3 && in->bit_in; /* before the edge */
+    m->s.count = in->reset ? 0 : (m->s.count + m->s.found) & 0xff;
+    m->fit = in->reset ? -1 : next[fit_of(m)][in->bit_in];
+    m->s.state = m->form == FORM_BINARY ? fit_of(m) : m->fit < 0 ? 0 : 1 << m->fit;
 }
 
 static void begin(const int *values, void *model)

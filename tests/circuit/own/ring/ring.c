@@ -33,21 +33,21 @@ GLINT_SIGNAL_TABLE(signal, PLACE(0, "mem0"), PLACE(1, "mem1"), PLACE(2, "mem2"),
                    GLINT_SIGNAL(signals_now, head, REGISTER, 2, 0, 0, QUEUE, "where the front is"),
                    GLINT_SIGNAL(signals_now, tail, BLOCK, 2, 0, 0, QUEUE, "the first free place"),
                    GLINT_SIGNAL(signals_now, gone, BLOCK, 1, 0, 0, QUEUE, "the front goes"),
-                   GLINT_SIGNAL(signals_now, taken, OUTPUT, 1, 0, 0, QUEUE, "data is taken next"),
+                   GLINT_SIGNAL(signals_now, taken, MEALY, 1, 0, 0, QUEUE, "data is taken next"),
                    GLINT_SIGNAL(signals_now, full, OUTPUT, 1, 0, 0, QUEUE, "no place is free"),
                    GLINT_SIGNAL(signals_now, front, OUTPUT, 8, 0, 1, QUEUE, "the oldest"),
                    GLINT_SIGNAL(signals_now, level, OUTPUT, 3, 0, 0, QUEUE, "how many there are"),
                    GLINT_SIGNAL_OF(signals_now, sum, "sum", "u_sum.acc", REGISTER, 16, 0, 1, -1,
                                    SUM, "of all that were taken"))
 
-/* What the outputs are with these pins. */
-static void settle(signals_now *s, const pins *in)
+/* What follows the state and the pins; `taken` is wanted as it is before the edge. */
+static int64_t settle(signals_now *s, const pins *in)
 {
     s->full = s->level == PLACES;
     s->gone = in->pop && s->level != 0;
-    s->taken = in->push && (!s->full || s->gone);
     s->tail = (s->head + s->level) % PLACES;
     s->front = s->mem[s->head];
+    return in->push && (!s->full || s->gone);
 }
 
 static void edge(signals_now *s, const pins *in)
@@ -65,13 +65,12 @@ static void clock_edge(void *model, const void *pins_now)
 {
     signals_now *s = model;
     const pins *in = pins_now;
-    if (!in->rst_n) {
-        memset(s, 0, sizeof *s);
-    } else {
-        settle(s, in);
+    if (!in->rst_n)
+        memset(s, 0, sizeof *s); /* at once, so `taken` is that of an empty ring */
+    s->taken = settle(s, in);
+    if (in->rst_n)
         edge(s, in);
-    }
-    settle(s, in);
+    (void)settle(s, in);
 }
 
 const glint_circuit glint_my_circuit = {
