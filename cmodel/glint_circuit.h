@@ -156,7 +156,8 @@ typedef struct glint_circuit {
     glint_status (*create)(const int *values, void **model);
     void (*destroy)(void *model);
     /* One rising edge with these pins, after which signals() is what the Verilog's have with these
-     * pins still there: the struct that signal.offset counts in. NULL: the model begins with it. */
+     * pins still there: the struct that signal.offset counts in. NULL, but not with create(): the
+     * model begins with it. */
     void (*clock)(void *model, const void *pins);
     const void *(*signals)(const void *model);
 

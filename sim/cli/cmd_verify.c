@@ -622,7 +622,9 @@ static int verify(const verify_options *chosen)
     /* The report of a failure is for people; with --json it must not mix with the result. */
     int status = report_all(chosen, all, chosen->json ? stderr : stdout);
     /* If nothing was compared, the error was already reported and there is no summary. */
-    if (!chosen->json && (sums.comparisons != 0 || sums.interrupted)) {
+    if (!chosen->json && sums.comparisons == 0 && sums.interrupted) {
+        printf("no verdict: nothing was compared, %.1f s (interrupted)\n", seconds);
+    } else if (!chosen->json && sums.comparisons != 0) {
         print_text(chosen, &sums, seconds);
         print_left_out(chosen, all);
         print_not_tried(chosen);

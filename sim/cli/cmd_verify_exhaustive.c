@@ -245,6 +245,11 @@ static void print_text(const glint_exhaustive_choice *chosen, run *run)
     print_mismatches(chosen, run, stdout);
     print_circuits(chosen, run);
     print_reach(chosen, run);
+    if (sum.comparisons == 0) {
+        printf("no verdict: nothing was compared, %.1f s%s\n", run->seconds, ending(run));
+        print_resume(chosen, run, stdout);
+        return;
+    }
     glint_print_verdict(stdout, sum.mismatches == 0, "%" PRIu64 " mismatches", sum.mismatches);
     printf(" of %" PRIu64 " comparisons: W and three colours of %" PRIu64 " points, %" PRIu32
            " values of n, ",

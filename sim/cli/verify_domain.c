@@ -155,10 +155,15 @@ static void print_text(const glint_exhaustive_choice *chosen, run *run)
     if (chosen->stride != 1)
         printf(", stride %" PRId64 ", seed %" PRId64, chosen->stride, chosen->seed);
     printf("\n");
-    glint_print_verdict(stdout, result->mismatches == 0, "%" PRIu64 " mismatches",
-                        result->mismatches);
-    printf(" of %" PRIu64 " comparisons: every output after each of %" PRIu64 " clocks, %.1f s%s\n",
-           result->comparisons, result->clocks, run->seconds, ending(run));
+    if (result->comparisons == 0) {
+        printf("no verdict: nothing was compared, %.1f s%s\n", run->seconds, ending(run));
+    } else {
+        glint_print_verdict(stdout, result->mismatches == 0, "%" PRIu64 " mismatches",
+                            result->mismatches);
+        printf(" of %" PRIu64 " comparisons: every output after each of %" PRIu64
+               " clocks, %.1f s%s\n",
+               result->comparisons, result->clocks, run->seconds, ending(run));
+    }
     print_resume(chosen, run, stdout);
 }
 

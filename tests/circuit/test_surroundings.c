@@ -12,6 +12,7 @@
 
 #include "../scratch.h"
 
+#include "../child.h"
 #include "../cli/run.h"
 #include "own.h"
 
@@ -242,6 +243,40 @@ static void a_crash_leaves_no_lock(void **state)
     free(shared);
 }
 
+/* Ctrl-C while the model begins, or before: no line that could be taken for a verdict. */
+static void an_interrupt_before_the_first_comparison_is_no_verdict(void **state)
+{
+    (void)state;
+    static const char *const ways[] = {NULL, "--json"};
+    char directory[OWN_PATH];
+    own_copy(OWN "free_runner", "slow", directory);
+    own_edit(directory, "free_runner.c", "static void clock_edge(",
+             "#include <unistd.h>\nstatic void begin(const int *values, void *model)\n{\n"
+             "    (void)values, (void)model;\n    sleep(3);\n}\nstatic void clock_edge(");
+    own_edit(directory, "free_runner.c", "GLINT_MODEL(signals_now, NULL,",
+             "GLINT_MODEL(signals_now, begin,");
+    outcome done = own_run(directory, "", "info"); /* compiles it */
+    assert_outcome(&done, 0, "");
+    forget(&done);
+    for (size_t i = 0; i < 2; i++) {
+        const char *const argv[] = {glint_under_test(), "--circuit-dir", directory,
+                                    "verify",           ways[i],         NULL};
+        const pid_t child = child_start(argv, scratch_path("slow.out"), scratch_path("slow.err"));
+        child_wait_for_handler(child);
+        for (int wait = 0; wait < 10; wait++)
+            child_pause();
+        assert_int_equal(kill(child, SIGINT), 0);
+        assert_int_equal(child_wait(child, 60.0), 2);
+        char *out = scratch_read(scratch_path("slow.out"), NULL);
+        if (i == 0)
+            assert_says(out, "no verdict: nothing was compared");
+        else
+            assert_says(out, "\"interrupted\":\ttrue");
+        assert_null(strstr(out, "0 mismatches"));
+        free(out);
+    }
+}
+
 /* The examples of its --help are for a circuit of one's own, none of which has lanes here. */
 static void the_examples_have_only_its_options(void **state)
 {
@@ -287,6 +322,7 @@ int main(void)
         cmocka_unit_test(a_crash_leaves_no_lock),
         cmocka_unit_test(a_compiler_that_says_nothing_is_named),
         cmocka_unit_test(the_examples_have_only_its_options),
+        cmocka_unit_test(an_interrupt_before_the_first_comparison_is_no_verdict),
     };
     return cmocka_run_group_tests_name("surroundings", tests, scratch_make, scratch_remove);
 }
