@@ -149,7 +149,7 @@ static void add_whole_output(glint_gtkw *rows, const glint_setting *setting,
     int lanes = 0;
     for (int i = 0; i < setting->circuit->signal_count(setting->values); i++) {
         const glint_signal_info other = setting->circuit->signal(setting->values, i);
-        lanes += other.kind == GLINT_SIGNAL_OUTPUT && strcmp(other.name, output->name) == 0;
+        lanes += glint_signal_is_port(other.kind) && strcmp(other.name, output->name) == 0;
     }
     add_whole(rows, setting, *output, lanes);
 }
@@ -199,7 +199,7 @@ static int add_signals(glint_gtkw *rows, const glint_setting *setting, const sel
     for (int i = 0; i < setting->circuit->signal_count(setting->values); i++) {
         const glint_signal_info signal = setting->circuit->signal(setting->values, i);
         const bool is_part =
-            signal.kind == GLINT_SIGNAL_OUTPUT && signal.lane >= 0 && !lanes_have_ports(setting);
+            glint_signal_is_port(signal.kind) && signal.lane >= 0 && !lanes_have_ports(setting);
         if (!is_selected(of, &signal) || (is_part && signal.lane > 0))
             continue;
         count++;
