@@ -4,10 +4,12 @@
 #include <string.h>
 
 #include "circuit/circuits.h"
+#include "circuit/units.h"
 #include "cli/build_first.h"
 #include "cli/commands.h"
 #include "cli/exhaustive_options.h"
 #include "cli/failure_output.h"
+#include "cli/info_circuit.h"
 #include "cli/output.h"
 #include "failure/shell.h"
 #include "lockstep/exhaustive.h"
@@ -24,22 +26,23 @@ typedef struct run {
     char packet[FILENAME_MAX]; /* where it is; "": none */
 } run;
 
-/* A value that `all` was said of: all that are listed, but of the lanes the most. */
-static void choose_configs(const glint_exhaustive_choice *chosen, glint_exhaustive_options *options)
+/* A value that `all` was said of: all that are listed, but of the lanes the most. False: more than
+ * fit. */
+static bool choose_settings(const glint_exhaustive_choice *chosen,
+                            glint_exhaustive_options *options)
 {
     static const int all_lanes = 16;
-    const int *value = chosen->circuits.value[0];
-    for (int g = 0; g < GLINT_GATE_COUNT; g++)
-        for (int p = 0; p < GLINT_PIPELINE_COUNT; p++) {
-            const int lanes = value[GLINT_SPECULAR_LANES];
-            if ((value[GLINT_SPECULAR_GATE] != GLINT_EVERY_VALUE &&
-                 value[GLINT_SPECULAR_GATE] != g) ||
-                (value[GLINT_SPECULAR_PIPELINE] != GLINT_EVERY_VALUE &&
-                 value[GLINT_SPECULAR_PIPELINE] != p))
-                continue;
-            options->config[options->configs++] = (glint_specular_config){
-                (glint_gate)g, (glint_pipeline)p, lanes != GLINT_EVERY_VALUE ? lanes : all_lanes};
-        }
+    glint_circuit_options circuits = chosen->circuits;
+    int *lanes = &circuits.value[0][circuits.chosen[0]->parameter_count - 1];
+    glint_setting setting;
+    if (*lanes == GLINT_EVERY_VALUE)
+        *lanes = all_lanes;
+    while (glint_circuit_options_setting(&circuits, options->settings, &setting)) {
+        if (options->settings == GLINT_EXHAUSTIVE_CIRCUITS_MAX)
+            return false;
+        options->setting[options->settings++] = setting;
+    }
+    return true;
 }
 
 /* Rate and time left are part of the unit that glint_progress shows. */
@@ -55,7 +58,7 @@ static void show_progress(void *context, uint64_t done, uint64_t total)
 static glint_exhaustive_circuit sum_of(const run *run)
 {
     glint_exhaustive_circuit sum = {0};
-    for (int c = 0; c < run->options.configs; c++) {
+    for (int c = 0; c < run->options.settings; c++) {
         sum.points += run->result.circuit[c].points;
         sum.comparisons += run->result.circuit[c].comparisons;
         sum.mismatches += run->result.circuit[c].mismatches;
@@ -79,18 +82,23 @@ static void points_options(const glint_exhaustive_choice *chosen, char text[POIN
         (void)snprintf(text, POINTS_TEXT, "%s", lanes);
 }
 
-/* "cosine" or "all"; "16" or "0". */
-static const char *choice_name(const glint_exhaustive_choice *chosen, int parameter,
-                               const char *const *names)
+/* " --gate cosine --pipeline all --lanes 0": as it was chosen; of other units their name first. */
+static void append_values(const glint_circuit *circuit, const int *values, char *text, size_t size)
 {
-    const int value = chosen->circuits.value[0][parameter];
-    return value == GLINT_EVERY_VALUE ? "all" : names[value];
-}
-
-static int lanes_option(const glint_exhaustive_choice *chosen)
-{
-    const int value = chosen->circuits.value[0][GLINT_SPECULAR_LANES];
-    return value == GLINT_EVERY_VALUE ? 0 : value;
+    if (circuit != &glint_circuit_specular)
+        (void)snprintf(text + strlen(text), size - strlen(text), " --circuit %s", circuit->name);
+    for (int i = 0; i < circuit->parameter_count; i++) {
+        const glint_parameter *parameter = &circuit->parameters[i];
+        const size_t used = strlen(text);
+        if (values[i] == GLINT_EVERY_VALUE)
+            (void)snprintf(text + used, size - used, " --%s %s", parameter->name,
+                           parameter->choices != NULL ? "all" : "0");
+        else if (parameter->choices != NULL)
+            (void)snprintf(text + used, size - used, " --%s %s", parameter->name,
+                           parameter->choices[values[i]]);
+        else
+            (void)snprintf(text + used, size - used, " --%s %d", parameter->name, values[i]);
+    }
 }
 
 /* Every given option that affects the comparison, starting at an n. */
@@ -101,13 +109,11 @@ static void write_command_from(const glint_exhaustive_choice *chosen, uint32_t f
     points_options(chosen, points);
     text[0] = '\0';
     glint_shell_append(text, size, glint_failure_program());
+    (void)snprintf(text + strlen(text), size - strlen(text), " verify --exhaustive");
+    append_values(chosen->circuits.chosen[0], chosen->circuits.value[0], text, size);
     const size_t used = strlen(text);
-    (void)snprintf(text + used, size - used,
-                   " verify --exhaustive --gate %s --pipeline %s --lanes %d --shard %s --from "
-                   "%" PRIu32 "%s",
-                   choice_name(chosen, GLINT_SPECULAR_GATE, glint_gate_names),
-                   choice_name(chosen, GLINT_SPECULAR_PIPELINE, glint_pipeline_names),
-                   lanes_option(chosen), chosen->shard, from, points);
+    (void)snprintf(text + used, size - used, " --shard %s --from %" PRIu32 "%s", chosen->shard,
+                   from, points);
     glint_circuit_options_append(&chosen->circuits, text, size);
 }
 
@@ -119,12 +125,11 @@ static void write_command(const glint_exhaustive_choice *chosen,
     points_options(chosen, points);
     text[0] = '\0';
     glint_shell_append(text, size, glint_failure_program());
+    (void)snprintf(text + strlen(text), size - strlen(text), " verify --exhaustive");
+    append_values(first->setting.circuit, first->setting.values, text, size);
     const size_t used = strlen(text);
-    (void)snprintf(text + used, size - used,
-                   " verify --exhaustive --gate %s --pipeline %s --lanes %d --shard "
-                   "%" PRIu32 "/%u%s",
-                   glint_gate_name(first->config.gate), glint_pipeline_name(first->config.pipeline),
-                   first->config.lanes, first->n + 1, GLINT_N_COUNT, points);
+    (void)snprintf(text + used, size - used, " --shard %" PRIu32 "/%u%s", first->n + 1,
+                   GLINT_N_COUNT, points);
     glint_circuit_options_append(&chosen->circuits, text, size);
 }
 
@@ -135,18 +140,8 @@ static void print_mismatch(const glint_exhaustive_mismatch *m, FILE *out)
             "  n %u, cosine 0x%05" PRIx32 ", R,G,B %u,%u,%u, lane %d: %s: model %" PRId32
             ", rtl %" PRId32 "\n",
             answer->material.n, answer->cos_code[answer->at], answer->material.r,
-            answer->material.g, answer->material.b, answer->at % m->config.lanes,
+            answer->material.g, answer->material.b, answer->at % glint_highlight_lanes(&m->setting),
             glint_answer_value_name(answer->value), answer->model, answer->rtl);
-}
-
-/* The one for the first mismatch, or for the circuit that failed to answer. */
-static glint_setting setting_of(const glint_exhaustive_choice *chosen, const run *run)
-{
-    if (run->result.kept == 0)
-        return *glint_history_setting(run->result.history);
-    glint_setting setting = glint_setting_specular(&run->result.mismatch[0].config);
-    setting.verilog = chosen->circuits.verilog;
-    return setting;
 }
 
 /* The packet for the first mismatch, or for a circuit that failed to answer, and its report. */
@@ -154,7 +149,8 @@ static void report_failure(const glint_exhaustive_choice *chosen, run *run, FILE
 {
     char name[GLINT_SETTING_TEXT], directory[FILENAME_MAX];
     const glint_exhaustive_mismatch *first = run->result.kept != 0 ? run->result.mismatch : NULL;
-    const glint_setting setting = setting_of(chosen, run);
+    const glint_setting setting =
+        first != NULL ? first->setting : *glint_history_setting(run->result.history);
     glint_failure *failure;
     glint_error err;
     if (glint_failure_of_history(GLINT_FAILURE_EXHAUSTIVE, &setting,
@@ -199,14 +195,14 @@ static void print_resume(const glint_exhaustive_choice *chosen, const run *run, 
 
 static void print_circuits(const glint_exhaustive_choice *chosen, const run *run)
 {
-    for (int c = 0; c < run->options.configs; c++) {
-        const glint_specular_config *config = &run->options.config[c];
+    for (int c = 0; c < run->options.settings; c++) {
         const glint_exhaustive_circuit *circuit = &run->result.circuit[c];
-        printf("gate %s, pipeline %s, lanes %d: %" PRIu64 " mismatches; %" PRIu32
-               " of %u W codes occurred; multipliers: %" PRIu64 " of %" PRIu64
+        char setting[GLINT_SETTING_TEXT];
+        glint_setting_describe(&run->options.setting[c], setting);
+        printf("%s: %" PRIu64 " mismatches; %" PRIu32 " of %" PRIu32
+               " W codes occurred; multipliers: %" PRIu64 " of %" PRIu64
                " pairs of such a W and a colour%s\n",
-               glint_gate_name(config->gate), glint_pipeline_name(config->pipeline), config->lanes,
-               circuit->mismatches, circuit->w_codes, GLINT_EXHAUSTIVE_WS, circuit->pairs,
+               setting, circuit->mismatches, circuit->w_codes, circuit->w_possible, circuit->pairs,
                circuit->pairs_total, chosen->every_lane ? ", in every lane" : "");
     }
 }
@@ -215,9 +211,9 @@ static void print_circuits(const glint_exhaustive_choice *chosen, const run *run
 static void print_reach(const glint_exhaustive_choice *chosen, const run *run)
 {
     int lanes = 1;
-    for (int c = 0; c < run->options.configs; c++)
-        if (run->options.config[c].lanes > lanes)
-            lanes = run->options.config[c].lanes;
+    for (int c = 0; c < run->options.settings; c++)
+        if (glint_highlight_lanes(&run->options.setting[c]) > lanes)
+            lanes = glint_highlight_lanes(&run->options.setting[c]);
     if (chosen->stride == 1)
         printf("reached: all");
     else
@@ -263,13 +259,10 @@ static void print_text(const glint_exhaustive_choice *chosen, run *run)
 static void add_circuits(json_t *json, const run *run)
 {
     json_t *list = glint_json_add(json, "circuits", json_array());
-    for (int c = 0; c < run->options.configs; c++) {
-        const glint_specular_config *config = &run->options.config[c];
+    for (int c = 0; c < run->options.settings; c++) {
         const glint_exhaustive_circuit *circuit = &run->result.circuit[c];
         json_t *entry = json_object();
-        glint_json_add_text(entry, "gate", glint_gate_name(config->gate));
-        glint_json_add_text(entry, "pipeline", glint_pipeline_name(config->pipeline));
-        glint_json_add_number(entry, "lanes", config->lanes);
+        glint_info_add_values(entry, &run->options.setting[c]);
         glint_json_add_number(entry, "points", (double)circuit->points);
         glint_json_add_number(entry, "mismatches", (double)circuit->mismatches);
         glint_json_add_number(entry, "w_codes", circuit->w_codes);
@@ -286,10 +279,8 @@ static void add_mismatches(json_t *json, const run *run)
         const glint_exhaustive_mismatch *m = &run->result.mismatch[i];
         const glint_answer *answer = &m->answer;
         json_t *entry = json_object();
-        glint_json_add_text(entry, "gate", glint_gate_name(m->config.gate));
-        glint_json_add_text(entry, "pipeline", glint_pipeline_name(m->config.pipeline));
-        glint_json_add_number(entry, "lanes", m->config.lanes);
-        glint_json_add_number(entry, "lane", answer->at % m->config.lanes);
+        glint_info_add_values(entry, &m->setting);
+        glint_json_add_number(entry, "lane", answer->at % glint_highlight_lanes(&m->setting));
         glint_json_add_number(entry, "n", answer->material.n);
         glint_json_add_number(entry, "cos_code", answer->cos_code[answer->at]);
         glint_json_add_number(entry, "r", answer->material.r);
@@ -307,6 +298,7 @@ static bool print_json(const glint_exhaustive_choice *chosen, const run *run)
     char seed[32]; /* a JSON number would lose the low bits of a large seed */
     const glint_exhaustive_circuit sum = sum_of(run);
     json_t *json = json_object();
+    glint_json_add_text(json, "circuit", chosen->circuits.chosen[0]->name);
     glint_json_add_number(json, "mismatches", (double)sum.mismatches);
     glint_json_add_number(json, "comparisons", (double)sum.comparisons);
     glint_json_add_number(json, "points", (double)sum.points);
@@ -364,21 +356,9 @@ static int end(const glint_exhaustive_choice *chosen, run *run)
                                              : report(chosen, run);
 }
 
-static glint_status build(const glint_exhaustive_options *options, glint_error *err)
-{
-    glint_setting settings[GLINT_EXHAUSTIVE_CIRCUITS_MAX];
-    for (int c = 0; c < options->configs; c++) {
-        settings[c] = glint_setting_specular(&options->config[c]);
-        settings[c].verilog = options->verilog;
-    }
-    return glint_build_first("verify", settings, options->configs, GLINT_RTL_FAST, options->threads,
-                             err);
-}
-
 static int verify(const glint_exhaustive_choice *chosen)
 {
-    run run = {.options = {.verilog = chosen->circuits.verilog,
-                           .from = (uint32_t)chosen->from,
+    run run = {.options = {.from = (uint32_t)chosen->from,
                            .shard = (uint32_t)chosen->shard_number,
                            .shards = (uint32_t)chosen->shard_count,
                            .stride = (uint32_t)chosen->stride,
@@ -389,9 +369,13 @@ static int verify(const glint_exhaustive_choice *chosen)
                            .progress = show_progress,
                            .progress_context = &run,
                            .keep_history = true}};
-    choose_configs(chosen, &run.options);
+    if (!choose_settings(chosen, &run.options))
+        return glint_complain("verify", GLINT_EXIT_TROUBLE,
+                              "more than %d settings: narrow them down with options",
+                              GLINT_EXHAUSTIVE_CIRCUITS_MAX);
     run.start = glint_seconds();
-    run.status = build(&run.options, &run.err);
+    run.status = glint_build_first("verify", run.options.setting, run.options.settings,
+                                   GLINT_RTL_FAST, run.options.threads, &run.err);
     run.result.next = run.options.from;
     glint_progress_begin(&run.progress, "verify", run.unit);
     if (run.status == GLINT_OK) {
@@ -411,7 +395,7 @@ int glint_cmd_verify_exhaustive(int argc, char **argv)
     const int status = glint_exhaustive_options_parse(argc, argv, &chosen);
     if (status != GLINT_OPTIONS_RUN)
         return status;
-    return glint_output_finish("verify", chosen.circuits.chosen[0] == &glint_circuit_specular
+    return glint_output_finish("verify", glint_is_highlight(chosen.circuits.chosen[0])
                                              ? verify(&chosen)
                                              : glint_verify_domain(&chosen));
 }

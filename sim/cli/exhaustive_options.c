@@ -9,21 +9,21 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "circuit/circuits.h"
+#include "circuit/units.h"
 #include "cli/output.h"
 #include "cli/parse.h"
 #include "failure/shell.h"
 #include "lockstep/domain.h"
 #include "lockstep/exhaustive.h"
 
-/* Of any circuit; the specular device counts values of n. */
+/* Of any circuit; highlight units count values of n. */
 #define PARTS_MAX INT64_C(1000000000000)
 
 _Static_assert(GLINT_DOMAIN_THREADS_MAX == GLINT_EXHAUSTIVE_THREADS_MAX, "one option for both");
 
-static bool is_specular(const glint_exhaustive_choice *chosen)
+static bool is_highlight(const glint_exhaustive_choice *chosen)
 {
-    return chosen->circuits.chosen[0] == &glint_circuit_specular;
+    return glint_is_highlight(chosen->circuits.chosen[0]);
 }
 
 static int refuse_shard(const char *text, int64_t most)
@@ -37,7 +37,7 @@ static int refuse_shard(const char *text, int64_t most)
 static int parse_shard(glint_exhaustive_choice *chosen)
 {
     char number[32];
-    const int64_t most = is_specular(chosen) ? GLINT_N_COUNT : PARTS_MAX;
+    const int64_t most = is_highlight(chosen) ? GLINT_N_COUNT : PARTS_MAX;
     const char *slash = strchr(chosen->shard, '/');
     if (slash == NULL || slash - chosen->shard >= (ptrdiff_t)sizeof number)
         return refuse_shard(chosen->shard, most);
@@ -49,7 +49,7 @@ static int parse_shard(glint_exhaustive_choice *chosen)
 }
 
 /* What the options' own ranges leave open, as they are for every circuit. */
-static int check_specular(const glint_exhaustive_choice *chosen)
+static int check_highlight(const glint_exhaustive_choice *chosen)
 {
     if (chosen->from > GLINT_N_MAX)
         return glint_complain("verify", GLINT_EXIT_TROUBLE,
@@ -65,13 +65,14 @@ static int check_specular(const glint_exhaustive_choice *chosen)
 static int check(glint_exhaustive_choice *chosen)
 {
     int status = glint_circuit_options_settle(&chosen->circuits);
-    if (status == GLINT_OPTIONS_RUN && is_specular(chosen))
-        status = check_specular(chosen);
+    if (status == GLINT_OPTIONS_RUN && is_highlight(chosen))
+        status = check_highlight(chosen);
     if (status != GLINT_OPTIONS_RUN)
         return status;
-    if (chosen->every_lane && !is_specular(chosen))
+    if (chosen->every_lane && !is_highlight(chosen))
         return glint_complain("verify", GLINT_EXIT_TROUBLE,
-                              "--every-lane needs --circuit specular");
+                              "--every-lane needs a circuit that computes highlights, not %s",
+                              chosen->circuits.chosen[0]->name);
     if (chosen->seed_given && chosen->stride == 1)
         return glint_complain(
             "verify", GLINT_EXIT_TROUBLE,
@@ -79,7 +80,7 @@ static int check(glint_exhaustive_choice *chosen)
     return parse_shard(chosen);
 }
 
-/* The specular device is the faster, the more lanes it has. */
+/* A highlight unit is the faster, the more lanes it has. */
 static const char *usual(const char *parameter)
 {
     return strcmp(parameter, "lanes") == 0 ? "16" : NULL;
@@ -148,12 +149,13 @@ static int parse(int argc, char **argv, glint_exhaustive_choice *chosen)
         {"all of the default circuit", "glint verify --exhaustive"},
         {"every 64th code only, every gate", "glint verify --exhaustive --stride 64 --gate all"},
         {"the first of eight parts", "glint verify --exhaustive --shard 1/8"},
+        {"the power device", "glint verify --exhaustive --circuit power"},
         {"the divider", "glint verify --exhaustive --circuit divider"},
         {NULL, NULL},
     };
     const glint_command_line line = {
         .command = "verify",
-        .summary = "Compares the Verilog with the C model for every input. Specular device: W and "
+        .summary = "Compares the Verilog with the C model for every input. Highlight units: W and "
                    "colours for every n with every cosine code, and for every reachable W code "
                    "with every colour. Other circuits: every output after every clock, for every "
                    "point of the domain that the description names.",

@@ -16,10 +16,10 @@ typedef struct glint_exhaustive_choice {
  * chosen. */
 int glint_exhaustive_options_parse(int argc, char **argv, glint_exhaustive_choice *chosen);
 
-/* Of a circuit that is not the specular device: every point of its domain (verify_domain.c). */
+/* Of a circuit that is no highlight unit: every point of its domain (verify_domain.c). */
 int glint_verify_domain(const glint_exhaustive_choice *chosen);
 
-/* Printed with every result for the specular device: where differences could remain. */
+/* Printed with every result for a highlight unit: where differences could remain. */
 #define GLINT_NOT_REACHED                                                                          \
     "material changes in flight, partly valid lanes, stalls, resets, registers"
 

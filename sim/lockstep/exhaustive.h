@@ -1,13 +1,15 @@
-/* The Verilog against the C model over the whole domain: W and the three colours of every code of
- * the cosine pin, 0…GLINT_COS_CODE_MAX, with every n, and every pair of a reachable W code and a
- * colour in multipliers 13, 14 and 15.
+/* A highlight unit's Verilog against its C model over the whole domain: W and the three colours of
+ * every code of the cosine pin, 0…GLINT_COS_CODE_MAX, with every n, and every pair of a reachable W
+ * code and a colour in multipliers 13, 14 and 15.
  *
- * The work is split by n. For each n and each circuit there are three sweeps:
+ * The work is split by n. For each n and each circuit there are these sweeps:
  *   1. every cosine code with the colour 255,255,255;
  *   2. every cosine code with a colour that n chooses;
- *   3. the multipliers: with n = 2, where σ = 1 and t = cos γ, so that every possible t and W
- *      occurs, a quarter of those W codes with the colours c, c+85, c+170 (mod 256). The quarter is
- *      n / 256 and c is n mod 256: all n together try every W with every colour in each multiplier.
+ *   3. the multipliers: a quarter of all the W codes with the colours c, c+85, c+170 (mod 256). The
+ *      quarter is n / 256 and c is n mod 256: all n together try every W with every colour in each
+ *      multiplier. The W codes are those of n = 2 for the specular device, where σ = 1 and
+ *      t = cos γ, so that every possible t and W occurs; for other units those of n = 1…16 (a sweep
+ *      for each n that adds some). A W that occurs elsewhere and not there is reported.
  *
  * Which lane sees what. A sweep fills every lane in every clock, so with `lanes` lanes each of them
  * sees one code in `lanes` of a sweep. The assignment rotates: code c of sweep 1 (with a stride,
@@ -26,20 +28,19 @@
 
 #include <stdbool.h>
 
-#include "circuit/circuits.h"
+#include "circuit/units.h"
 #include "lockstep/answer.h"
 #include "lockstep/history.h"
 
-#define GLINT_EXHAUSTIVE_CIRCUITS_MAX (GLINT_GATE_COUNT * GLINT_PIPELINE_COUNT)
+#define GLINT_EXHAUSTIVE_CIRCUITS_MAX 32
 #define GLINT_EXHAUSTIVE_THREADS_MAX  64
 #define GLINT_EXHAUSTIVE_KEPT         16
 #define GLINT_EXHAUSTIVE_CODES        (GLINT_COS_CODE_MAX + 1u) /* of the cosine pin */
-#define GLINT_EXHAUSTIVE_WS           (GLINT_W_ONE + 1u)        /* codes of W */
+#define GLINT_EXHAUSTIVE_WS           (GLINT_W_ONE + 1u)        /* codes of the widest W */
 
 typedef struct glint_exhaustive_options {
-    glint_specular_config config[GLINT_EXHAUSTIVE_CIRCUITS_MAX];
-    int configs;
-    const char *verilog;    /* the directory with the circuits' Verilog; NULL: Glint's own */
+    glint_setting setting[GLINT_EXHAUSTIVE_CIRCUITS_MAX]; /* of highlight units (units.h) */
+    int settings;
     uint32_t from;          /* the first n, 0…1023 */
     uint32_t shard, shards; /* those n with n mod shards = shard − 1; 1…shards, 1…1024 */
     uint32_t stride; /* of the codes only every stride-th, 1…GLINT_EXHAUSTIVE_CODES; 1: all */
@@ -53,8 +54,8 @@ typedef struct glint_exhaustive_options {
 } glint_exhaustive_options;
 
 typedef struct glint_exhaustive_mismatch {
-    uint32_t n; /* the part of the work; the material's n is 2 when it was the multipliers' */
-    glint_specular_config config;
+    uint32_t n; /* the part of the work; the material's n is another in the multipliers' */
+    glint_setting setting;
     glint_answer answer;
 } glint_exhaustive_mismatch;
 
@@ -66,12 +67,13 @@ typedef struct glint_exhaustive_circuit {
     uint64_t pairs;       /* of W and a colour that each multiplier was tried with; with every_lane
                            * that of each lane */
     uint64_t pairs_total; /* with all n and stride 1 */
-    uint32_t w_codes;     /* different W codes that occurred */
+    uint32_t w_codes;     /* different W codes that occurred, */
+    uint32_t w_possible;  /* of so many from 0 to 1 */
     uint32_t w_untried;   /* of them, those that are not among the multipliers' */
 } glint_exhaustive_circuit;
 
 typedef struct glint_exhaustive_result {
-    glint_exhaustive_circuit circuit[GLINT_EXHAUSTIVE_CIRCUITS_MAX]; /* in the order of config */
+    glint_exhaustive_circuit circuit[GLINT_EXHAUSTIVE_CIRCUITS_MAX]; /* in the order of setting */
     uint32_t n_done;                                                 /* how many n */
     uint32_t next; /* every chosen n below it is done; GLINT_N_COUNT: all are */
     int kept;      /* the first mismatches, n rising */
@@ -83,7 +85,7 @@ typedef struct glint_exhaustive_result {
 /* Where the stride begins for this n: 0…stride−1. */
 uint32_t glint_exhaustive_offset(const glint_exhaustive_options *options, uint32_t n);
 
-/* Runs it, one circuit of each config for each thread; progress is called on the caller's thread.
+/* Runs it, one circuit of each setting for each thread; progress is called on the caller's thread.
  * GLINT_OK regardless of the finding, which is in result. GLINT_INTERRUPTED if stopped: any n
  * already started is finished, and result->next says where to resume. GLINT_BAD_ARGUMENT for
  * options out of range or an empty selection of n. GLINT_DEVICE_FAULT if a circuit fails to

@@ -285,7 +285,7 @@ static void options_are_read_strictly(void **state)
         {"--circuit-dir rtl",
          "glint: --circuit-dir DIR must be followed by a subcommand (see glint --help)\n"},
         {"verify --exhaustive --every-lane --circuit divider",
-         "glint verify: --every-lane needs --circuit specular\n"},
+         "glint verify: --every-lane needs a circuit that computes highlights, not divider\n"},
         {"render --size 640",
          "glint render: --size: \"640\" is not WIDTHxHEIGHT, each from 1 to 16384\n"},
         {"render --size 640x480x2",

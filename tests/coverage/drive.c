@@ -13,6 +13,7 @@
 #include <stdlib.h>
 
 #include "../netlist/opinions.h"
+#include "circuit/circuits.h"
 #include "lockstep/exhaustive.h"
 #include "lockstep/lockstep.h"
 
@@ -37,9 +38,8 @@ static glint_status run_sweep(const glint_setting *setting, uint64_t seed, count
                               glint_error *err)
 {
     static glint_exhaustive_result result;
-    const glint_exhaustive_options options = {.config = {glint_specular_config_of(setting->values)},
-                                              .configs = 1,
-                                              .verilog = setting->verilog,
+    const glint_exhaustive_options options = {.setting = {*setting},
+                                              .settings = 1,
                                               .shard = 1,
                                               .shards = 1,
                                               .stride = STRIDE,

@@ -175,9 +175,8 @@ static void a_mismatch_of_the_exhaustive_run_is_found_in_its_block(void **state)
     } cases[] = {{"truncating", 20, 13, 15}, {"sigma_off_by_one", 60, 33, 33}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const glint_setting setting = setting_of(fault_of(cases[i].fault), true);
-        const glint_exhaustive_options options = {.config = {one_lane},
-                                                  .configs = 1,
-                                                  .verilog = setting.verilog,
+        const glint_exhaustive_options options = {.setting = {setting},
+                                                  .settings = 1,
                                                   .from = cases[i].n,
                                                   .shard = cases[i].n + 1,
                                                   .shards = GLINT_N_COUNT,
@@ -367,12 +366,11 @@ static glint_status shade_ageing(glint_rtl *rtl, const glint_material *material,
 }
 
 /* Runs n = 2 of the exhaustive comparison: nearly every code has a W of its own. */
-static glint_status compare_ageing(glint_exhaustive_result *result)
+static glint_status compare_ageing(const glint_setting *setting, glint_exhaustive_result *result)
 {
     glint_error err;
-    const glint_exhaustive_options options = {.config = {one_lane},
-                                              .configs = 1,
-                                              .verilog = mock_verilog,
+    const glint_exhaustive_options options = {.setting = {*setting},
+                                              .settings = 1,
                                               .from = 2,
                                               .shard = 3,
                                               .shards = GLINT_N_COUNT,
@@ -393,7 +391,7 @@ static void what_went_before_is_played(void **state)
     glint_error err;
     const glint_setting setting = mocked(1, ageing);
     takes_none = false;
-    assert_int_equal(compare_ageing(&result), GLINT_OK);
+    assert_int_equal(compare_ageing(&setting, &result), GLINT_OK);
     assert_true(result.kept > 0);
     const glint_answer *answer = &result.mismatch[0].answer;
     assert_int_equal(answer->cos_code[answer->at], WRONG_CLOCK - 1);
@@ -446,9 +444,9 @@ static void a_circuit_that_keeps_an_answer_back_is_found_out(void **state)
     (void)state;
     static glint_exhaustive_result result;
     glint_error err;
-    mock = ageing;
+    const glint_setting asked = mocked(1, ageing);
     takes_none = true;
-    assert_int_equal(compare_ageing(&result), GLINT_DEVICE_FAULT);
+    assert_int_equal(compare_ageing(&asked, &result), GLINT_DEVICE_FAULT);
     assert_int_equal(result.kept, 0);
     assert_non_null(result.history);
     const glint_setting setting = *glint_history_setting(result.history);

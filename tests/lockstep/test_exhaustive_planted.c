@@ -18,6 +18,7 @@
 
 #include "../golden.h"
 #include "../wrong.h"
+#include "circuit/circuits.h"
 #include "lockstep/exhaustive.h"
 #include "mock_rtl.h"
 
@@ -113,8 +114,12 @@ static glint_status shade_planted(glint_rtl *rtl, const glint_material *material
 
 static glint_exhaustive_options options_for(glint_specular_config config)
 {
-    return (glint_exhaustive_options){
-        .config = {config}, .configs = 1, .shard = 1, .shards = 1, .stride = 1, .threads = 1};
+    return (glint_exhaustive_options){.setting = {glint_setting_specular(&config)},
+                                      .settings = 1,
+                                      .shard = 1,
+                                      .shards = 1,
+                                      .stride = 1,
+                                      .threads = 1};
 }
 
 static glint_exhaustive_options only_n(glint_exhaustive_options options, uint32_t n)
@@ -140,7 +145,7 @@ static void plant_and_compare(const plant *what, glint_exhaustive_options option
 {
     mock = (mock_rtl){.shade = shade_planted};
     planted = *what;
-    options.verilog = mock_verilog;
+    options.setting[0].verilog = mock_verilog;
     compare(options);
 }
 
@@ -262,7 +267,7 @@ static void a_wrong_saturation_of_the_first_code_is_found(void **state)
     (void)state;
     const glint_specular_config config = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, 1};
     glint_exhaustive_options options = only_n(options_for(config), 2);
-    options.verilog = wrong_rtl("late_saturation");
+    options.setting[0].verilog = wrong_rtl("late_saturation");
     compare(options);
     assert_counts(2 * CODES + QUARTER, 2);
     for (int i = 0; i < 2; i++) {
@@ -459,7 +464,7 @@ static void two_lanes_swapped_for_one_point_are_found_by_every_lane(void **state
     mock = (mock_rtl){.shade = shade_swapped};
     planted = (plant){.n = n, .code = w};
     glint_exhaustive_options options = only_n(options_for(sound), n);
-    options.verilog = mock_verilog;
+    options.setting[0].verilog = mock_verilog;
     options.every_lane = true;
     compare(options);
     assert_int_equal(alterations, 2);
@@ -540,7 +545,7 @@ static void lanes_that_are_none_are_refused(void **state)
     for (size_t i = 0; i < sizeof lanes / sizeof lanes[0]; i++) {
         glint_error err;
         glint_exhaustive_options options = options_for(sound);
-        options.config[0].lanes = lanes[i];
+        glint_highlight_set_lanes(&options.setting[0], lanes[i]);
         assert_int_equal(glint_exhaustive_run(&options, &result, &err), GLINT_BAD_ARGUMENT);
         assert_non_null(strstr(err.text, "is not from 1 to 32"));
     }
