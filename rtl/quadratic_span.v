@@ -10,9 +10,9 @@
 // Latency     2 clocks from the edge that loads or steps to the one after which that pixel is out,
 //             both counted. Throughput: one pixel of three components per clock.
 // Handshake   load at an enabled edge takes the three numbers and gives pixel 0; step, without
-//             load, gives the next pixel. out_valid marks each pixel for one enabled clock; r, g and
-//             b hold until the next one. A load needs no gap before it. There is no back pressure;
-//             en = 0 freezes everything instead.
+//             load, gives the next pixel. out_valid marks each pixel for one enabled clock; r, g
+//             and b hold until the next one. A load needs no gap before it. There is no back
+//             pressure; en = 0 freezes everything instead.
 // Reset       synchronous, active high, clears everything, regardless of en.
 // Parameters  FRACTION 8..26. Numbers rounded to n = FRACTION fraction bits put pixel i off by at
 //             most (1 + i + i*(i-1)/2) / 2^(n+1): half a level after 724 pixels for n = 18.

@@ -4,6 +4,7 @@
 #include "report/chart.h"
 #include "report/divider_error.h"
 #include "report/divider_frames.h"
+#include "report/quadratic_frames.h"
 #include "report/texts.h"
 
 /* Clocks per operation on the thesis's processor. The thesis does not give them: these are inferred
@@ -214,5 +215,5 @@ glint_status glint_chapter_divider(glint_report *report, glint_error *err)
         status = glint_divider_render_scenes(report, scenes, err);
     if (status == GLINT_OK)
         put_scenes(&report->numbers, scenes);
-    return status;
+    return status == GLINT_OK ? glint_quadratic_measure_frames(report, err) : status;
 }
