@@ -7,7 +7,7 @@
 #   equivalent HOW       proven, by "induction", "reachability" or "points": see below
 #   different  -         the solver found inputs that show the fault; with a point, if there is one:
 #   different  n=…,cos=…,rgb=…,…,…       (bench --mutant N --point … shows it)
-#   open       -         neither, after SECONDS for each attempt
+#   open       -         neither, after SECONDS of processor time for each attempt
 # with a tab between. Exit status 0 for each of them, 2 when a tool failed.
 #
 # What is proven: the netlist and the one with the fault, side by side, each with registers of any
@@ -19,7 +19,8 @@
 #   induction     registers and gates that are equal in every reachable step are merged, by SAT,
 #                 until nothing is left that could differ
 #   reachability  property-directed reachability (ABC's pdr), which checks the invariant that it
-#                 found again, and else the several engines of dprove, on what the merging left
+#                 found again, on what the merging left; on the same pair written with differences
+#                 (differences.awk); and else the several engines of dprove
 set -eu
 
 fail() {
@@ -64,14 +65,22 @@ build() { # NAME SCRIPT
         simplemap
         opt_clean
         aigmap
-        write_aiger -zinit $work/$1.aig" ||
+        write_aiger -zinit -map $work/$1.map $work/$1.aig" ||
         { cat "$work/yosys.log" >&2 && fail "Yosys could not build $1 for mutant $mutant"; }
 }
 
-# Asks ABC, with a limit on its time.
-run_abc() { # COMMANDS
-    timeout "$seconds" yosys-abc -c "$1" >"$work/abc.log" 2>&1 || [ $? -eq 124 ] ||
-        fail "yosys-abc failed on mutant $mutant"
+# Asks ABC, with a limit on its processor time: on a busy machine it is given no less of that.
+run_abc() { # COMMANDS [SECONDS]
+    status=0
+    { (
+        ulimit -c 0
+        ulimit -t "${2:-$seconds}"
+        exec yosys-abc -c "$1" >"$work/abc.log" 2>&1
+    ) || status=$?; } 2>/dev/null # where the shell says that time is up
+    case $(kill -l $status 2>/dev/null) in
+    XCPU | KILL) return ;;
+    esac
+    [ "$status" -eq 0 ] || fail "yosys-abc failed on mutant $mutant"
 }
 
 # 1 proven, 0 refuted, -1 neither, nothing when the time ran out.
@@ -157,25 +166,33 @@ write_from_reset() {
 }
 
 # Registers of unknown content become inputs of the first step (-zinit). The first steps, in which
-# the reset acts and nothing is compared, become part of the initial state; then the merging. What
-# pdr does not find in a tenth of the time it seldom finds in all of it.
+# the reset acts and nothing is compared, become part of the initial state.
 try_from_reset() {
     write_from_reset
     build from_reset "
         miter -equiv -flatten $top faulty both
         $([ $halves = 0 ] || echo clk2fflogic both)
         read_verilog $work/from_reset.v"
-    for engine in "pdr -T $((seconds / 10 + 1))" dprove; do
-        run_abc "read $work/from_reset.aig; strash; tempor -F $first_steps; scorr; \
-print_stats; $engine; print_status"
-        case $(abc_status) in
-        1)
-            ! grep -q ' lat = *0  and = *0 ' "$work/abc.log" || answer equivalent induction
-            answer equivalent reachability
-            ;;
-        0) answer different - ;;
-        esac
-    done
+    after_reset="read $work/from_reset.aig; strash; tempor -F $first_steps"
+    # What pdr does not find in a tenth of the time it seldom finds in all of it.
+    try_engine "$after_reset; scorr" pdr $((seconds / 10 + 1))
+    run_abc "$after_reset; write_blif $work/from_reset.blif"
+    awk -f "$here/differences.awk" "$work/from_reset.map" "$work/from_reset.blif" \
+        >"$work/differences.blif"
+    try_engine "read $work/differences.blif; strash; scorr; dc2" 'pdr -n -c' "$seconds"
+    try_engine "$after_reset; scorr" dprove "$seconds"
+}
+
+# Merges, and asks an engine about the rest.
+try_engine() { # PREPARATION ENGINE SECONDS
+    run_abc "$1; print_stats; $2; print_status" "$3"
+    case $(abc_status) in
+    1)
+        ! grep -q ' lat = *0  and = *0 ' "$work/abc.log" || answer equivalent induction
+        answer equivalent reachability
+        ;;
+    0) answer different - ;;
+    esac
 }
 
 ! may_be_judged_by_points || try_points

@@ -4,7 +4,11 @@
 #include <string.h>
 
 #include "circuit/circuits.h"
+#include "circuit/unit.h"
 #include "circuit/words.h"
+#include "glint_power.h"
+
+extern const glint_circuit glint_circuit_power; /* sim/circuit/power.c */
 
 enum {
     AROUND = 8, /* codes below the limit */
@@ -15,57 +19,94 @@ enum {
     DIFFERENCES = 1 << GLINT_DIVIDER_DIFFERENCE_BITS,
 };
 
+/* ---- Highlight units: the specular device and the power device ------------------------------- */
+
+static bool is_power(const glint_setting *setting)
+{
+    return setting->circuit == &glint_circuit_power;
+}
+
+/* The first cosine whose W is not 0; W never falls as the cosine grows. */
+static uint32_t power_limit(const glint_setting *setting, uint32_t n)
+{
+    const int variant = glint_unit_config_of(&glint_unit_power, setting->values).variant;
+    uint32_t dark = 0, bright = GLINT_COS_ONE; /* dark: all below it are */
+    while (dark < bright) {
+        const uint32_t middle = dark + (bright - dark) / 2;
+        uint32_t w;
+        glint_unit_power.ws(variant, n, &middle, 1, &w);
+        if (w == 0)
+            dark = middle + 1;
+        else
+            bright = middle;
+    }
+    return bright;
+}
+
+static uint32_t limit_of(const glint_setting *setting, uint32_t n)
+{
+    return is_power(setting) ? power_limit(setting, n) : glint_rom9(GLINT_GATE_COSINE, n);
+}
+
 /* Cosines of one n in white: some outside the highlight, all from just below its limit to 1.0, and
  * codes beyond. */
-static uint32_t outside_count(uint32_t n)
+static uint32_t outside_count(uint32_t limit)
 {
-    const uint32_t limit = glint_rom9(GLINT_GATE_COSINE, n);
     return BELOW + (limit < AROUND ? limit : AROUND);
 }
 
-static uint32_t cosine_count(uint32_t n)
+static uint32_t cosine_count(uint32_t limit)
 {
-    return outside_count(n) + GLINT_COS_ONE + 1 - glint_rom9(GLINT_GATE_COSINE, n) + BEYOND;
+    return outside_count(limit) + GLINT_COS_ONE + 1 - limit + BEYOND;
 }
 
-static uint32_t cosine_of(uint32_t n, uint32_t place)
+static uint32_t cosine_of(uint32_t limit, uint32_t place)
 {
     static const uint32_t beyond[BEYOND] = {GLINT_COS_ONE + 1, GLINT_COS_CODE_MAX};
-    const uint32_t limit = glint_rom9(GLINT_GATE_COSINE, n);
     if (place < BELOW)
         return (uint32_t)((uint64_t)limit * place / BELOW);
-    const uint32_t cosine = limit + place - outside_count(n);
+    const uint32_t cosine = limit + place - outside_count(limit);
     return cosine <= GLINT_COS_ONE ? cosine : beyond[cosine - GLINT_COS_ONE - 1];
 }
 
-static void specular_next(mutation_sweep *at, glint_specular_inputs *in)
+static void highlight_next(mutation_sweep *at, const glint_setting *setting,
+                           glint_specular_inputs *in)
 {
     in->en = in->n_we = in->rgb_we = 1;
     in->in_valid = 1;
     if (at->n < GLINT_N_COUNT) {
         in->n = (uint16_t)(GLINT_N_MAX - at->n);
         in->r = in->g = in->b = GLINT_COLOR_MAX;
-        in->cos[0] = cosine_of(in->n, at->place++);
-        if (at->place == cosine_count(in->n)) {
+        if (at->place == 0)
+            at->limit = limit_of(setting, in->n);
+        in->cos[0] = cosine_of(at->limit, at->place++);
+        if (at->place == cosine_count(at->limit)) {
             at->n++;
             at->place = 0;
         }
         return;
     }
-    in->n = 2;
+    in->n = is_power(setting) ? 1 : 2;
     in->cos[0] = at->place++;
     in->r = (uint8_t)(in->cos[0] % COLORS_STEP);
     in->g = (uint8_t)(in->r + 85);
     in->b = (uint8_t)(in->r + 170);
 }
 
-static uint64_t specular_clocks(void)
+static uint64_t highlight_clocks(const glint_setting *setting)
 {
     uint64_t clocks = GLINT_COS_ONE + 1;
     for (uint32_t n = 0; n < GLINT_N_COUNT; n++)
-        clocks += cosine_count(n);
+        clocks += cosine_count(limit_of(setting, n));
     return clocks;
 }
+
+static bool has_highlights(const glint_setting *setting)
+{
+    return setting->circuit == &glint_circuit_specular || is_power(setting);
+}
+
+/* ---- Dividers -------------------------------------------------------------------------------- */
 
 static int16_t difference_of(uint32_t place)
 {
@@ -140,8 +181,8 @@ static void domain_next(const glint_setting *setting, uint64_t clock, glint_pins
 uint64_t mutation_sweep_clocks(const glint_setting *setting)
 {
     const int shifts = setting->values[GLINT_DIVIDER_SHIFTS];
-    if (setting->circuit == &glint_circuit_specular)
-        return specular_clocks();
+    if (has_highlights(setting))
+        return highlight_clocks(setting);
     if (setting->circuit == &glint_circuit_divider)
         return is_sequential(setting) ? sequential_clocks(shifts) : pipelined_clocks(shifts);
     return domain_clocks(setting);
@@ -151,9 +192,9 @@ void mutation_sweep_next(mutation_sweep *at, const glint_setting *setting, uint6
                          glint_pins *pins)
 {
     memset(pins, 0, sizeof *pins);
-    if (setting->circuit == &glint_circuit_specular) {
+    if (has_highlights(setting)) {
         glint_specular_inputs inputs = {0};
-        specular_next(at, &inputs);
+        highlight_next(at, setting, &inputs);
         memcpy(pins, &inputs, sizeof inputs);
     } else if (setting->circuit == &glint_circuit_divider) {
         glint_divider_inputs inputs = {0};

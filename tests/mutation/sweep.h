@@ -6,13 +6,14 @@
 
 /* Where the next clock of the sweep is; begins as {0}. */
 typedef struct mutation_sweep {
-    uint32_t n; /* of the specular one: from the largest n on; GLINT_N_COUNT of them: second part */
-    uint32_t place;
+    uint32_t n; /* of a highlight unit: from the largest n on; GLINT_N_COUNT of them: second part */
+    uint32_t place, limit;
 } mutation_sweep;
 
-/* Of the specular device: for every n, the narrowest highlight first, a point a clock in white:
- * every cosine from 8 codes below the limit to 1.0, some further below and two beyond. Then with
- * n = 2, where t is the cosine, every t of a highlight and with it every W, in changing colours.
+/* Of the specular device and the power device: for every n, the narrowest highlight first, a point
+ * a clock in white: every cosine from 8 codes below the limit (ROM 9; where W is no longer 0) to
+ * 1.0, some further below and two beyond. Then with n = 2, where t is the cosine, or n = 1, where W
+ * is, every t of a highlight and with it every W, in changing colours.
  *
  * Of the dividers: every k, 0…255, with every code of the difference, −256…255: one division after
  * the other, or one a clock with each component at another place of the sweep.
