@@ -4,8 +4,8 @@
  * Two tests in sequence, each with all registers 1 and then all 0 before the reset:
  *   lockstep  the random pins of `glint verify` (sim/circuit/random_pins.h)
  *   sweep     of the specular device and the power device, every cosine of every highlight in
- *             white, then every W in changing colours; of the dividers, every k with every
- *             difference */
+ *             white, then every cosine code in changing colours; of the dividers, every k with
+ *             every difference */
 #ifndef GLINT_TESTS_MUTATION_BENCH_H
 #define GLINT_TESTS_MUTATION_BENCH_H
 

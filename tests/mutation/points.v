@@ -11,9 +11,11 @@ module one_point (
         .in_b(point[33:26]), .in_cos(point[52:34]), .trigger(seen));
 endmodule
 
-// A reset, and then nothing: whatever it leaves in the pipeline comes out.
+// A reset, with or without an enable, and then nothing: whatever it leaves in the pipeline comes
+// out.
 module after_reset (
     input  wire clk,
+    input  wire en,
     output wire seen
 );
     reg  started = 1'b0;
@@ -22,7 +24,7 @@ module after_reset (
     always @(posedge clk) started <= 1'b1;
 
     both pair (
-        .in_clk(clk), .in_reset(!started), .in_en(1'b1), .in_n_we(1'b0), .in_rgb_we(1'b0),
+        .in_clk(clk), .in_reset(!started), .in_en(started || en), .in_n_we(1'b0), .in_rgb_we(1'b0),
         .in_in_valid(1'b0), .in_n(10'd0), .in_r(8'd0), .in_g(8'd0), .in_b(8'd0), .in_cos(19'd0),
         .trigger(differs));
 

@@ -95,16 +95,23 @@ answer() { # WORD DETAIL
 
 # ---- One point through the specular device ------------------------------------------------------
 
+# A register that no reset clears.
+resets_nothing() {
+    [ "$port" = R ] && case $fault in *" -mode const0 "*) true ;; *) false ;; esac
+}
+
 may_be_judged_by_points() {
     [ "$top" = specular_device ] || return 1
     case $port in
-    C | E | R) return 1 ;;
+    C | E) return 1 ;;
+    R) resets_nothing || return 1 ;;
     esac
     run_yosys "
         read_rtlil $dir/healthy.il
         select -module $top
         select -set fault c:$cell
-        script $here/points.ys"
+        script $here/points.ys
+        $(! resets_nothing || echo select -assert-count 1 @fault @later %i)"
 }
 
 # A string of 0 and 1, the lowest bit first, as a number.
@@ -120,6 +127,7 @@ try_points() {
         read_verilog $here/points.v"
     run_abc "read $work/after_reset.aig; strash; dprove; print_status"
     [ "$(abc_status)" = 1 ] || return 0
+    ! resets_nothing || answer equivalent points
     build one_point "
         read_verilog -icells $here/wires.v
         techmap -map $here/wires.v $top faulty
@@ -179,7 +187,7 @@ try_from_reset() {
     run_abc "$after_reset; write_blif $work/from_reset.blif"
     awk -f "$here/differences.awk" "$work/from_reset.map" "$work/from_reset.blif" \
         >"$work/differences.blif"
-    try_engine "read $work/differences.blif; strash; scorr; dc2" 'pdr -n -c' "$seconds"
+    try_engine "read $work/differences.blif; strash; scorr; dc2" 'pdr -r -m' "$seconds"
     try_engine "$after_reset; scorr" dprove "$seconds"
 }
 

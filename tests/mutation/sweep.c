@@ -95,7 +95,7 @@ static void highlight_next(mutation_sweep *at, const glint_setting *setting,
 
 static uint64_t highlight_clocks(const glint_setting *setting)
 {
-    uint64_t clocks = GLINT_COS_ONE + 1;
+    uint64_t clocks = GLINT_COS_CODE_MAX + 1;
     for (uint32_t n = 0; n < GLINT_N_COUNT; n++)
         clocks += cosine_count(limit_of(setting, n));
     return clocks;

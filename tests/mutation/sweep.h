@@ -12,8 +12,9 @@ typedef struct mutation_sweep {
 
 /* Of the specular device and the power device: for every n, the narrowest highlight first, a point
  * a clock in white: every cosine from 8 codes below the limit (ROM 9; where W is no longer 0) to
- * 1.0, some further below and two beyond. Then with n = 2, where t is the cosine, or n = 1, where W
- * is, every t of a highlight and with it every W, in changing colours.
+ * 1.0, some further below and two beyond. Then every code, in changing colours, with n = 2, where t
+ * is the cosine, or n = 1, where W is: so every t of a highlight and every W, and every code beyond
+ * 1.0.
  *
  * Of the dividers: every k, 0…255, with every code of the difference, −256…255: one division after
  * the other, or one a clock with each component at another place of the sweep.
