@@ -2,7 +2,8 @@
 //
 //   x = 1 - cos,  p = n x,  v = p g(x),  W = 2^(-v),  (R,G,B)out = W times (R,G,B)
 //
-// What g and the power of two are is what the ROMs hold; power_roms_proof says what of that matters.
+// What g and the power of two are is what the ROMs hold; power_roms_proof says what of that
+// matters.
 `default_nettype none
 
 // 1 - cos in U0.18: above 1.0 it is 0, and where it would be 1.0 the next below.

@@ -3,14 +3,15 @@
 //
 // Properties
 //   rising   ROM 9 never falls with x, and begins within a code of 1/ln 2 = 1.4427
-//   falling  ROM 33 never rises with the fraction of v; its first word is 1.0, and its last at least
-//            half of that, which is where the next shift begins
-//   halves   each word of ROM 33 squared is, with the power of two that an even address has, that of
-//            twice the fraction: 2^-f 2^-f = 2^-2f within what rounding may do
+//   falling  ROM 33 never rises with the fraction of v; its first word is 1.0, and its last at
+//            least half of that, which is where the next shift begins
+//   halves   each word of ROM 33 squared is, with the power of two that an even address has, that
+//            of twice the fraction: 2^-f 2^-f = 2^-2f within what rounding may do
 //
 // So with power_proof's value, W never rises with x: x and g(x) do not fall, nor do their product
 // with n, what is cut off or rounded of it, and the limit of comparator 11; and 2^-v never rises,
-// within one shift by falling, and from one to the next as the last word is at least half the first.
+// within one shift by falling, and from one to the next as the last word is at least half the
+// first.
 `default_nettype none
 
 module power_roms_proof #(
