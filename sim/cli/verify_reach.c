@@ -4,7 +4,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "circuit/circuits.h"
+#include "circuit/units.h"
 
 static void keep_least(uint64_t *least, uint64_t value, bool is_first)
 {
@@ -21,10 +21,10 @@ static void add_lanes(glint_reach_sum *sum, int lanes, const glint_reach *reach)
     sum->lanes = lanes;
 }
 
-/* The strobes of the specular device write its material. */
+/* The strobes of a highlight unit write its material. */
 static bool has_material(const glint_setting *setting)
 {
-    return setting->circuit == &glint_circuit_specular;
+    return glint_is_highlight(setting->circuit);
 }
 
 static void add_strobes(glint_reach_sum *sum, const glint_setting *setting,

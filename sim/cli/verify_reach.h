@@ -16,7 +16,7 @@ typedef struct glint_reach_sum {
     bool unreset;        /* some has a clock and no reset */
     const char *follows; /* an output whose value before the edge was not compared; NULL: none */
     bool strobes;        /* some setting has strobes, */
-    bool material;       /* which are always those of the specular device's material */
+    bool material;       /* which are always those of a highlight unit's material */
     int lanes;           /* the most of any; 0: no circuit with lanes among them */
     uint64_t patterns;   /* the fewest of a setting with so many */
     bool alone;          /* in every setting each lane took a point while no other did */
