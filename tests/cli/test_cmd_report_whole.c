@@ -148,7 +148,7 @@ static void claims_have_their_verdicts(void **state)
         {"(2.30)", "K ≤ 2.3", "does not hold", " of the interpolated pixels are"},
         {"2.6", "sharper than bilinear", "holds", " times, sphere and teapot"},
         {"2.6", "artefacts of nearest", "holds", " times as large; "},
-        {"(2.20)", "reciprocal", "holds", "difference 0, over all 23"},
+        {"(2.20)", "reciprocal", "holds", "difference 0, over all 24"},
         {"2.5", "R ≥ 1", "does not hold", "for 0 exponents of Blinn's lobe with (n+6)/(8π)"},
         {"(2.24)", "(cos θ₀)/2", "does not hold",
          "at n = 1000 the centre of the highlight is 27501"},
