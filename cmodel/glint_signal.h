@@ -15,7 +15,7 @@ typedef enum glint_signal_kind {
     GLINT_SIGNAL_STAGE,    /* a pipeline register, or a wire in its place */
     GLINT_SIGNAL_OUTPUT,   /* an output port: what it is after the edge */
     GLINT_SIGNAL_MEALY,    /* one that follows a pin with no register between: what it is before the
-                              edge, when the pins of the clock are there and the state is still old */
+                              edge, when the clock's pins are there and the state is the old one */
 } glint_signal_kind;
 
 static inline int glint_signal_is_port(glint_signal_kind kind)
