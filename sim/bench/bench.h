@@ -40,9 +40,11 @@ typedef struct glint_bench_rates {
 /* Name of a candidate, as in the report and in JSON. */
 const char *glint_bench_name(glint_bench_candidate candidate);
 
-/* Measures all candidates for about `seconds` each (0.01…60). */
-glint_status glint_bench_kernels(const char *verilog, double seconds, const volatile bool *stop,
-                                 glint_bench_rates *rates, glint_error *err);
+/* Measures all candidates for about `seconds` each (0.01…60); the C batch and the circuits are of
+ * that highlight unit, whatever its lanes. */
+glint_status glint_bench_kernels(const glint_setting *device, double seconds,
+                                 const volatile bool *stop, glint_bench_rates *rates,
+                                 glint_error *err);
 
 /* Points per second on one thread, and their ratio to Schlick's formula (2.1) in the same kind of
  * loop. */
@@ -126,8 +128,9 @@ typedef struct glint_bench_frame {
 #define GLINT_BENCH_BACKENDS (GLINT_BACKEND_COUNT + 1)
 #define GLINT_BENCH_FRAMES   (2 * 2 * GLINT_BENCH_BACKENDS) /* of 2 models in 2 sizes */
 
-/* Measures whole frames on `threads` threads, for about `seconds` each. */
-glint_status glint_bench_frames(const char *verilog, int threads, double seconds,
+/* Measures whole frames on `threads` threads, for about `seconds` each; backends but OpenGL have
+ * their highlights from that unit. */
+glint_status glint_bench_frames(const glint_setting *device, int threads, double seconds,
                                 const volatile bool *stop,
                                 glint_bench_frame frames[GLINT_BENCH_FRAMES], glint_error *err);
 

@@ -51,7 +51,7 @@ static glint_status time_frames(const renderer *r, const glint_scene *scene, gli
 
 /* What all frames share. */
 typedef struct effort {
-    const char *verilog;
+    const glint_setting *device;
     int threads;
     double seconds; /* of each */
     const volatile bool *stop;
@@ -64,7 +64,8 @@ static glint_status open_renderer(const glint_mesh *mesh, const effort *effort,
         const glint_backend_config config = {.kind = (glint_backend_kind)frame->backend,
                                              .gate = GLINT_GATE_COSINE,
                                              .pipeline = GLINT_PIPELINE_PIPELINED,
-                                             .verilog = effort->verilog};
+                                             .device = effort->device->circuit,
+                                             .verilog = effort->device->verilog};
         return glint_renderer_create(frame->width, frame->height, effort->threads, &config, &r->own,
                                      err);
     }
@@ -116,11 +117,11 @@ static glint_status bench_mesh(const char *model, const glint_mesh *mesh, const 
     return status;
 }
 
-glint_status glint_bench_frames(const char *verilog, int threads, double seconds,
+glint_status glint_bench_frames(const glint_setting *device, int threads, double seconds,
                                 const volatile bool *stop,
                                 glint_bench_frame frames[GLINT_BENCH_FRAMES], glint_error *err)
 {
-    const effort effort = {verilog, threads, seconds, stop};
+    const effort effort = {device, threads, seconds, stop};
     glint_mesh *teapot = NULL, *sphere = NULL;
     glint_status status = glint_mesh_teapot(GLINT_TEAPOT_DENSITY, &teapot, err);
     if (status == GLINT_OK)

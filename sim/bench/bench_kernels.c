@@ -6,6 +6,7 @@
 #include "bench/rounds.h"
 #include "circuit/circuits.h"
 #include "circuit/random.h"
+#include "circuit/units.h"
 #include "rtl/batch.h"
 
 typedef struct workload {
@@ -13,6 +14,7 @@ typedef struct workload {
     uint32_t cos_code[GLINT_BENCH_POINTS];
     uint8_t r[GLINT_BENCH_POINTS], g[GLINT_BENCH_POINTS], b[GLINT_BENCH_POINTS];
     glint_material material;
+    glint_setting device;
     glint_rtl *rtl[GLINT_BENCH_CANDIDATES]; /* of the RTL candidates, else NULL */
 } workload;
 
@@ -37,16 +39,15 @@ const char *glint_bench_name(glint_bench_candidate candidate)
     return candidates[candidate].name;
 }
 
-static glint_status create_circuits(workload *w, const char *verilog, glint_error *err)
+static glint_status create_circuits(workload *w, glint_error *err)
 {
     glint_status status = GLINT_OK;
     for (int i = 0; status == GLINT_OK && i < GLINT_BENCH_CANDIDATES; i++) {
-        const glint_specular_config config = {GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED,
-                                              candidates[i].lanes};
-        glint_setting setting = glint_setting_specular(&config);
-        setting.verilog = verilog;
-        if (config.lanes != 0)
-            status = glint_rtl_open(&setting, GLINT_RTL_FAST, &w->rtl[i], err);
+        glint_setting setting = w->device;
+        if (candidates[i].lanes == 0)
+            continue;
+        glint_highlight_set_lanes(&setting, candidates[i].lanes);
+        status = glint_rtl_open(&setting, GLINT_RTL_FAST, &w->rtl[i], err);
     }
     return status;
 }
@@ -58,12 +59,14 @@ static void destroy_workload(workload *w)
     free(w);
 }
 
-static glint_status create_workload(const char *verilog, workload **created, glint_error *err)
+static glint_status create_workload(const glint_setting *device, workload **created,
+                                    glint_error *err)
 {
     workload *w = calloc(1, sizeof *w);
     if (w == NULL)
         return glint_fail(err, GLINT_NO_MEMORY, "not enough memory for the bench");
     *created = w;
+    w->device = *device;
     glint_random random = {1};
     w->material = (glint_material){GLINT_BENCH_N, 255, 200, 120};
     for (int i = 0; i < GLINT_BENCH_POINTS; i++) {
@@ -72,7 +75,7 @@ static glint_status create_workload(const char *verilog, workload **created, gli
         w->cos_code[i] = glint_cos_code(cosine);
         w->cosine[i] = (float)cosine;
     }
-    return create_circuits(w, verilog, err);
+    return create_circuits(w, err);
 }
 
 /* One pass of a candidate over all points. */
@@ -94,8 +97,8 @@ static glint_status run_pass(void *work, int candidate, glint_error *err)
         glint_kernel_schlick(w->cosine, count, GLINT_BENCH_N, w->result);
         return GLINT_OK;
     case GLINT_BENCH_C_BATCH:
-        return glint_specular_batch(GLINT_GATE_COSINE, &w->material, w->cos_code, count, NULL, w->r,
-                                    w->g, w->b);
+        return glint_highlight_batch(&w->device, &w->material, w->cos_code, count, NULL, w->r, w->g,
+                                     w->b);
     default:
         return glint_rtl_shade(w->rtl[candidate], &w->material,
                                &(glint_points){w->cos_code, count, NULL, w->r, w->g, w->b}, err);
@@ -111,12 +114,13 @@ static void summarise(const glint_rounds *rounds, glint_bench_rates *rates)
     }
 }
 
-glint_status glint_bench_kernels(const char *verilog, double seconds, const volatile bool *stop,
-                                 glint_bench_rates *rates, glint_error *err)
+glint_status glint_bench_kernels(const glint_setting *device, double seconds,
+                                 const volatile bool *stop, glint_bench_rates *rates,
+                                 glint_error *err)
 {
     glint_rounds rounds;
     workload *w = NULL;
-    glint_status status = create_workload(verilog, &w, err);
+    glint_status status = create_workload(device, &w, err);
     if (status == GLINT_OK)
         status = glint_rounds_measure(run_pass, w, GLINT_BENCH_CANDIDATES, GLINT_BENCH_POINTS,
                                       seconds, stop, &rounds, err);

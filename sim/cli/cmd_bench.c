@@ -7,6 +7,7 @@
 
 #include "bench/bench.h"
 #include "circuit/circuits.h"
+#include "circuit/units.h"
 #include "cli/build_first.h"
 #include "cli/circuit_options.h"
 #include "cli/commands.h"
@@ -17,6 +18,8 @@
 typedef struct bench_options {
     double seconds;
     int64_t threads;
+    int device; /* of the highlight units */
+    const char *devices[GLINT_BENCH_UNITS + 1];
     const char *verilog;
     bool json;
 } bench_options;
@@ -29,8 +32,18 @@ typedef struct bench_results {
     glint_bench_frame frames[GLINT_BENCH_FRAMES];
 } bench_results;
 
+/* What --device names: its standard setting. */
+static glint_setting device_of(const bench_options *chosen)
+{
+    glint_setting setting = glint_bench_unit_setting(chosen->device, 0);
+    setting.verilog = chosen->verilog;
+    return setting;
+}
+
 static int parse(int argc, char **argv, bench_options *chosen)
 {
+    for (int unit = 0; unit < GLINT_BENCH_UNITS; unit++)
+        chosen->devices[unit] = glint_bench_unit_setting(unit, 0).circuit->name;
     const glint_option options[] = {
         {.name = "seconds",
          .placeholder = "S",
@@ -42,6 +55,11 @@ static int parse(int argc, char **argv, bench_options *chosen)
          .help = "for the frames; the kernels run on one",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&chosen->threads, 1, GLINT_THREADS_MAX}},
+        {.name = "device",
+         .placeholder = "NAME",
+         .help = "the highlight unit of the points and frames: specular, power, or a rival",
+         .kind = GLINT_OPTION_CHOICE,
+         .choice = {&chosen->device, chosen->devices}},
         GLINT_RTL_OPTION(&chosen->verilog),
         {.name = "json",
          .help = "print the figures as JSON",
@@ -50,6 +68,7 @@ static int parse(int argc, char **argv, bench_options *chosen)
     };
     static const glint_example examples[] = {
         {"a quick look", "glint bench --seconds 0.05"},
+        {"the accurate device", "glint bench --device power --seconds 0.05"},
         {"for a script, frames on one thread", "glint bench --seconds 0.05 --threads 1 --json"},
         {NULL, NULL},
     };
@@ -78,11 +97,11 @@ static int best_rtl(const glint_bench_rates *rates)
     return best;
 }
 
-static void print_kernels(const glint_bench_rates *rates)
+static void print_kernels(const char *device, const glint_bench_rates *rates)
 {
-    printf(
-        "points: n = %d, cosines %.1f to 1, one thread; million points per second, ratio to powf\n",
-        GLINT_BENCH_N, GLINT_BENCH_LOWEST);
+    printf("points: %s, n = %d, cosines %.1f to 1, one thread; million points per second, ratio to "
+           "powf\n",
+           device, GLINT_BENCH_N, GLINT_BENCH_LOWEST);
     for (int i = 0; i < GLINT_BENCH_CANDIDATES; i++) {
         printf("  %-16s %9.1f %8.2f", glint_bench_name((glint_bench_candidate)i),
                rates->points[i] * 1e-6, rates->to_powf[i]);
@@ -158,11 +177,11 @@ static void print_frame(const glint_bench_frame *frame, double ratio)
            frame->frames, ratio, frame->fragments, frame->frames * (double)frame->fragments * 1e-6);
 }
 
-static void print_frames(const glint_bench_frame *frames, int threads)
+static void print_frames(const char *device, const glint_bench_frame *frames, int threads)
 {
-    printf("frames: %d thread%s, every fragment through the backend; ratio to the C model\n"
+    printf("frames: %s, %d thread%s, every fragment through the backend; ratio to the C model\n"
            "  (gl: OpenGL by Mesa in software, the same formula in a shader)\n",
-           threads, threads == 1 ? "" : "s");
+           device, threads, threads == 1 ? "" : "s");
     for (int i = 0; i < GLINT_BENCH_FRAMES; i++)
         print_frame(&frames[i], ratio_to_c(frames, i));
 }
@@ -259,9 +278,10 @@ static void add_frames(json_t *json, const glint_bench_frame *frames)
     }
 }
 
-static bool print_json(const bench_results *results, int threads)
+static bool print_json(const char *device, const bench_results *results, int threads)
 {
     json_t *json = json_object();
+    glint_json_add_text(json, "device", device);
     glint_json_add_number(json, "n", GLINT_BENCH_N);
     glint_json_add_number(json, "shifts", GLINT_BENCH_SHIFTS);
     glint_json_add_number(json, "threads", threads);
@@ -278,10 +298,11 @@ static glint_status measure(const bench_options *chosen, bench_results *results,
 {
     const volatile bool *stop = glint_stop_flag();
     const int threads = (int)chosen->threads;
+    const glint_setting device = device_of(chosen);
     glint_status status =
-        glint_bench_kernels(chosen->verilog, chosen->seconds, stop, &results->points, err);
+        glint_bench_kernels(&device, chosen->seconds, stop, &results->points, err);
     if (status == GLINT_OK && !chosen->json) {
-        print_kernels(&results->points);
+        print_kernels(device.circuit->name, &results->points);
         fflush(stdout);
     }
     if (status == GLINT_OK)
@@ -304,10 +325,9 @@ static glint_status measure(const bench_options *chosen, bench_results *results,
         fflush(stdout);
     }
     if (status == GLINT_OK)
-        status = glint_bench_frames(chosen->verilog, threads, chosen->seconds, stop,
-                                    results->frames, err);
+        status = glint_bench_frames(&device, threads, chosen->seconds, stop, results->frames, err);
     if (status == GLINT_OK && !chosen->json)
-        print_frames(results->frames, threads);
+        print_frames(device.circuit->name, results->frames, threads);
     return status;
 }
 
@@ -315,7 +335,7 @@ static glint_status measure(const bench_options *chosen, bench_results *results,
 static int check_verilog(const bench_options *chosen)
 {
     glint_setting settings[] = {
-        glint_setting_standard(&glint_circuit_specular),
+        device_of(chosen),
         glint_setting_divider(GLINT_DIVIDER_SEQUENTIAL, GLINT_BENCH_SHIFTS),
         glint_setting_divider(GLINT_DIVIDER_PIPELINED, GLINT_BENCH_SHIFTS),
     };
@@ -340,12 +360,11 @@ static glint_status build(const bench_options *chosen, glint_error *err)
     glint_setting settings[GLINT_BENCH_CANDIDATES + 2 + 2 * GLINT_BENCH_UNITS];
     int count = 0;
     for (int lanes = 1; lanes <= 16; lanes *= 2)
-        settings[count++] = glint_setting_specular(
-            &(glint_specular_config){GLINT_GATE_COSINE, GLINT_PIPELINE_PIPELINED, lanes});
+        settings[count++] = glint_bench_unit_setting(chosen->device, lanes);
     settings[count++] = glint_setting_divider(GLINT_DIVIDER_SEQUENTIAL, GLINT_BENCH_SHIFTS);
     settings[count++] = glint_setting_divider(GLINT_DIVIDER_PIPELINED, GLINT_BENCH_SHIFTS);
-    for (int unit = 1; unit < GLINT_BENCH_UNITS; unit++) {
-        if (!glint_bench_unit_is_in(unit, chosen->verilog))
+    for (int unit = 0; unit < GLINT_BENCH_UNITS; unit++) {
+        if (unit == chosen->device || !glint_bench_unit_is_in(unit, chosen->verilog))
             continue;
         settings[count++] = glint_bench_unit_setting(unit, 1);
         settings[count++] = glint_bench_unit_setting(unit, 4);
@@ -361,7 +380,8 @@ static int bench(const bench_options *chosen)
     glint_error err;
     if (build(chosen, &err) != GLINT_OK || measure(chosen, &results, &err) != GLINT_OK)
         return glint_complain_error("bench", &err);
-    if (chosen->json && !print_json(&results, (int)chosen->threads))
+    if (chosen->json &&
+        !print_json(chosen->devices[chosen->device], &results, (int)chosen->threads))
         return glint_complain("bench", GLINT_EXIT_TROUBLE, "out of memory");
     return GLINT_EXIT_OK;
 }

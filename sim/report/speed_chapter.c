@@ -2,6 +2,7 @@
 #include <stddef.h>
 
 #include "bench/bench.h"
+#include "circuit/circuits.h"
 #include "report/chapter.h"
 #include "report/quantile.h"
 
@@ -68,13 +69,14 @@ glint_status glint_chapter_speed(glint_report *report, glint_error *err)
 {
     glint_bench_formula_rates run[RUNS];
     glint_bench_rates device;
+    const glint_setting specular = glint_setting_standard(&glint_circuit_specular);
     const double seconds = report->quick ? SECONDS_QUICK : SECONDS;
     glint_status status = GLINT_OK;
     for (int i = 0; i < RUNS && status == GLINT_OK; i++)
         status =
             glint_bench_formulas(report->quick ? 0.01 : seconds / RUNS, report->stop, &run[i], err);
     if (status == GLINT_OK)
-        status = glint_bench_kernels(NULL, seconds, report->stop, &device, err);
+        status = glint_bench_kernels(&specular, seconds, report->stop, &device, err);
     if (status != GLINT_OK)
         return status;
     put_formulas(&report->numbers, run);

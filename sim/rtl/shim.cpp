@@ -1,5 +1,5 @@
 // The shim over a Verilated circuit, whatever the circuit: an instance with a context of its own,
-// its clock, its ports and its waveform. The only C++ of the project.
+// its clock, its ports and its waveform. With specular_batch.cpp the only C++ of the project.
 //
 // build.c compiles it with the circuit, behind a generated glint_ports.h:
 //     GLINT_PORTS(X)   X("name", member) for each port of the class Vcircuit but the clock

@@ -51,7 +51,7 @@ static void the_json_has_all_parts(void **state)
     const json_t *formulas = json_object_get(json, "formulas");
     assert_non_null(strstr(json_string_value(json_object_get(formulas, "compiled")), "-O3"));
     expect_entries(formulas, "loops", 6, loops);
-    expect_entries(json, "units", 7, units);
+    expect_entries(json, "units", 8, units);
     expect_entries(json, "divisions", 6, divisions);
     expect_entries(json, "frames", 16, frames);
     json_decref(json);
@@ -61,24 +61,38 @@ static void the_json_has_all_parts(void **state)
 static void the_text_has_all_parts(void **state)
 {
     (void)state;
-    static const char *const parts[] = {"points: ",
+    static const char *const parts[] = {"points: specular, ",
                                         "\n  powf ",
                                         "\n  rtl-16 ",
                                         "\nformulas: ",
                                         "\n  cosine-quadratic ",
                                         "\nhighlight units: ",
                                         "\n  power ",
-
                                         "\ndivisions: ",
                                         "\n  integer ",
                                         "\n  rtl-sequential ",
                                         "\n  rtl-pipelined ",
-                                        "\nframes: 1 thread,",
+                                        "\nframes: specular, 1 thread,",
                                         "\n  sphere "};
     outcome done = run("bench --seconds 0.01 --threads 1", "");
     assert_outcome(&done, 0, "");
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++)
         assert_says(done.out, parts[i]);
+    forget(&done);
+}
+
+/* Of the points and of the frames. */
+static void another_device_is_measured(void **state)
+{
+    (void)state;
+    outcome done = run("bench --device power --seconds 0.01 --threads 1", "");
+    assert_outcome(&done, 0, "");
+    assert_says(done.out, "points: power, ");
+    assert_says(done.out, "\nframes: power, 1 thread,");
+    forget(&done);
+    done = run("bench --device lathe --seconds 0.01", "");
+    assert_int_equal(done.status, 2);
+    assert_says(done.err, "--device");
     forget(&done);
 }
 
@@ -101,6 +115,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_json_has_all_parts),
         cmocka_unit_test(the_text_has_all_parts),
+        cmocka_unit_test(another_device_is_measured),
         cmocka_unit_test(a_missing_opengl_has_a_row_that_says_so),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
