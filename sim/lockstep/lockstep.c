@@ -25,6 +25,8 @@ static glint_status run_twin(const glint_lockstep_options *options, glint_twin *
     glint_reach_begin(&reach, &options->setting);
     glint_roles_begin(&roles, &options->setting, twin, &result->roles);
     glint_random_pins_begin(&source, &options->setting, options->seed);
+    if (stopped(options))
+        return glint_fail(err, GLINT_INTERRUPTED, "interrupted");
     while (result->clocks < options->clocks) {
         glint_random_pins_next(&source, &pins);
         glint_roles_before(&roles, &reach, &pins);

@@ -63,6 +63,9 @@ static const struct {
     {"compare " PNG " %s/a.png", "", RIGHT, 2}, /* of another size */
     {"compare " PNG, "", RIGHT, 2},
     {"compare " PNG " " PNG " --diff " PNG, "", RIGHT, 2},
+    {"convert sphere %s/a.3ds", "", RIGHT, 0},
+    {"convert sphere %s/a.txt", "", RIGHT, 2},
+    {"convert %s/none.obj %s/b.3ds", "", RIGHT, 2},
     {"draw --out %s/a.svg", "", RIGHT, 0},
     {"draw --circuit divider --out %s/a.dot", "", RIGHT, 0},
     {"draw --out %s/a.txt", "", RIGHT, 2},

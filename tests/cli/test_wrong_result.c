@@ -122,8 +122,7 @@ static void a_circuit_that_keeps_an_answer_back_is_summed_up(void **state)
     static const char words[] = "verify --exhaustive --from 5 --lanes 1 --threads 1 --out %s";
     outcome done = run_with(SILENT_DEVICE, words, scratch_path("silent"));
     assert_int_equal(done.status, 1);
-    assert_says(done.out, "\n0 mismatches of 0 comparisons: ");
-    assert_says(done.out, " 0 values of n, ");
+    assert_says(done.out, "\nno verdict: nothing was compared, ");
     assert_says(done.out, " (stopped early)\n");
     assert_says(done.err, "glint verify: the circuit returned 0 of ");
     forget(&done);

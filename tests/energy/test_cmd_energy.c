@@ -187,7 +187,7 @@ static void lists_are_read_strictly(void **state)
     "schlick, schlick-modified, schlick-modified-angle, schlick-modified-linear, "                 \
     "schlick-modified-squared, schlick-modified-power, quadratic, cosine-quadratic, "              \
     "energy-conserving, lyon-2-minimax, lyon-4, lyon-4-minimax, lyon-8, lyon-8-minimax, lyon-16, " \
-    "lyon-16-minimax, device\n"
+    "lyon-16-minimax, log2-n, device\n"
 
 static void the_command_line_is_read_strictly(void **state)
 {

@@ -40,6 +40,14 @@ static const exception exceptions[] = {
     {"failure/test_answer", "a_frame_without_an_answer_still_says_where", OF_THE_LIBRARY},
     {"failure/test_answer", "one_thread_alone_can_be_watched", OF_THE_LIBRARY},
     {"failure/test_answer", "a_right_circuit_is_never_noted", OF_THE_LIBRARY},
+    {"shader/test_gl", "every_model_is_within_a_level_of_real", OF_THE_LIBRARY},
+    {"shader/test_gl", "another_model_is_noticed", OF_THE_LIBRARY},
+    {"shader/test_gl", "the_device_in_a_shader_is_the_device", OF_THE_LIBRARY},
+    {"shader/test_gl", "every_shading_and_view_is_real_s", OF_THE_LIBRARY},
+    {"shader/test_gl", "gouraud_is_real_s_but_for_its_runs", OF_THE_LIBRARY},
+    {"shader/test_gl", "frames_repeat", OF_THE_LIBRARY},
+    {"shader/test_gl", "what_is_out_of_range_is_refused", OF_THE_LIBRARY},
+    {"shader/test_gl", "gold_is_the_listing_s", OF_THE_LIBRARY},
 };
 #define EXCEPTIONS (sizeof exceptions / sizeof exceptions[0])
 
