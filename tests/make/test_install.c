@@ -229,7 +229,7 @@ static void bash_completes(void **state)
                                                             "schlick-modified-linear "
                                                             "schlick-modified-squared "
                                                             "schlick-modified-power\n");
-    expect_completed("verify --ex", "--exhaustive\n");
+    expect_completed("verify --exh", "--exhaustive\n");
     expect_completed("compare --diff READ", "README.md\n");
 }
 

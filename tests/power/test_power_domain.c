@@ -20,6 +20,7 @@
 #include "../record.h"
 #include "circuit/circuits.h"
 #include "circuit/random_pins.h"
+#include "circuit/units.h"
 #include "glint_power.h"
 #include "power_blocks.h"
 
@@ -203,8 +204,8 @@ static void look_at_all(seen *seen)
  * registers 1 and 2 hold after each clock. */
 static void look_at_random(uint64_t clocks, uint64_t seed, seen *seen)
 {
-    const glint_setting setting = {.circuit = glint_circuit_named("power"),
-                                   .values = {GLINT_POWER_HALF, GLINT_PIPELINE_PIPELINED, 1}};
+    const glint_setting setting = glint_setting_unit(glint_circuit_named("power"), GLINT_POWER_HALF,
+                                                     0, GLINT_PIPELINE_PIPELINED, 1);
     glint_random_pins random;
     uint32_t n = 0;
     glint_random_pins_begin(&random, &setting, seed);
