@@ -4,10 +4,6 @@
 
 #include <string.h>
 
-/* Secondary rays start this far outside the triangle, in radii of the object: far above what
- * single precision loses there, far below a pixel. */
-#define OUTSIDE 1e-4
-
 /* How far ahead of the object rays start. */
 #define AHEAD 1e-3
 
@@ -29,11 +25,6 @@ static glint_vec3 ray_of(const glint_trace_view *view, int x, int y, glint_vec3 
     return ray;
 }
 
-static glint_vec3 just_outside(const glint_ray_hit *hit)
-{
-    return glint_vec3_add(hit->place, glint_vec3_scale(hit->plane, OUTSIDE));
-}
-
 /* Adds the point that a ray has met to those to be lit. */
 static void add_point(glint_trace_batch *batch, const glint_trace_view *view,
                       glint_lit_points *points, const glint_ray_hit *hit, glint_vec3 ray)
@@ -43,7 +34,7 @@ static void add_point(glint_trace_batch *batch, const glint_trace_view *view,
     if (!view->shadows || !points->lit[at])
         return;
     batch->shadow_rays++;
-    if (glint_rays_blocked(view->rays, just_outside(hit), light_of(view)))
+    if (glint_rays_blocked(view->rays, glint_rays_just_outside(view->rays, hit), light_of(view)))
         glint_lit_points_shadow(points, &view->lighting);
 }
 
@@ -61,7 +52,7 @@ static bool add_mirrored(glint_trace_batch *batch, const glint_trace_view *view,
     if (glint_vec3_dot(back, hit->plane) <= 0.0)
         return false;
     batch->mirror_rays++;
-    if (!glint_rays_meet(view->rays, just_outside(hit), back, &seen))
+    if (!glint_rays_meet(view->rays, glint_rays_just_outside(view->rays, hit), back, &seen))
         return false;
     add_point(batch, view, &batch->mirrored, &seen, back);
     return true;

@@ -2,9 +2,18 @@
  * The build is the caller's thread's alone; one thread makes the same tree on every machine. */
 #include "trace/rays.h"
 
+#include <float.h>
 #include <stdlib.h>
 
 #include "trace/embree.h"
+
+/* Secondary rays start this far outside the triangle, in radii of the mesh about its own centre:
+ * far above what single precision loses there, far below a pixel. */
+#define OUTSIDE 1e-4
+
+/* And at least this many steps of single precision at the largest coordinate, which count where a
+ * small mesh lies far from the camera's centre. */
+#define STEPS 8.0
 
 struct glint_rays {
     const glint_embree *embree;
@@ -12,7 +21,7 @@ struct glint_rays {
     glint_camera camera;
     RTCDevice device;
     RTCScene scene;
-    double front;
+    double front, outside;
     const volatile bool *stop; /* of the build */
 };
 
@@ -41,6 +50,38 @@ static bool go_on(void *context, double done)
     return rays->stop == NULL || !*rays->stop;
 }
 
+/* How the positions lie, as Embree has them. */
+typedef struct reach {
+    glint_vec3 low, high; /* corners of the bounding box */
+    double largest;       /* coordinate */
+} reach;
+
+static reach reach_of(const float *position, size_t count)
+{
+    reach r = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, 0.0};
+    for (size_t i = 0; i < count; i++) {
+        const glint_vec3 p = glint_vec3_of(&position[3 * i]);
+        r.low = (glint_vec3){fmin(r.low.x, p.x), fmin(r.low.y, p.y), fmin(r.low.z, p.z)};
+        r.high = (glint_vec3){fmax(r.high.x, p.x), fmax(r.high.y, p.y), fmax(r.high.z, p.z)};
+        r.largest = fmax(r.largest, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
+    }
+    return r;
+}
+
+static void measure(glint_rays *rays, const float *position)
+{
+    const size_t count = rays->mesh->vertex_count;
+    const reach r = reach_of(position, count);
+    const glint_vec3 centre = glint_vec3_scale(glint_vec3_add(r.low, r.high), 0.5);
+    double radius = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        const glint_vec3 p = glint_vec3_of(&position[3 * i]);
+        radius = fmax(radius, glint_vec3_length(glint_vec3_sub(p, centre)));
+    }
+    rays->front = r.high.z;
+    rays->outside = fmax(OUTSIDE * radius, STEPS * (double)FLT_EPSILON * r.largest);
+}
+
 static bool fill(glint_rays *rays, RTCGeometry geometry)
 {
     const glint_mesh *mesh = rays->mesh;
@@ -52,12 +93,9 @@ static bool fill(glint_rays *rays, RTCGeometry geometry)
                                               3 * sizeof(uint32_t), mesh->triangle_count);
     if (position == NULL || index == NULL)
         return false;
-    rays->front = -INFINITY;
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        const glint_vec3 p = corner_of(rays, i);
-        rays->front = fmax(rays->front, p.z);
-        glint_vec3_store(p, &position[3 * i]);
-    }
+    for (size_t i = 0; i < mesh->vertex_count; i++)
+        glint_vec3_store(corner_of(rays, i), &position[3 * i]);
+    measure(rays, position);
     for (size_t i = 0; i < 3 * mesh->triangle_count; i++)
         index[i] = mesh->index[i];
     return true;
@@ -142,6 +180,11 @@ void glint_rays_destroy(glint_rays *rays)
 double glint_rays_front(const glint_rays *rays)
 {
     return rays->front;
+}
+
+glint_vec3 glint_rays_just_outside(const glint_rays *rays, const glint_ray_hit *hit)
+{
+    return glint_vec3_add(hit->place, glint_vec3_scale(hit->plane, rays->outside));
 }
 
 static struct RTCRay ray_of(glint_vec3 from, glint_vec3 direction)

@@ -34,6 +34,9 @@ double glint_rays_front(const glint_rays *rays);
 bool glint_rays_meet(const glint_rays *rays, glint_vec3 from, glint_vec3 direction,
                      glint_ray_hit *hit);
 
+/* Where a ray from the place of a hit begins so that it does not meet the triangle it leaves. */
+glint_vec3 glint_rays_just_outside(const glint_rays *rays, const glint_ray_hit *hit);
+
 /* Whether anything, whichever way it faces, is in the way. */
 bool glint_rays_blocked(const glint_rays *rays, glint_vec3 from, glint_vec3 direction);
 

@@ -15,6 +15,7 @@
 #include "../render/studio.h"
 #include "render/camera.h"
 #include "render/mesh_build.h"
+#include "render/transform.h"
 #include "trace/trace.h"
 
 static const glint_join every_pixel = {.centre = -1};
@@ -354,6 +355,46 @@ static void shadows_and_mirrors_are_where_geometry_has_them(void **state)
     glint_mesh_destroy(mesh);
 }
 
+static glint_image *of_scale(double scale, glint_trace_stats *stats)
+{
+    const glint_transform transform = {.scale = {scale, scale, scale}};
+    glint_error err;
+    glint_mesh *mesh = floor_and_plate();
+    assert_int_equal(glint_mesh_transform(mesh, &transform, &err), GLINT_OK);
+    glint_scene scene = scene_of(mesh);
+    scene.light[0] = 0.3f;
+    scene.distance = (float)(4.0 * scale);
+    glint_tracer_config config = config_of(&scene, 320, 240);
+    config.shadows = true;
+    config.reflect = 0.5;
+    glint_image *image = traced(&config, &every_pixel, stats);
+    glint_mesh_destroy(mesh);
+    return image;
+}
+
+/* A small object seen from as much nearer is the same picture, but for a few pixels at edges. */
+static void shadows_and_mirrors_do_not_depend_on_the_objects_size(void **state)
+{
+    (void)state;
+    static const double scales[] = {0.1, 0.01, 0.001};
+    glint_trace_stats stats;
+    glint_image *whole = of_scale(1.0, &stats);
+    print_message("%" PRIu64 " pixels of the object\n", stats.hits);
+    assert_true(stats.hits > 5000);
+    for (size_t i = 0; i < sizeof scales / sizeof scales[0]; i++) {
+        glint_image_difference difference;
+        glint_trace_stats small;
+        glint_error err;
+        glint_image *image = of_scale(scales[i], &small);
+        assert_int_equal(glint_image_compare(whole, image, &difference, &err), GLINT_OK);
+        print_message("scale %g: %" PRIu64 " pixels differ, by %d at most\n", scales[i],
+                      difference.differing_pixels, difference.largest);
+        assert_in_range(difference.differing_pixels, 0, 5);
+        glint_image_destroy(image);
+    }
+    glint_image_destroy(whole);
+}
+
 /* A ball shadows nothing that the light reaches, but for the facets at its terminator, and mirrors
  * nothing. */
 static void a_ball_alone_casts_and_mirrors_nothing(void **state)
@@ -458,6 +499,7 @@ int main(void)
         cmocka_unit_test(threads_do_not_change_the_picture),
         cmocka_unit_test(longer_segments_cost_less_and_err_more),
         cmocka_unit_test(shadows_and_mirrors_are_where_geometry_has_them),
+        cmocka_unit_test(shadows_and_mirrors_do_not_depend_on_the_objects_size),
         cmocka_unit_test(a_ball_alone_casts_and_mirrors_nothing),
         cmocka_unit_test(what_is_out_of_range_is_refused),
         cmocka_unit_test(tracing_can_be_stopped),
