@@ -97,10 +97,21 @@ static glint_status render_frame(const glint_render_options *chosen, glint_backe
     return status == GLINT_OK ? draw_frame(scene, frame, err) : status;
 }
 
+static bool shows_nothing(const glint_render_frame *frame)
+{
+    return frame->stats.fragments == 0;
+}
+
+/* The full trace, where there is one, knows better than a picture joined from a few pixels. */
+static bool is_outside(const glint_render_frame *frame)
+{
+    return shows_nothing(frame) && frame->trace.full.hits == 0;
+}
+
 /* Two empty frames are equal, which proves nothing. */
 static glint_status compare_frames(glint_render_result *result, glint_error *err)
 {
-    if (result->frame[0].stats.fragments == 0) {
+    if (is_outside(&result->frame[0])) {
         return glint_fail(err, GLINT_BAD_INPUT,
                           "nothing to compare: the object is outside the frame");
     }
@@ -241,9 +252,10 @@ static int report(const glint_render_options *chosen, const char *command, const
 {
     const bool differs = glint_render_differs(result);
     bool explained = false;
-    if (result->frame[0].stats.fragments == 0) {
-        (void)glint_complain("render", GLINT_EXIT_OK,
-                             "the frame is empty: the object is outside it");
+    if (shows_nothing(&result->frame[0])) {
+        (void)glint_complain("render", GLINT_EXIT_OK, "the frame is empty: the object %s",
+                             is_outside(&result->frame[0]) ? "is outside it"
+                                                           : "lies wholly between traced pixels");
     }
     if (!chosen->json) {
         FILE *out = glint_picture_talk(files->frame);

@@ -92,6 +92,34 @@ static void both_backends_are_equal(void **state)
     }
 }
 
+/* Where nothing of the object is traced the full trace still knows that it is there. */
+static void an_object_between_traced_pixels_is_not_outside(void **state)
+{
+    (void)state;
+    static const char *const backends[] = {"c", "both"};
+    char line[256];
+    for (size_t i = 0; i < sizeof backends / sizeof backends[0]; i++) {
+        snprintf(line, sizeof line, "--size 40x1 --segment 16382 --backend %s", backends[i]);
+        outcome done = trace("between.png", line);
+        assert_outcome(&done, 0,
+                       "glint render: the frame is empty: the object lies wholly between traced "
+                       "pixels\n");
+        assert_says(done.out, ", 0 fragments\n");
+        if (i > 0)
+            assert_says(done.out, "0 differing pixels of 40\n");
+        glint_image_destroy(read_picture("between.png"));
+        forget(&done);
+    }
+    /* From inside only back faces are seen. */
+    outcome done = trace("outside.png", "--size 40x1 --segment 7 --model sphere --distance 0.1");
+    assert_outcome(&done, 0, "glint render: the frame is empty: the object is outside it\n");
+    forget(&done);
+    done = trace("outside.png",
+                 "--size 40x1 --segment 7 --model sphere --distance 0.1 --backend both");
+    assert_outcome(&done, 2, "glint render: nothing to compare: the object is outside the frame\n");
+    forget(&done);
+}
+
 static double number_of(const json_t *json, const char *name)
 {
     const json_t *value = json_object_get(json, name);
@@ -330,6 +358,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_full_trace_is_the_rasterizers_frame),
         cmocka_unit_test(both_backends_are_equal),
+        cmocka_unit_test(an_object_between_traced_pixels_is_not_outside),
         cmocka_unit_test(json_gives_the_figures),
         cmocka_unit_test(the_figures_are_told),
         cmocka_unit_test(what_makes_no_sense_is_refused),
