@@ -48,6 +48,25 @@ static bool is_name(const char *from, char name[NAME_SIZE])
     return !is_verilog(name);
 }
 
+/* A file that $fopen() empties, or makes, is no source: what an earlier run left in it must not
+ * build the circuit anew. *at: behind the quote that begins the name. */
+static bool is_written_by(const char *text, const char *at)
+{
+    static const char call[] = "$fopen";
+    const size_t length = sizeof call - 1;
+    const char *before = at - 1;
+    while (before > text && strchr(" \t\n(", before[-1]) != NULL)
+        before--;
+    if ((size_t)(before - text) < length || memcmp(before - length, call, length) != 0)
+        return false;
+    const char *after = at + strcspn(at, "\"") + 1;
+    after += strspn(after, " \t\n");
+    if (*after == ')')
+        return true; /* without a mode: as "w" */
+    after += strspn(after, ", \t\n");
+    return strncmp(after, "\"w", 2) == 0;
+}
+
 /* Behind each quote, as a comment may have a single one: what is no string is no file either. */
 static glint_status read_named(glint_sources *sources, int by, const char *directory,
                                glint_error *err)
@@ -56,7 +75,8 @@ static glint_status read_named(glint_sources *sources, int by, const char *direc
     glint_status status = GLINT_OK;
     const char *at = sources->file[by].text;
     while (status == GLINT_OK && (at = strchr(at, '"')) != NULL)
-        if (is_name(++at, name) && !is_added(sources, name) && is_file(directory, name)) {
+        if (is_name(++at, name) && !is_written_by(sources->file[by].text, at) &&
+            !is_added(sources, name) && is_file(directory, name)) {
             status = glint_sources_read_file(sources, directory, name, err);
             sources->file[sources->count - 1].is_data = status == GLINT_OK;
         }

@@ -7,7 +7,8 @@
 
 #include "rtl/sources.h"
 
-/* Adds the files that the sources name in a string and that are there, relative to the directory.
+/* Adds the files that the sources name in a string and that are there, relative to the directory,
+ * but those of a $fopen() that only writes.
  * Names that are put together are not found: the circuit opens such a file where the command runs.
  */
 glint_status glint_data_read(glint_sources *sources, const char *directory, glint_error *err);

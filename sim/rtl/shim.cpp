@@ -90,14 +90,13 @@ GLINT_DATA(GLINT_DATA_BYTES)
 extern "C" std::FILE *__real_fopen(const char *path, const char *mode);
 
 #define GLINT_DATA_OPEN(index, name)                                                               \
-    if (std::strcmp(path, name) == 0)                                                              \
+    if (mode[0] == 'r' && std::strcmp(path, name) == 0)                                            \
         return fmemopen(const_cast<char *>(glint_data_##index),                                    \
                         static_cast<std::size_t>(glint_data_end_##index - glint_data_##index),     \
                         mode);
 extern "C" std::FILE *__wrap_fopen(const char *path, const char *mode)
 {
-    if (mode[0] == 'r')
-        GLINT_DATA(GLINT_DATA_OPEN)
+    GLINT_DATA(GLINT_DATA_OPEN)
     return __real_fopen(path, mode);
 }
 #endif

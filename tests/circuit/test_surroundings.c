@@ -111,6 +111,36 @@ static void a_file_of_data_lies_beside_the_verilog(void **state)
     forget(&done);
 }
 
+/* What the Verilog writes is a file where the command runs, whether an earlier run has left one
+ * beside the Verilog, and whether that one is taken for a source (by a name that is not in the
+ * call) or not. */
+static void a_file_that_is_written_is_not_the_one_kept(void **state)
+{
+    (void)state;
+    static const char *const calls[] = {
+        "initial begin log = $fopen(\"glint-run.log\", \"w\");",
+        "localparam NAME = \"glint-run.log\";\n    initial begin log = $fopen(NAME, \"w\");",
+    };
+    for (size_t i = 0; i < 2; i++) {
+        char directory[OWN_PATH], verilog[1000];
+        own_copy(OWN "free_runner", i == 0 ? "log" : "named-log", directory);
+        (void)snprintf(
+            verilog, sizeof verilog,
+            "reg [32:0] start [0:0];\n    integer log;\n"
+            "    initial begin $readmemh(\"rom.hex\", start); count__33 = start[0]; end\n"
+            "    %s $fwrite(log, \"begun\"); $fclose(log); end",
+            calls[i]);
+        own_edit(directory, "free_runner.v", "initial count__33 = 33'd0;", verilog);
+        write_file(directory, "rom.hex", "0\n");
+        write_file(directory, "glint-run.log", "before");
+        verify(directory, 0, "0 mismatches of 300 comparisons");
+        char *text = scratch_read("glint-run.log", NULL);
+        assert_int_equal(remove("glint-run.log"), 0);
+        assert_string_equal(text, "begun");
+        free(text);
+    }
+}
+
 /* ---- Words ------------------------------------------------------------------------------------
  */
 
@@ -317,6 +347,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(packages_come_first),
         cmocka_unit_test(a_file_of_data_lies_beside_the_verilog),
+        cmocka_unit_test(a_file_that_is_written_is_not_the_one_kept),
         cmocka_unit_test(what_the_verilog_prints_is_not_among_the_results),
         cmocka_unit_test(lanes_in_a_bare_block_have_rows_that_exist),
         cmocka_unit_test(a_crash_leaves_no_lock),
