@@ -58,11 +58,13 @@ size_t glint_device_options_add(glint_device_options *options, glint_option *row
                            .kind = GLINT_OPTION_CHOICE,
                            .choice = {&options->own[i].value, options->own[i].names}};
     rows[count++] = (glint_option){.name = "pipeline",
+                                   .given = &options->pipeline_given,
                                    .help = "register placement in the Verilog",
                                    .kind = GLINT_OPTION_CHOICE,
                                    .choice = {&options->pipeline, glint_pipeline_names}};
     rows[count++] = (glint_option){.name = "lanes",
                                    .placeholder = "auto|N",
+                                   .given = &options->lanes_given,
                                    .help = "cosines per clock in the Verilog, 1 to 32",
                                    .kind = GLINT_OPTION_COUNT_OR,
                                    .count_or = {&options->lanes, 1, GLINT_LANES_MAX, "auto", 0}};
@@ -95,4 +97,12 @@ int glint_device_options_settle(const char *command, const glint_device_options 
     config->pipeline = (glint_pipeline)options->pipeline;
     config->lanes = (int)options->lanes;
     return GLINT_OPTIONS_RUN;
+}
+
+const char *glint_device_options_needless(const glint_device_options *options)
+{
+    return options->gate_given       ? "gate"
+           : options->pipeline_given ? "pipeline"
+           : options->lanes_given    ? "lanes"
+                                     : NULL;
 }

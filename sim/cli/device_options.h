@@ -32,7 +32,7 @@ typedef struct glint_device_options {
     int device;                               /* of them */
     int gate, pipeline;
     int64_t lanes; /* 0: the fastest */
-    bool gate_given;
+    bool gate_given, pipeline_given, lanes_given;
     int own_count;
     glint_own_option own[GLINT_DEVICES_MAX];
 } glint_device_options;
@@ -46,5 +46,8 @@ size_t glint_device_options_add(glint_device_options *options, glint_option *row
  * the exit status to leave with: an option that the device does not have is refused. */
 int glint_device_options_settle(const char *command, const glint_device_options *options,
                                 glint_backend_config *config);
+
+/* The first option given of those that only the device itself has; NULL: none. */
+const char *glint_device_options_needless(const glint_device_options *options);
 
 #endif

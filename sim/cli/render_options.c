@@ -28,7 +28,7 @@ typedef struct raw_options {
     double n;
     int64_t shifts, fraction;
     int shading, backend, shader;
-    bool json, force, n_given;
+    bool json, force, n_given, shifts_given, fraction_given;
 } raw_options;
 
 static const char *const backend_names[] = {"c", "rtl", "real", "both", "gl", NULL};
@@ -122,10 +122,12 @@ static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .kind = GLINT_OPTION_REAL,
          .real = {&raw->n, 0, GLINT_N_MAX}},
         {.name = "shifts",
-         .help = "the divider's shifts, for the same",
+         .given = &raw->shifts_given,
+         .help = "the divider's shifts, for --shading gouraud, gouraud-4 and mixed",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&raw->shifts, GLINT_DIVIDER_SHIFTS_MIN, GLINT_DIVIDER_SHIFTS_MAX}},
         {.name = "fraction",
+         .given = &raw->fraction_given,
          .help = "fraction bits of the span unit's numbers, for --shading quadratic",
          .kind = GLINT_OPTION_INTEGER,
          .integer = {&raw->fraction, GLINT_QUADRATIC_SPAN_FRACTION_MIN,
@@ -137,7 +139,9 @@ static size_t fill_table(raw_options *raw, glint_option table[TABLE_ROWS])
          .kind = GLINT_OPTION_STRING,
          .string = &raw->slips},
         {.name = "shader",
-         .help = "with --backend gl: the model's, or the thesis's bump-mapped gold",
+         .help = "with --backend gl: the model's, or the thesis's bump-mapped gold, on which "
+                 "--light, --n, --color, --highlight, --ia, --ie, --ka, --kd and --ks have no "
+                 "effect",
          .kind = GLINT_OPTION_CHOICE,
          .choice = {&raw->shader, shader_names}},
         GLINT_RTL_OPTION(&raw->verilog),
@@ -205,6 +209,11 @@ static int choose_specular(const raw_options *raw, glint_render_options *chosen)
                                   "--specular and --device both name what computes the highlights: "
                                   "give one of them");
         }
+        if (!glint_shading_uses_circuit(scene->shading)) {
+            return glint_complain("render", GLINT_EXIT_TROUBLE,
+                                  "--shading %s has no highlight: leave --specular out",
+                                  glint_shading_names[scene->shading]);
+        }
         scene->by_model = true;
     }
     if (raw->scene.f0_given && !(scene->by_model && glint_specular_takes_f0(scene->specular))) {
@@ -223,6 +232,31 @@ static int choose_slips(const raw_options *raw, glint_scene *scene)
                               "--slips needs --shading quadratic-listing: no other has any");
     }
     return glint_slips_parse("render", raw->slips, &scene->slips);
+}
+
+/* Options of a circuit that has nothing to do in this frame. */
+static int check_needless(const raw_options *raw, const glint_render_options *chosen)
+{
+    const glint_shading shading = chosen->scene.shading;
+    const bool real = chosen->backend.kind == GLINT_BACKEND_REAL;
+    const char *needless = glint_device_options_needless(&raw->device);
+    if (raw->shifts_given && (real || !glint_shading_divides(shading))) {
+        return glint_complain("render", GLINT_EXIT_TROUBLE,
+                              "--shifts needs the divider: --shading gouraud, gouraud-4 or mixed, "
+                              "with --backend c, rtl or both");
+    }
+    if (raw->fraction_given && (real || shading != GLINT_SHADING_QUADRATIC)) {
+        return glint_complain("render", GLINT_EXIT_TROUBLE,
+                              "--fraction needs the span unit: --shading quadratic, with --backend "
+                              "c, rtl or both");
+    }
+    if (chosen->scene.by_model && needless != NULL) {
+        return glint_complain("render", GLINT_EXIT_TROUBLE,
+                              "--%s is of the device: leave it out with --backend gl and "
+                              "--specular, which have none",
+                              needless);
+    }
+    return GLINT_OPTIONS_RUN;
 }
 
 /* Of the device, and of what the shading needs besides. */
@@ -253,6 +287,11 @@ static int settle_gl(const raw_options *raw, glint_render_options *chosen)
     if (chosen->gold && chosen->scene.by_model) {
         return glint_complain("render", GLINT_EXIT_TROUBLE,
                               "--shader gold has a highlight of its own: leave --specular out");
+    }
+    if (chosen->gold && chosen->scene.shading != GLINT_SHADING_PHONG) {
+        return glint_complain("render", GLINT_EXIT_TROUBLE,
+                              "--shader gold is evaluated at every pixel: it needs --shading "
+                              "phong");
     }
     if (!chosen->scene.by_model) {
         chosen->scene.by_model = true;
@@ -319,6 +358,8 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
     if (status == GLINT_OPTIONS_RUN)
         status = glint_trace_options_settle("render", &chosen->scene, gl, &raw.trace);
     chosen->trace = raw.trace;
+    if (status == GLINT_OPTIONS_RUN)
+        status = check_needless(&raw, chosen);
     if (status == GLINT_OPTIONS_RUN && raw.trace.traced && chosen->scene.isc) {
         return glint_complain("render", GLINT_EXIT_TROUBLE,
                               "--isc is for triangles on the screen: leave --method trace out");

@@ -146,14 +146,16 @@ static void add_isc(json_t *json, const glint_render_isc *isc)
     glint_json_add_number(added, "differing_pixels", (double)isc->difference.differing_pixels);
 }
 
-/* The device's own: the gate of the specular device. */
-static void add_parameter(json_t *json, const glint_backend_config *backend)
+/* With its own parameter: the gate of the specular device. */
+static void add_device(json_t *json, const glint_backend_config *backend)
 {
+    glint_json_add_text(json, "device", backend->device->name);
     const glint_parameter *own = glint_highlight_parameter(backend->device);
     if (backend->device == &glint_circuit_specular)
         glint_json_add_text(json, "gate", glint_gate_names[backend->gate]);
     if (own != NULL)
         glint_json_add_text(json, own->name, own->choices[backend->variant]);
+    glint_json_add_text(json, "pipeline", glint_pipeline_names[backend->pipeline]);
 }
 
 bool glint_render_report_json(const glint_render_options *chosen, const glint_render_result *result,
@@ -165,9 +167,8 @@ bool glint_render_report_json(const glint_render_options *chosen, const glint_re
     glint_json_add_text(json, "out", chosen->out);
     glint_json_add_number(json, "width", chosen->what.width);
     glint_json_add_number(json, "height", chosen->what.height);
-    glint_json_add_text(json, "device", chosen->backend.device->name);
-    add_parameter(json, &chosen->backend);
-    glint_json_add_text(json, "pipeline", glint_pipeline_names[chosen->backend.pipeline]);
+    if (!chosen->scene.by_model)
+        add_device(json, &chosen->backend);
     glint_json_add_text(json, "shading", glint_shading_names[chosen->scene.shading]);
     glint_json_add_text(json, "method", chosen->trace.traced ? "trace" : "raster");
     if (chosen->gold)

@@ -446,6 +446,9 @@ static void the_command_draws_the_same(void **state)
     assert_says(done.out, "\"gl\"");
     assert_says(done.out, "\"cosine-quadratic\"");
     assert_says(done.out, "\"driver\":");
+    assert_null(strstr(done.out, "\"device\":"));
+    assert_null(strstr(done.out, "\"gate\":"));
+    assert_null(strstr(done.out, "\"pipeline\":"));
     forget(&done);
     glint_image *read = NULL;
     assert_int_equal(glint_image_read_png(scratch_path("gl.png"), &read, NULL), GLINT_OK);
