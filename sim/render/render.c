@@ -179,8 +179,10 @@ static void triangle_phase(void *context, int worker_index)
     while (take(f, w, r->list_count, &piece)) {
         const size_t start = piece * TRIANGLE_RUN;
         setup_triangles(f, w, start, end_of(start, TRIANGLE_RUN, items), &r->lists[piece]);
-        if (w->status == GLINT_OK)
-            prepare_triangles(f, w, &r->lists[piece]);
+        if (w->status != GLINT_OK)
+            continue;
+        w->drawn += glint_setup_sources(&r->lists[piece]);
+        prepare_triangles(f, w, &r->lists[piece]);
     }
 }
 
@@ -441,6 +443,7 @@ static glint_status prepare_workers(const frame *f, glint_error *err)
         w->status = GLINT_OK;
         w->fragments = 0;
         w->highlights = 0;
+        w->drawn = 0;
         w->sheen = 0;
         w->shading_seconds = 0.0;
         w->operations = (glint_span_operations){0};
@@ -479,12 +482,11 @@ static void collect_stats(const frame *f, double seconds, glint_render_stats *st
 {
     const glint_renderer *r = f->renderer;
     *stats = (glint_render_stats){.triangles = f->mesh->triangle_count, .seconds = seconds};
-    for (size_t i = 0; i < r->list_count; i++)
-        stats->drawn += r->lists[i].count;
     for (int i = 0; i < r->threads; i++) {
         const glint_render_worker *w = &r->workers[i];
         stats->fragments += w->fragments;
         stats->highlights += w->highlights;
+        stats->drawn += w->drawn;
         stats->sheen += w->sheen;
         stats->shading_seconds += w->shading_seconds / r->threads;
         add_operations(&stats->operations, &w->operations);

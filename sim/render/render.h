@@ -95,15 +95,16 @@ bool glint_scene_circuit(const glint_scene *scene, glint_setting *setting);
 glint_status glint_scene_check_exponent(glint_reflectance_model model, double n, glint_error *err);
 
 typedef struct glint_render_stats {
-    uint64_t triangles;  /* of the mesh */
-    uint64_t drawn;      /* triangles left after culling and clipping that span a pixel's centre */
-    uint64_t fragments;  /* visible pixels of the object */
-    uint64_t highlights; /* points whose highlight was computed: with Phong's shading fragments,
-                            with flat shading triangles, with the quadratic ones six for each
-                            triangle drawn, else vertices */
-    uint64_t sheen;      /* of drawn: those that may have a highlight, with isc or mixed */
-    uint64_t divisions;  /* done by the divider, each of three components */
-    uint64_t divider_clocks;          /* of its circuits; 0 for backends without a clock */
+    uint64_t triangles;      /* of the mesh */
+    uint64_t drawn;          /* of these: left after culling and clipping, in whole or in parts, and
+                                spanning a pixel's centre */
+    uint64_t fragments;      /* visible pixels of the object */
+    uint64_t highlights;     /* points whose highlight was computed: with Phong's shading fragments,
+                                with flat shading triangles, with the quadratic ones six for each
+                                triangle drawn or part of one that was clipped, else vertices */
+    uint64_t sheen;          /* of drawn: those that may have a highlight, with isc or mixed */
+    uint64_t divisions;      /* done by the divider, each of three components */
+    uint64_t divider_clocks; /* of its circuits; 0 for backends without a clock */
     uint64_t spans, span_clocks;      /* walked by the span unit, and the clocks of its circuits */
     glint_span_operations operations; /* of the span unit */
     double seconds;

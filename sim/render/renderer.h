@@ -26,8 +26,8 @@ typedef struct glint_render_worker {
     glint_divider_backend *divider;
     int divider_shifts;
     glint_quadratic_shader *quadratic; /* likewise */
-    uint64_t fragments, highlights;    /* of this frame, like the next four */
-    uint64_t sheen;
+    uint64_t fragments, highlights;    /* of this frame, like the next five */
+    uint64_t drawn, sheen;
     double shading_seconds;
     glint_span_operations operations;
     uint64_t clocks_before; /* of the divider */

@@ -165,3 +165,11 @@ bool glint_setup_triangles(const glint_camera *camera, const glint_mesh *mesh, g
     }
     return true;
 }
+
+uint64_t glint_setup_sources(const glint_triangle_list *list)
+{
+    uint64_t count = list->count > 0;
+    for (size_t i = 1; i < list->count; i++)
+        count += list->triangle[i].source != list->triangle[i - 1].source;
+    return count;
+}

@@ -73,4 +73,8 @@ bool glint_setup_triangles(const glint_camera *camera, const glint_mesh *mesh, g
                            const glint_screen_vertex *screen, size_t first, size_t last,
                            glint_triangle_list *list);
 
+/* How many of the mesh's triangles the list is of: a triangle's parts lie together and count once.
+ */
+uint64_t glint_setup_sources(const glint_triangle_list *list);
+
 #endif

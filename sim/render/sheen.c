@@ -146,10 +146,14 @@ uint64_t glint_sheen_mark(const glint_sheen *sheen, const glint_lighting *lighti
                           glint_triangle_list *list)
 {
     uint64_t shiny = 0;
+    bool counted = false; /* another part of this triangle */
     for (size_t i = 0; i < list->count; i++) {
         glint_triangle *t = &list->triangle[i];
+        if (i > 0 && t->source != list->triangle[i - 1].source)
+            counted = false;
         t->dull = is_dull(sheen, lighting, t);
-        shiny += !t->dull;
+        shiny += !t->dull && !counted;
+        counted = counted || !t->dull;
     }
     return shiny;
 }

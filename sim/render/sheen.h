@@ -27,7 +27,8 @@ typedef struct glint_sheen {
 glint_status glint_sheen_find(const glint_lighting *lighting, glint_backend *backend, int level,
                               glint_sheen *sheen, glint_error *err);
 
-/* Marks each triangle of the list as dull or not; returns how many are not. */
+/* Marks each triangle of the list as dull or not; returns how many of the mesh's have a part that
+ * is not. */
 uint64_t glint_sheen_mark(const glint_sheen *sheen, const glint_lighting *lighting,
                           glint_triangle_list *list);
 

@@ -208,12 +208,13 @@ static glint_status compare_pictures(glint_study *study, int n, const volatile b
                                      glint_study_row *row, glint_error *err)
 {
     glint_status status = GLINT_OK;
+    row->drawn = 0;
     for (int i = 0; status == GLINT_OK && i < 2; i++) {
         const glint_scene scene = scene_of(study, i, n);
         glint_render_stats stats = {0};
         status = shoot(study, i, &scene, study->side[i].image, stop, &stats, err);
         row->triangles = stats.triangles;
-        row->drawn = stats.drawn;
+        row->drawn = stats.drawn > row->drawn ? stats.drawn : row->drawn;
     }
     if (status == GLINT_OK) {
         status =

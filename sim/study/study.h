@@ -56,7 +56,7 @@ typedef struct glint_study_row {
     int n;
     glint_image_difference difference; /* from A to B */
     uint64_t triangles;                /* of the mesh */
-    uint64_t drawn;                    /* as in glint_render_stats */
+    uint64_t drawn;                    /* as in glint_render_stats; the more of A's and B's */
     uint64_t seen;                     /* of the mesh's, in at least one pixel */
     uint64_t highlit[2]; /* of these, with a pixel in which the highlight is seen: where the frame
                             is at least one level brighter, in any component, than with Ks = 0 */

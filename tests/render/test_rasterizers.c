@@ -287,6 +287,7 @@ static void expect_quarters(glint_mesh *whole, float distance)
     scene.distance = distance;
     shoot(&a, &scene);
     assert_true(a.stats.fragments > 500);
+    assert_in_range(a.stats.drawn, 1, whole->triangle_count);
     uint32_t source;
     bool found = false;
     for (int x = 0; x < WIDTH; x++)

@@ -171,6 +171,22 @@ static void c_and_verilog_are_equal(void **state)
     glint_mesh_destroy(mesh);
 }
 
+/* Which triangles are drawn does not depend on the order of the methods, nor on parts of them. */
+static void drawn_are_triangles_of_the_mesh(void **state)
+{
+    (void)state;
+    glint_mesh *mesh = sphere(16);
+    for (int near = 0; near < 2; near++) {
+        glint_study_setup ab = setup_of(mesh, "c", "c:gouraud-4");
+        glint_study_setup ba = setup_of(mesh, "c:gouraud-4", "c");
+        ab.scene.distance = ba.scene.distance = near ? 1.05f : 0.0f;
+        const glint_study_row one = run_once(&ab, 60), other = run_once(&ba, 60);
+        assert_true(one.seen <= one.drawn && one.drawn <= one.triangles / 2);
+        assert_int_equal(one.drawn, other.drawn);
+    }
+    glint_mesh_destroy(mesh);
+}
+
 /* n = 0: a lobe is 1 wherever light falls, and with the light behind the eye that is all that is
  * seen but for some triangles at the outline, whose normals turn away. No Ks, or Lambert's:
  * nowhere. */
@@ -476,6 +492,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_numbers_are_those_of_two_frames),
         cmocka_unit_test(c_and_verilog_are_equal),
+        cmocka_unit_test(drawn_are_triangles_of_the_mesh),
         cmocka_unit_test(which_triangles_the_highlight_touches),
         cmocka_unit_test(times_are_measured_when_asked_for),
         cmocka_unit_test(threads_do_not_change_the_numbers),
