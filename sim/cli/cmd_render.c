@@ -270,10 +270,10 @@ static int report(const glint_render_options *chosen, const char *command, const
     if (chosen->json &&
         !glint_render_report_json(chosen, result, explained ? files->failure : NULL))
         return glint_complain("render", GLINT_EXIT_TROUBLE, "out of memory");
-    const int status = glint_output_finish("render", GLINT_EXIT_OK);
+    int status = glint_output_finish("render", GLINT_EXIT_OK);
     if (status == GLINT_EXIT_OK && result->isc.difference.differing_pixels > 0)
-        return glint_complain("render", GLINT_EXIT_DIFFERENT, "--isc on changes the picture");
-    if (status != GLINT_EXIT_OK || !differs)
+        status = glint_complain("render", GLINT_EXIT_DIFFERENT, "--isc on changes the picture");
+    if (status == GLINT_EXIT_TROUBLE || !differs)
         return status;
     if (!explained) {
         return glint_complain("render", GLINT_EXIT_DIFFERENT, "c and rtl differ: see %s, %s and %s",

@@ -181,7 +181,7 @@ static int parse_raw(int argc, char **argv, raw_options *raw)
         .command = "render",
         .summary = "Renders a lit mesh to a PNG; the backend computes every highlight.",
         .details = details,
-        .different = "--backend both: c and rtl differ",
+        .different = "--backend both: c and rtl differ; --isc on: it changes the picture",
         .examples = examples,
         .options = options,
         .option_count = count,
