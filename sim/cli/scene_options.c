@@ -4,6 +4,7 @@
 #include "cli/scene_options.h"
 
 #include <errno.h>
+#include <math.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -175,10 +176,12 @@ int glint_scene_options_settle(const char *command, glint_scene_options *chosen)
     if (chosen->mesh != NULL)
         chosen->model = chosen->mesh;
     for (int axis = 0; axis < 3; axis++) {
-        if (chosen->transform.scale[axis] == 0.0) {
+        const double factor = chosen->transform.scale[axis];
+        if (fabs(factor) < GLINT_SCALE_MIN) {
             return glint_complain(command, GLINT_EXIT_TROUBLE,
-                                  "--scale: a factor of 0 would flatten the object: give one above "
-                                  "or below 0");
+                                  "--scale: a factor of %g would flatten the object: give at least "
+                                  "%g, or at most %g",
+                                  factor, GLINT_SCALE_MIN, -GLINT_SCALE_MIN);
         }
     }
     glint_preset_apply(chosen);

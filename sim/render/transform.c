@@ -41,10 +41,10 @@ static bool within(double value, double limit)
 static glint_status check(const glint_transform *t, glint_error *err)
 {
     for (int axis = 0; axis < 3; axis++) {
-        if (!(t->scale[axis] < 0.0 || t->scale[axis] > 0.0)) {
+        if (!(fabs(t->scale[axis]) >= GLINT_SCALE_MIN)) { /* nor a NaN */
             return glint_fail(err, GLINT_BAD_ARGUMENT,
-                              "transform: a scale of 0 along %c would flatten the object",
-                              "xyz"[axis]);
+                              "transform: a scale of %g along %c would flatten the object",
+                              t->scale[axis], "xyz"[axis]);
         }
         if (!within(t->scale[axis], GLINT_SCALE_MAX) || !within(t->move[axis], GLINT_MOVE_MAX) ||
             !within(t->rotate[axis], (double)GLINT_ANGLE_MAX))

@@ -6,6 +6,7 @@
 #include "render/mesh.h"
 
 #define GLINT_SCALE_MAX 1000.0 /* of a factor, either way */
+#define GLINT_SCALE_MIN 1e-6   /* of its size: what is thinner is as good as flat */
 #define GLINT_MOVE_MAX  1000.0
 
 /* Turns, scales and moves the mesh, in this order of what acts on a point: scale along the object's
@@ -15,7 +16,7 @@
  * The camera stays where it is for the mesh as it was: mesh->rest keeps those positions. A second
  * transform starts from the mesh as it is, and the camera stays with the first one's.
  *
- * GLINT_BAD_ARGUMENT for a factor of 0, which has no inverse, or a value out of range. */
+ * GLINT_BAD_ARGUMENT for a factor about 0, which has no useful inverse, or a value out of range. */
 glint_status glint_mesh_transform(glint_mesh *mesh, const glint_transform *transform,
                                   glint_error *err);
 

@@ -246,8 +246,11 @@ static void options_are_read_strictly(void **state)
         {"render --scale 1,2 --out x.png", "glint render: --scale: \"1,2\" is not one or three "
                                            "comma-separated numbers from -1000 to 1000\n"},
         {"render --scale 1,0,1 --out x.png",
-         "glint render: --scale: a factor of 0 would flatten the object: give one above or below "
-         "0\n"},
+         "glint render: --scale: a factor of 0 would flatten the object: give at least 1e-06, or "
+         "at most -1e-06\n"},
+        {"render --scale -9e-7 --out x.png",
+         "glint render: --scale: a factor of -9e-07 would flatten the object: give at least 1e-06, "
+         "or at most -1e-06\n"},
         {"render --ka 1.01", "glint render: --ka: \"1.01\" is not a number from 0 to 1\n"},
         {"render --ka nan", "glint render: --ka: \"nan\" is not a number from 0 to 1\n"},
         {"render --ka 0x1p-1", "glint render: --ka: \"0x1p-1\" is not a number from 0 to 1\n"},
