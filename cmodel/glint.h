@@ -1,4 +1,4 @@
-/* libglint: the bit-exact fixed-point models of both circuits. Include this one.
+/* libglint: the bit-exact fixed-point models of all circuits. Include this one.
  *
  *   glint_formats.h           widths, binary points, latencies of the specular device
  *   glint_specular.h          the specular device as a pure function, one point or many
