@@ -65,7 +65,8 @@ static void put_run(glint_numbers *numbers, const char *object, const char *key,
 {
     glint_number_put(numbers, run->rays, "trace.%s.%s.rays", object, key);
     glint_number_put(numbers, run->nmse, "trace.%s.%s.nmse", object, key);
-    glint_number_put(numbers, run->gain, "trace.%s.%s.gain", object, key);
+    if (run->gain > 0.0)
+        glint_number_put(numbers, run->gain, "trace.%s.%s.gain", object, key);
     glint_number_put(numbers, run->beyond, "trace.%s.%s.beyond", object, key);
     glint_number_put(numbers, run->largest, "trace.%s.%s.largest", object, key);
 }
@@ -89,12 +90,11 @@ static glint_status measure_length(glint_report *report, glint_trace_object obje
     const glint_join ways[3] = {join_of(length, GLINT_FILL_LINEAR, GLINT_LIMIT_DEFAULT),
                                 join_of(length, GLINT_FILL_MEAN, GLINT_LIMIT_DEFAULT),
                                 join_of(length, GLINT_FILL_LINEAR, (double)INFINITY)};
-    glint_status status =
-        glint_trace_subject_run(subject, &ways[0], report->quick ? 1 : 2, &linear, err);
+    glint_status status = glint_trace_subject_run(subject, &ways[0], true, &linear, err);
     if (status == GLINT_OK)
-        status = glint_trace_subject_run(subject, &ways[1], 1, &mean, err);
+        status = glint_trace_subject_run(subject, &ways[1], false, &mean, err);
     if (status == GLINT_OK)
-        status = glint_trace_subject_run(subject, &ways[2], 1, &unlimited, err);
+        status = glint_trace_subject_run(subject, &ways[2], false, &unlimited, err);
     if (status != GLINT_OK)
         return status;
     snprintf(key, sizeof key, "%d", length);
@@ -125,7 +125,7 @@ static glint_status measure_limits(glint_report *report, glint_trace_object obje
         const glint_join how = join_of(SEGMENT, GLINT_FILL_LINEAR, limits[i]);
         glint_trace_run run = {0};
         char key[32];
-        status = glint_trace_subject_run(subject, &how, 1, &run, err);
+        status = glint_trace_subject_run(subject, &how, false, &run, err);
         snprintf(key, sizeof key, "limit-%g", limits[i]);
         put_run(&report->numbers, glint_trace_object_names[object], key, &run);
         m->by_limit[i][1 + object] = 100.0 * run.rays;
@@ -147,7 +147,7 @@ static glint_status measure_fills(glint_report *report, glint_trace_object objec
                                            limited ? GLINT_LIMIT_DEFAULT : (double)INFINITY);
             glint_trace_run run = {0};
             char key[64];
-            status = glint_trace_subject_run(subject, &how, 1, &run, err);
+            status = glint_trace_subject_run(subject, &how, false, &run, err);
             snprintf(key, sizeof key, "%s%s", glint_fill_names[fill], limited ? "" : ".unlimited");
             put_run(&report->numbers, name, key, &run);
             sharpness[fill] = glint_trace_sharpness(subject->image);
@@ -175,7 +175,7 @@ static glint_status measure_centre(glint_report *report, glint_trace_object obje
     glint_trace_run run = {0};
     glint_join how = join_of(15, GLINT_FILL_LINEAR, GLINT_LIMIT_DEFAULT);
     how.centre = SEGMENT;
-    const glint_status status = glint_trace_subject_run(subject, &how, 1, &run, err);
+    const glint_status status = glint_trace_subject_run(subject, &how, false, &run, err);
     put_run(&report->numbers, glint_trace_object_names[object], "centre", &run);
     return status;
 }

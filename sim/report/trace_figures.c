@@ -239,7 +239,7 @@ glint_status glint_trace_pictures(glint_report *report, glint_trace_object objec
     glint_status status = write_crop(report, subject->full, x, y, name, err);
     for (int i = 0; i < count && status == GLINT_OK; i++) {
         glint_trace_run run;
-        status = glint_trace_subject_run(subject, &crops[i].how, 1, &run, err);
+        status = glint_trace_subject_run(subject, &crops[i].how, false, &run, err);
         snprintf(name, sizeof name, "trace-%s-%s.png", of, crops[i].name);
         if (status == GLINT_OK)
             status = write_crop(report, subject->image, x, y, name, err);

@@ -21,6 +21,7 @@ typedef struct glint_trace_subject {
     glint_tracer *tracer;
     glint_image *full;
     glint_image *image; /* of the last run */
+    int repeats;        /* of what is timed */
     double full_seconds;
 } glint_trace_subject;
 
@@ -28,7 +29,8 @@ typedef struct glint_trace_subject {
 typedef struct glint_trace_run {
     double rays; /* share of the pixels that were traced */
     double nmse;
-    double gain;   /* full time / its time; processor time of one thread, the least of a few */
+    double gain;   /* full time / its time; processor time of one thread, the least of as many of
+                      each; 0: not timed */
     double beyond; /* of the interpolated pixels: the share more than 2.3 (ΔE) off the truth */
     int largest;   /* difference of a component */
 } glint_trace_run;
@@ -38,9 +40,9 @@ glint_status glint_trace_subject_make(glint_report *report, glint_trace_object o
                                       glint_trace_subject *subject, glint_error *err);
 void glint_trace_subject_destroy(glint_trace_subject *subject);
 
-/* repeats: for the time. */
+/* timed: as often as the full trace was. */
 glint_status glint_trace_subject_run(glint_trace_subject *subject, const glint_join *how,
-                                     int repeats, glint_trace_run *run, glint_error *err);
+                                     bool timed, glint_trace_run *run, glint_error *err);
 
 /* The mean square of the differences of horizontal neighbours: more for a sharper picture. */
 double glint_trace_sharpness(const glint_image *image);
