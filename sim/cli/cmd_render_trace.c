@@ -234,7 +234,7 @@ void glint_trace_frame_json(json_t *json, const glint_render_options *chosen,
         add_join(json, chosen);
     glint_json_add_number(json, "pixels", (double)(joined->join.traced + joined->join.filled));
     glint_json_add_number(json, "traced", (double)joined->join.traced);
-    glint_json_add_number(json, "interpolated", (double)joined->join.segments);
+    glint_json_add_number(json, "segments", (double)joined->join.segments);
     glint_json_add_number(json, "levels", joined->join.levels);
     glint_json_add_number(json, "shadow_rays", (double)joined->shadow_rays);
     glint_json_add_number(json, "mirror_rays", (double)joined->mirror_rays);

@@ -154,7 +154,8 @@ static void json_gives_the_figures(void **state)
     assert_int_equal(number_of(json, "grid_by_2_28"), 100 * 22); /* 8 divides 160 */
     assert_true(number_of(json, "traced") > 2100 && number_of(json, "traced") < 16100);
     assert_true(number_of(json, "levels") >= 1 && number_of(json, "levels") <= 3);
-    assert_true(number_of(json, "interpolated") > 100);
+    assert_true(number_of(json, "segments") > 100);
+    assert_true(number_of(json, "segments") < number_of(json, "traced"));
     assert_true(number_of(json, "nmse") > 0.0 && number_of(json, "nmse") < 0.01);
     assert_true(number_of(json, "differing_pixels") > 0);
     assert_true(number_of(json, "largest") > 0);
