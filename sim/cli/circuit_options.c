@@ -105,7 +105,7 @@ static void describe_usual(const glint_circuit_options *options, const glint_par
     if (row->usual[0] == '\0')
         (void)snprintf(row->usual, sizeof row->usual, "%s", usual);
     else if (strcmp(row->usual, usual) != 0)
-        (void)snprintf(row->usual, sizeof row->usual, "default: the circuit's");
+        (void)snprintf(row->usual, sizeof row->usual, "the circuit's");
 }
 
 static bool is_alike(const glint_parameter *a, const glint_parameter *b)

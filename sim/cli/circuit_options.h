@@ -41,7 +41,7 @@ typedef struct glint_circuit_use {
 typedef struct glint_parameter_option {
     const char *name;
     const char *text; /* that was given; NULL: none */
-    char placeholder[96], help[192], usual[64];
+    char placeholder[96], help[512], usual[64];
 } glint_parameter_option;
 
 /* Must not move once rows point into it. */

@@ -214,16 +214,52 @@ static verification *choose_settings(const verify_options *chosen)
     return all;
 }
 
+/* Pins of a reset or an enable, by name. */
+static void name_controls(const glint_setting *setting, char *text, size_t size)
+{
+    size_t used = 0;
+    text[0] = '\0';
+    for (int i = 0; i < glint_setting_pin_count(setting) && used < size; i++) {
+        const glint_pin_info pin = glint_setting_pin(setting, i);
+        if (pin.role <= GLINT_PIN_ENABLE_LOW)
+            used +=
+                (size_t)snprintf(text + used, size - used, "%s%s", used != 0 ? ", " : "", pin.name);
+    }
+}
+
+/* Two circuits that stand still agree: that is no verdict. */
+static glint_status refuse_still(task *task)
+{
+    const glint_setting *setting = &task->options.setting;
+    char name[GLINT_SETTING_TEXT], controls[128];
+    glint_setting_describe(setting, name);
+    name_controls(setting, controls, sizeof controls);
+    return glint_fail(&task->err, GLINT_BAD_INPUT,
+                      "%s: no signal changed in %" PRIu64
+                      " clocks that neither reset nor stall, so there is "
+                      "no verdict: do the roles of %s have the right polarity?",
+                      name, task->result.roles.still, controls);
+}
+
 static void verify_settings(verification *all)
 {
     int i;
     while ((i = all->next++) < all->turns) {
         task *task = &all->tasks[all->turn[i]];
         task->status = glint_lockstep_run(&task->options, &task->result, &task->err);
+        if (task->status == GLINT_OK && task->result.mismatches == 0 &&
+            glint_roles_stand_still(&task->result.roles))
+            task->status = refuse_still(task);
         task->done = task->result.clocks;
         task->has_ended = true;
     }
     all->finished++;
+}
+
+/* Whether it ran, and both sides stood still. */
+static bool is_still(const task *task)
+{
+    return task->has_ended && task->status == GLINT_BAD_INPUT && task->result.clocks != 0;
 }
 
 /* Whether it failed to run, for a reason of its own. */
@@ -266,7 +302,7 @@ static void print_first(const verify_options *chosen, const verification *all, t
     char setting[GLINT_SETTING_TEXT];
     const int left = still_to_try(all, told);
     /* A script has all of it at the end, and standard error for what went wrong. */
-    if (task->result.comparisons == 0 || (chosen->json && !isatty(STDERR_FILENO)))
+    if (task->result.comparisons == 0 || is_still(task) || (chosen->json && !isatty(STDERR_FILENO)))
         return;
     glint_setting_describe(&task->options.setting, setting);
     fprintf(out, "first verdict: %s: ", setting);
@@ -380,6 +416,7 @@ static void run_all(verification *all, const verify_options *chosen)
 typedef struct sums {
     uint64_t mismatches, comparisons, clocks;
     int settings; /* that compared anything */
+    int still;    /* of those: without a verdict */
     bool interrupted;
     glint_reach_sum reach;
 } sums;
@@ -393,6 +430,7 @@ static sums add_up(const verification *all)
         sums.comparisons += result->comparisons;
         sums.clocks += result->clocks;
         sums.settings += result->comparisons != 0;
+        sums.still += is_still(&all->tasks[i]);
         if (result->clocks != 0)
             glint_reach_sum_add(&sums.reach, &all->tasks[i].options.setting, result);
         sums.interrupted |= all->tasks[i].status == GLINT_INTERRUPTED ||
@@ -448,33 +486,6 @@ static int worse(int a, int b)
                                                                   : b;
 }
 
-/* Pins of a reset or an enable, by name. */
-static void name_controls(const glint_setting *setting, char *text, size_t size)
-{
-    size_t used = 0;
-    text[0] = '\0';
-    for (int i = 0; i < glint_setting_pin_count(setting) && used < size; i++) {
-        const glint_pin_info pin = glint_setting_pin(setting, i);
-        if (pin.role <= GLINT_PIN_ENABLE_LOW)
-            used +=
-                (size_t)snprintf(text + used, size - used, "%s%s", used != 0 ? ", " : "", pin.name);
-    }
-}
-
-/* Two circuits that stand still agree: that is no verdict. */
-static int refuse_still(const task *task)
-{
-    const glint_setting *setting = &task->options.setting;
-    char name[GLINT_SETTING_TEXT], controls[128];
-    glint_setting_describe(setting, name);
-    name_controls(setting, controls, sizeof controls);
-    return glint_complain("verify", GLINT_EXIT_TROUBLE,
-                          "%s: no register changed in %" PRIu64
-                          " clocks that neither reset nor stall, so there is "
-                          "no verdict: do the roles of %s have the right polarity?",
-                          name, task->result.roles.still, controls);
-}
-
 static int report_task(const verify_options *chosen, task *task, glint_failure_detail *detail,
                        FILE *out)
 {
@@ -484,8 +495,6 @@ static int report_task(const verify_options *chosen, task *task, glint_failure_d
         *detail = GLINT_FAILURE_BRIEFLY;
         return GLINT_EXIT_DIFFERENT;
     }
-    if (task->status == GLINT_OK && glint_roles_stand_still(&task->result.roles))
-        return refuse_still(task);
     if (task->status == GLINT_OK || task->status == GLINT_INTERRUPTED)
         return GLINT_EXIT_OK;
     return task->is_told ? GLINT_EXIT_TROUBLE : glint_complain_error("verify", &task->err);
@@ -624,6 +633,9 @@ static int verify(const verify_options *chosen)
     /* If nothing was compared, the error was already reported and there is no summary. */
     if (!chosen->json && sums.comparisons == 0 && sums.interrupted) {
         printf("no verdict: nothing was compared, %.1f s (interrupted)\n", seconds);
+    } else if (!chosen->json && sums.mismatches == 0 && sums.still != 0) {
+        printf("no verdict: %d of %d settings stood still, %.1f s\n", sums.still, sums.settings,
+               seconds);
     } else if (!chosen->json && sums.comparisons != 0) {
         print_text(chosen, &sums, seconds);
         print_left_out(chosen, all);

@@ -82,7 +82,8 @@ static void points_options(const glint_exhaustive_choice *chosen, char text[POIN
         (void)snprintf(text, POINTS_TEXT, "%s", lanes);
 }
 
-/* " --gate cosine --pipeline all --lanes 0": as it was chosen; of other units their name first. */
+/* " --gate cosine --pipeline all --lanes all": as it was chosen; of other units their name first.
+ */
 static void append_values(const glint_circuit *circuit, const int *values, char *text, size_t size)
 {
     if (circuit != &glint_circuit_specular)
@@ -91,8 +92,7 @@ static void append_values(const glint_circuit *circuit, const int *values, char 
         const glint_parameter *parameter = &circuit->parameters[i];
         const size_t used = strlen(text);
         if (values[i] == GLINT_EVERY_VALUE)
-            (void)snprintf(text + used, size - used, " --%s %s", parameter->name,
-                           parameter->choices != NULL ? "all" : "0");
+            (void)snprintf(text + used, size - used, " --%s all", parameter->name);
         else if (parameter->choices != NULL)
             (void)snprintf(text + used, size - used, " --%s %s", parameter->name,
                            parameter->choices[values[i]]);

@@ -138,7 +138,7 @@ void glint_scene_options_add(glint_scene_options *chosen, glint_option rows[GLIN
         {.name = "light",
          .help = "direction from the object to the light",
          .kind = GLINT_OPTION_REALS,
-         .reals = {chosen->light, -LIGHT_MAX, LIGHT_MAX}},
+         .reals = {chosen->light, -LIGHT_MAX, LIGHT_MAX, false}},
         INTENSITY("ia", "Ia, intensity of the ambient light: one number, or R,G,B from 0 to 255",
                   ia),
         INTENSITY("ie", "Ie, intensity of the light source, likewise", ie),

@@ -11,14 +11,15 @@
 
 typedef struct glint_roles {
     /* Clocks that, like the one before, neither reset nor stall by the description's word, until
-     * the first after which a register had changed. */
+     * the first whose edge changed a signal. */
     uint64_t still;
-    bool moves;  /* there was such a clock, or the circuit has no clock, or neither pin */
+    bool moves;  /* there was one; or none can be expected: no clock, neither pin, or all signals
+                    MEALY */
     int follows; /* an output (its number among the signals) that changed before an edge; −1: none
                   */
 } glint_roles;
 
-/* Whether so many such clocks left every register as it was that the roles must be wrong, or the
+/* Whether so many such clocks left every signal as it was that the roles must be wrong, or the
  * stimulus useless. */
 bool glint_roles_stand_still(const glint_roles *roles);
 
@@ -26,10 +27,10 @@ bool glint_roles_stand_still(const glint_roles *roles);
 typedef struct glint_roles_watch {
     glint_twin *twin;
     glint_roles *roles;
-    bool has_clock, live, was_live;        /* of the clock under way, of the one before */
-    int settles;                           /* clocks still to look at before their edge */
-    bool is_state[GLINT_SIGNAL_WORDS_MAX]; /* words that must change */
+    bool live, was_live; /* the clock under way, and the one before, neither reset nor stall */
+    int settles;         /* clocks still to be looked at for outputs that follow a pin */
     uint64_t model[GLINT_SIGNAL_WORDS_MAX], rtl[GLINT_SIGNAL_WORDS_MAX]; /* after the last edge */
+    uint64_t settled[GLINT_SIGNAL_WORDS_MAX]; /* before the next, with its pins */
 } glint_roles_watch;
 
 /* Of a twin in reset state. */

@@ -302,7 +302,9 @@ static void a_wrong_polarity_is_no_verdict(void **state)
         own_edit(directory, faults[i].file, faults[i].from, faults[i].to);
         outcome done = own_run(directory, "", "verify --clocks 5000");
         assert_int_equal(done.status, 2);
-        assert_says(done.err, "no register changed in ");
+        assert_says(done.err, "no signal changed in ");
+        assert_says(done.out, "no verdict: ");
+        assert_null(strstr(done.out, "0 mismatches"));
         assert_says(done.err, faults[i].words);
         forget(&done);
     }
