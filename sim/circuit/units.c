@@ -1,6 +1,8 @@
 /* From a setting of a highlight unit to its C model; see units.h. */
 #include "circuit/units.h"
 
+#include <stdlib.h>
+
 #include "circuit/circuits.h"
 #include "circuit/unit.h"
 #include "glint_power.h"
@@ -35,6 +37,13 @@ const glint_parameter *glint_highlight_parameter(const glint_circuit *circuit)
 {
     const glint_unit *unit = unit_of(circuit);
     return unit != NULL && unit->variants > 1 ? &circuit->parameters[0] : NULL;
+}
+
+int glint_highlight_only_n(const glint_circuit *circuit, int variant)
+{
+    if (circuit != &glint_circuit_bipartite)
+        return 0;
+    return (int)strtol(circuit->parameters[0].choices[variant], NULL, 10);
 }
 
 glint_setting glint_setting_unit(const glint_circuit *circuit, int variant, int w_drop,

@@ -23,6 +23,9 @@ bool glint_is_highlight(const glint_circuit *circuit);
 /* The parameter of one of GLINT_UNITS that is its own, its first; NULL: it has none. */
 const glint_parameter *glint_highlight_parameter(const glint_circuit *circuit);
 
+/* The one n that such a setting's unit is made for, whatever its pin n; 0: any. */
+int glint_highlight_only_n(const glint_circuit *circuit, int variant);
+
 /* All below: of a circuit that is one. */
 int glint_highlight_lanes(const glint_setting *setting);
 void glint_highlight_set_lanes(glint_setting *setting, int lanes);

@@ -97,11 +97,12 @@ static int best_rtl(const glint_bench_rates *rates)
     return best;
 }
 
-static void print_kernels(const char *device, const glint_bench_rates *rates)
+static void print_kernels(const glint_circuit *device, const glint_bench_rates *rates)
 {
+    const int only = glint_highlight_only_n(device, 0); /* --device names standard settings */
     printf("points: %s, n = %d, cosines %.1f to 1, one thread; million points per second, ratio to "
            "powf\n",
-           device, GLINT_BENCH_N, GLINT_BENCH_LOWEST);
+           device->name, only != 0 ? only : GLINT_BENCH_N, GLINT_BENCH_LOWEST);
     for (int i = 0; i < GLINT_BENCH_CANDIDATES; i++) {
         printf("  %-16s %9.1f %8.2f", glint_bench_name((glint_bench_candidate)i),
                rates->points[i] * 1e-6, rates->to_powf[i]);
@@ -180,7 +181,7 @@ static void print_frame(const glint_bench_frame *frame, double ratio)
 static void print_frames(const char *device, const glint_bench_frame *frames, int threads)
 {
     printf("frames: %s, %d thread%s, every fragment through the backend; ratio to the C model\n"
-           "  (gl: OpenGL by Mesa in software, the same formula in a shader)\n",
+           "  (gl: OpenGL by Mesa in software, specular's formula in a shader)\n",
            device, threads, threads == 1 ? "" : "s");
     for (int i = 0; i < GLINT_BENCH_FRAMES; i++)
         print_frame(&frames[i], ratio_to_c(frames, i));
@@ -302,7 +303,7 @@ static glint_status measure(const bench_options *chosen, bench_results *results,
     glint_status status =
         glint_bench_kernels(&device, chosen->seconds, stop, &results->points, err);
     if (status == GLINT_OK && !chosen->json) {
-        print_kernels(device.circuit->name, &results->points);
+        print_kernels(device.circuit, &results->points);
         fflush(stdout);
     }
     if (status == GLINT_OK)

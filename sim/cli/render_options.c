@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "circuit/circuits.h"
+#include "circuit/units.h"
 #include "cli/circuit_options.h"
 #include "cli/device_options.h"
 #include "cli/model_names.h"
@@ -273,6 +274,20 @@ static int check_verilog(const glint_render_options *chosen)
 }
 
 /* What computes the highlights there is a shader, by default of the device's formula. */
+/* A unit that is made for one n draws that one, and no other is asked for in vain. */
+static int choose_n(const raw_options *raw, glint_render_options *chosen)
+{
+    const glint_backend_config *backend = &chosen->backend;
+    const int only = glint_highlight_only_n(backend->device, backend->variant);
+    if (only != 0 && raw->n_given && raw->n != only)
+        return glint_complain("render", GLINT_EXIT_TROUBLE,
+                              "--n %g: --device %s with --exponent %d is for that n alone", raw->n,
+                              backend->device->name, only);
+    if (only != 0)
+        chosen->scene.n = only;
+    return GLINT_OPTIONS_RUN;
+}
+
 static int settle_gl(const raw_options *raw, glint_render_options *chosen)
 {
     if (chosen->backend.device != &glint_circuit_specular) {
@@ -341,6 +356,8 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
     chosen->scene.shifts = (int)raw.shifts;
     chosen->scene.fraction = (int)raw.fraction;
     status = glint_device_options_settle("render", &raw.device, &chosen->backend);
+    if (status == GLINT_OPTIONS_RUN)
+        status = choose_n(&raw, chosen);
     if (status == GLINT_OPTIONS_RUN)
         status = choose_specular(&raw, chosen);
     if (status == GLINT_OPTIONS_RUN && gl)

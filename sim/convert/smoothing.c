@@ -19,6 +19,7 @@
 typedef struct work {
     const glint_mesh *mesh;
     const glint_places *places;
+    const volatile bool *stop;
     uint32_t *cluster; /* of each corner */
     uint32_t *parent;  /* of each cluster: what it has been joined with; itself at the end */
     uint32_t *normal;  /* of each cluster: a vertex that has it */
@@ -101,6 +102,8 @@ typedef void visit(work *w, const edge *e);
  * where fewer corners meet. */
 static void visit_edge(work *w, uint32_t corner, visit *f)
 {
+    if (w->stop != NULL && *w->stop) /* any number of triangles may meet at one edge */
+        return;
     const uint32_t *start = w->places->start;
     edge e = {.a = corner, .b = next_corner(corner, 1)};
     uint32_t here = place_of(w, e.a), there = place_of(w, e.b);
@@ -289,10 +292,11 @@ static void free_room(work *w)
 }
 
 glint_status glint_smoothing_groups_find(const glint_mesh *mesh, const glint_places *places,
-                                         glint_smoothing_groups *groups, glint_error *err)
+                                         const volatile bool *stop, glint_smoothing_groups *groups,
+                                         glint_error *err)
 {
     *groups = (glint_smoothing_groups){.group = NULL};
-    work w = {.mesh = mesh, .places = places, .result = groups};
+    work w = {.mesh = mesh, .places = places, .stop = stop, .result = groups};
     if (!make_room(&w)) {
         free_room(&w);
         glint_smoothing_groups_clear(groups);
@@ -303,6 +307,10 @@ glint_status glint_smoothing_groups_find(const glint_mesh *mesh, const glint_pla
         visit_triangle(&w, (uint32_t)i, join_ends);
     mark_all(&w);
     free_room(&w);
+    if (stop != NULL && *stop) {
+        glint_smoothing_groups_clear(groups);
+        return glint_fail(err, GLINT_INTERRUPTED, "interrupted");
+    }
     return GLINT_OK;
 }
 

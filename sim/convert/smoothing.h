@@ -9,6 +9,8 @@
 #ifndef GLINT_SIM_CONVERT_SMOOTHING_H
 #define GLINT_SIM_CONVERT_SMOOTHING_H
 
+#include <stdbool.h>
+
 #include "glint_status.h"
 #include "render/places.h"
 
@@ -19,9 +21,10 @@ typedef struct glint_smoothing_groups {
     size_t unmarked; /* of these, the ones that no bit could be found for: they become sharp */
 } glint_smoothing_groups;
 
-/* places: of the mesh. */
+/* places: of the mesh. GLINT_INTERRUPTED soon after *stop becomes true; stop may be NULL. */
 glint_status glint_smoothing_groups_find(const glint_mesh *mesh, const glint_places *places,
-                                         glint_smoothing_groups *groups, glint_error *err);
+                                         const volatile bool *stop, glint_smoothing_groups *groups,
+                                         glint_error *err);
 void glint_smoothing_groups_clear(glint_smoothing_groups *groups);
 
 #endif

@@ -312,7 +312,7 @@ glint_status glint_write_3ds(const glint_mesh *mesh, size_t most, FILE *out,
         status = glint_fail(err, GLINT_NO_MEMORY, "not enough memory for %zu vertices",
                             mesh->vertex_count);
     if (status == GLINT_OK)
-        status = glint_smoothing_groups_find(mesh, &places, &groups, err);
+        status = glint_smoothing_groups_find(mesh, &places, stop, &groups, err);
     if (status == GLINT_OK)
         status = write_places(mesh, &places, &groups, most, out, stop, converted, err);
     glint_smoothing_groups_clear(&groups);

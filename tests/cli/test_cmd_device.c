@@ -30,9 +30,10 @@ static void frames_in_c_and_verilog_are_equal(void **state)
     for (size_t i = 0; i < sizeof devices / sizeof devices[0]; i++) {
         char line[512];
         (void)snprintf(line, sizeof line,
-                       "render --device %s --lanes 1 --backend both --model sphere --n 50 "
+                       "render --device %s --lanes 1 --backend both --model sphere %s"
                        "--size 96x80 --force --out %s",
-                       devices[i], scratch_path("frame.png"));
+                       devices[i], strcmp(devices[i], "bipartite") != 0 ? "--n 50 " : "",
+                       scratch_path("frame.png"));
         outcome done = run(line, "");
         assert_outcome(&done, 0, "");
         assert_says(done.out, "\n0 differing pixels of 7680\n");
@@ -66,6 +67,8 @@ static void what_does_not_apply_is_refused(void **state)
            "of them\n");
     expect("eval --device power --circuit power", "", 2,
            "glint eval: --device and --circuit name the same thing: give one of them\n");
+    expect("render --device bipartite --exponent 16 --n 8 --out /dev/null/a.png", "", 2,
+           "glint render: --n 8: --device bipartite with --exponent 16 is for that n alone\n");
 }
 
 static void eval_takes_points(void **state)
