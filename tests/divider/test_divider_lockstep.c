@@ -111,14 +111,22 @@ static void what_does_not_exist_is_refused(void **state)
     glint_rtl_destroy(NULL);
 }
 
+static void stop_now(void *context, uint64_t done, uint64_t total)
+{
+    (void)done, (void)total;
+    *(volatile bool *)context = true;
+}
+
 static void a_stop_ends_the_run_with_what_was_compared(void **state)
 {
     (void)state;
     static glint_lockstep_result result;
-    static const volatile bool stop = true;
+    volatile bool stop = false;
     glint_error err;
     glint_lockstep_options options = usual();
     options.stop = &stop;
+    options.progress = stop_now;
+    options.progress_context = (void *)(uintptr_t)&stop;
     assert_int_equal(glint_lockstep_run(&options, &result, &err), GLINT_INTERRUPTED);
     assert_true(result.clocks > 0 && result.clocks < options.clocks);
     assert_true(result.comparisons == result.clocks * (uint64_t)glint_divider_signal_count(
