@@ -288,6 +288,26 @@ static int choose_n(const raw_options *raw, glint_render_options *chosen)
     return GLINT_OPTIONS_RUN;
 }
 
+static int check_isc(const raw_options *raw, const glint_render_options *chosen)
+{
+    if (!raw->trace.traced || !chosen->scene.isc)
+        return GLINT_OPTIONS_RUN;
+    return glint_complain("render", GLINT_EXIT_TROUBLE,
+                          "--isc is for triangles on the screen: leave --method trace out");
+}
+
+/* Models take any n. */
+static int check_fraction_of_n(const glint_render_options *chosen)
+{
+    const double n = chosen->scene.n;
+    if (chosen->scene.by_model || n == floor(n))
+        return GLINT_OPTIONS_RUN;
+    return glint_complain("render", GLINT_EXIT_TROUBLE,
+                          "--n: the device's n is a whole number, not %g; fractions need "
+                          "--backend real --specular MODEL",
+                          n);
+}
+
 static int settle_gl(const raw_options *raw, glint_render_options *chosen)
 {
     if (chosen->backend.device != &glint_circuit_specular) {
@@ -364,12 +384,8 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
         status = settle_gl(&raw, chosen);
     if (status == GLINT_OPTIONS_RUN)
         status = glint_shading_options_settle("render", &raw.shadings, &chosen->scene);
-    if (status == GLINT_OPTIONS_RUN && !chosen->scene.by_model && raw.n != floor(raw.n)) {
-        return glint_complain("render", GLINT_EXIT_TROUBLE,
-                              "--n: the device's n is a whole number, not %g; fractions need "
-                              "--backend real --specular MODEL",
-                              raw.n);
-    }
+    if (status == GLINT_OPTIONS_RUN)
+        status = check_fraction_of_n(chosen);
     if (status == GLINT_OPTIONS_RUN)
         status = choose_slips(&raw, &chosen->scene);
     if (status == GLINT_OPTIONS_RUN)
@@ -377,9 +393,7 @@ int glint_render_options_parse(int argc, char **argv, glint_render_options *chos
     chosen->trace = raw.trace;
     if (status == GLINT_OPTIONS_RUN)
         status = check_needless(&raw, chosen);
-    if (status == GLINT_OPTIONS_RUN && raw.trace.traced && chosen->scene.isc) {
-        return glint_complain("render", GLINT_EXIT_TROUBLE,
-                              "--isc is for triangles on the screen: leave --method trace out");
-    }
+    if (status == GLINT_OPTIONS_RUN)
+        status = check_isc(&raw, chosen);
     return status == GLINT_OPTIONS_RUN ? check_verilog(chosen) : status;
 }

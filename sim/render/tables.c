@@ -7,19 +7,29 @@
 glint_table_key glint_table_key_of(const glint_scene *scene, const glint_lighting *lighting,
                                    int extra)
 {
-    glint_table_key key;
-    memset(&key, 0, sizeof key); /* what lies between the members, too */
+    glint_table_key key = {.model = -1};
     memcpy(key.light, lighting->light, sizeof key.light);
     memcpy(key.ambient, lighting->ambient, sizeof key.ambient);
     memcpy(key.lambert, lighting->lambert, sizeof key.lambert);
     key.f0 = scene->f0;
     key.n = scene->n;
-    key.model = scene->by_model ? (int32_t)scene->specular : -1;
+    if (scene->by_model)
+        key.model = (int32_t)scene->specular;
     key.r = lighting->material.r;
     key.g = lighting->material.g;
     key.b = lighting->material.b;
     key.extra = extra;
     return key;
+}
+
+static bool same(const glint_table_key *a, const glint_table_key *b)
+{
+    bool same = a->f0 == b->f0 && a->n == b->n && a->model == b->model && a->r == b->r &&
+                a->g == b->g && a->b == b->b && a->extra == b->extra;
+    for (int i = 0; i < 3; i++)
+        same &= a->light[i] == b->light[i] && a->ambient[i] == b->ambient[i] &&
+                a->lambert[i] == b->lambert[i];
+    return same;
 }
 
 glint_status glint_tables_sheen(glint_tables *tables, const glint_backend_config *config,
@@ -31,7 +41,7 @@ glint_status glint_tables_sheen(glint_tables *tables, const glint_backend_config
     glint_backend_config own = *config;
     glint_backend *backend = NULL;
     glint_status status = GLINT_OK;
-    if (tables->has_sheen && memcmp(&key, &tables->sheen_key, sizeof key) == 0)
+    if (tables->has_sheen && same(&key, &tables->sheen_key))
         return GLINT_OK;
     tables->has_sheen = false;
     if (own.kind == GLINT_BACKEND_RTL)
@@ -50,7 +60,7 @@ glint_status glint_tables_map(glint_tables *tables, const glint_scene *scene,
                               const glint_lighting *lighting, bool *fill, glint_error *err)
 {
     const glint_table_key key = glint_table_key_of(scene, lighting, scene->map_size);
-    *fill = !tables->has_map || memcmp(&key, &tables->map_key, sizeof key) != 0;
+    *fill = !tables->has_map || !same(&key, &tables->map_key);
     if (!*fill)
         return GLINT_OK;
     const size_t entries = (size_t)scene->map_size * (size_t)scene->map_size;

@@ -6,7 +6,7 @@
 #include "render/reflection_map.h"
 #include "render/sheen.h"
 
-/* All that a table depends on; compared byte by byte, so to be made by glint_table_key_of(). */
+/* All that a table depends on. */
 typedef struct glint_table_key {
     float light[3], ambient[3], lambert[3], f0;
     double n;
