@@ -98,8 +98,8 @@ glint_status glint_highlight_batch(const glint_setting *setting, const glint_mat
 
 double glint_highlight_real(const glint_setting *setting, uint32_t n, uint32_t cos_code)
 {
-    const glint_unit *unit = unit_of(setting->circuit);
-    if (unit == NULL)
+    if (setting->circuit == &glint_circuit_specular) /* a frame asks for each pixel */
         return glint_specular_real(gate_of(setting), n, cos_code);
+    const glint_unit *unit = unit_of(setting->circuit);
     return unit->real(glint_unit_config_of(unit, setting->values).variant, n, cos_code);
 }
