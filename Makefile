@@ -41,8 +41,8 @@ VECTOR     := $(addprefix sim/,bench/kernels bench/formulas lockstep/exhaustive 
 HOT        := cmodel/ $(addprefix sim/,backend/ bench/ circuit/random circuit/schedule \
               circuit/stimulus circuit/divider_stimulus circuit/units color/ compare/errors \
               energy/ image/ lockstep/ reflectance/ rtl/needed rtl/rtl thread/ trace/ \
-              $(addprefix render/,camera clip detail gouraud listing mesh paint pick quadratic render \
-              scene setup sheen show span split transform)) tests/reference/
+              $(addprefix render/,camera clip detail gouraud listing mesh paint pick quadratic \
+              render scene setup sheen show span split transform)) tests/reference/
 among       = $(filter $(addsuffix %,$1),$<)
 OPTIMIZE    = $(if $(call among,$(VECTOR)),$(if $(SANITIZE),-O1,-O3),\
               $(if $(call among,$(HOT)),$(if $(SANITIZE),-O1,-O2),\
