@@ -27,12 +27,16 @@
  * other side of a half. */
 #define LEVELS 1
 
+/* NULL where there is no OpenGL; a shader that does not compile is a failure. */
 static glint_gl_renderer *try_open(const glint_mesh *mesh)
 {
     glint_error err;
     glint_gl_renderer *renderer = NULL;
-    if (glint_gl_renderer_create(mesh, WIDTH, HEIGHT, 1, &renderer, &err) != GLINT_OK)
+    const glint_status status = glint_gl_renderer_create(mesh, WIDTH, HEIGHT, 1, &renderer, &err);
+    if (status == GLINT_IO_ERROR)
         print_message("%s\n", err.text);
+    else if (status != GLINT_OK)
+        fail_msg("%s", err.text);
     return renderer;
 }
 
